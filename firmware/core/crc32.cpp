@@ -3,10 +3,13 @@
 #include <array>
 #include <cstddef>
 
+#include "firmware/core/wide.hpp"
+
 namespace earshot {
 namespace {
 
-constexpr std::size_t kStride = 8;  ///< bytes that are taken at once
+/// Bytes that are taken at once, each by a table of a kilobyte: one where there are no vectors, in a microcontroller of little flash.
+constexpr std::size_t kStride = kHasVectors ? 8 : 1;
 using Table = std::array<std::uint32_t, 256>;
 
 /// The remainder of a byte that `i` others follow, for each i.
@@ -32,13 +35,15 @@ constexpr std::array<Table, kStride> kTables = make_tables();
 
 std::uint32_t crc32(std::span<const std::uint8_t> bytes, std::uint32_t previous) {
   std::uint32_t crc = ~previous;
-  for (; bytes.size() >= kStride; bytes = bytes.subspan(kStride)) {
-    std::uint32_t next = 0;
-    for (std::size_t i = 0; i < kStride; ++i) {
-      const std::uint32_t of_crc = i < 4 ? crc >> (8U * i) : 0U;
-      next ^= kTables[kStride - 1 - i][(of_crc ^ bytes[i]) & 0xFFU];
+  if constexpr (kStride > 1) {
+    for (; bytes.size() >= kStride; bytes = bytes.subspan(kStride)) {
+      std::uint32_t next = 0;
+      for (std::size_t i = 0; i < kStride; ++i) {
+        const std::uint32_t of_crc = i < 4 ? crc >> (8U * i) : 0U;
+        next ^= kTables[kStride - 1 - i][(of_crc ^ bytes[i]) & 0xFFU];
+      }
+      crc = next;
     }
-    crc = next;
   }
   for (const std::uint8_t byte : bytes) crc = (crc >> 8U) ^ kTables[0][(crc ^ byte) & 0xFFU];
   return ~crc;

@@ -24,19 +24,19 @@ MessageWriter& MessageWriter::remember(Status status) {
   return *this;
 }
 
-MessageWriter& MessageWriter::set(std::string_view signal, double value) {
+MessageWriter& MessageWriter::set(FieldName signal, double value) {
   const Signal* found = find_signal(message_, signal);
   assert(found != nullptr);
   return remember(encode(*found, value, bytes_));
 }
 
-MessageWriter& MessageWriter::set_raw(std::string_view signal, std::int64_t raw) {
+MessageWriter& MessageWriter::set_raw(FieldName signal, std::int64_t raw) {
   const Signal* found = find_signal(message_, signal);
   assert(found != nullptr);
   return remember(encode_raw(*found, raw, bytes_));
 }
 
-MessageWriter& MessageWriter::set_text(std::string_view signal, std::string_view text) {
+MessageWriter& MessageWriter::set_text(FieldName signal, std::string_view text) {
   const Signal* found = find_signal(message_, signal);
   assert(found != nullptr);
   return remember(write_fixed_text(*found, text, bytes_));
@@ -60,19 +60,19 @@ T MessageReader::remember(const Result<T>& result) {
   return status_ == Status::kOk ? result.value() : T{};
 }
 
-double MessageReader::value(std::string_view signal) {
+double MessageReader::value(FieldName signal) {
   const Signal* found = find_signal(message_, signal);
   assert(found != nullptr);
   return remember(decode(*found, bytes_));
 }
 
-std::int64_t MessageReader::raw(std::string_view signal) {
+std::int64_t MessageReader::raw(FieldName signal) {
   const Signal* found = find_signal(message_, signal);
   assert(found != nullptr);
   return remember(decode_raw(*found, bytes_));
 }
 
-Result<double> read(std::uint32_t pgn, std::string_view signal, std::span<const std::uint8_t> bytes) {
+Result<double> read(std::uint32_t pgn, FieldName signal, std::span<const std::uint8_t> bytes) {
   const Signal* found = find_signal(message_with(pgn), signal);
   assert(found != nullptr);
   return decode(*found, bytes);

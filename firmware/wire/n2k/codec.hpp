@@ -18,9 +18,9 @@ class MessageWriter {
   explicit MessageWriter(const Message& message) : message_(message), bytes_(blank(message)) {}
   explicit MessageWriter(std::uint32_t pgn);
 
-  MessageWriter& set(std::string_view signal, double value);
-  MessageWriter& set_raw(std::string_view signal, std::int64_t raw);
-  MessageWriter& set_text(std::string_view signal, std::string_view text);  ///< of fixed size
+  MessageWriter& set(FieldName signal, double value);
+  MessageWriter& set_raw(FieldName signal, std::int64_t raw);
+  MessageWriter& set_text(FieldName signal, std::string_view text);  ///< of fixed size
 
   [[nodiscard]] Status status() const { return status_; }
   [[nodiscard]] std::span<const std::uint8_t> bytes() const { return {bytes_.data(), message_.size}; }
@@ -44,9 +44,9 @@ class MessageReader {
  public:
   MessageReader(const Message& message, std::span<const std::uint8_t> bytes) : message_(message), bytes_(bytes) {}
 
-  [[nodiscard]] double value(std::string_view signal);
-  [[nodiscard]] std::int64_t raw(std::string_view signal);
-  [[nodiscard]] bool yes(std::string_view signal) { return raw(signal) == 1; }  ///< of a choice between No and Yes
+  [[nodiscard]] double value(FieldName signal);
+  [[nodiscard]] std::int64_t raw(FieldName signal);
+  [[nodiscard]] bool yes(FieldName signal) { return raw(signal) == 1; }  ///< of a choice between No and Yes
 
   [[nodiscard]] Status status() const { return status_; }
 
@@ -60,6 +60,6 @@ class MessageReader {
 };
 
 /// Value of one field of a message; the failures of decode().
-[[nodiscard]] Result<double> read(std::uint32_t pgn, std::string_view signal, std::span<const std::uint8_t> bytes);
+[[nodiscard]] Result<double> read(std::uint32_t pgn, FieldName signal, std::span<const std::uint8_t> bytes);
 
 }  // namespace earshot::n2k

@@ -24,7 +24,7 @@ Status compose_setpoint(const messages::Setpoint& setpoint, std::uint8_t source,
   if (!is_finite(setpoint.heading.value)) return Status::kOutOfRange;
   const double heading = wrap_to_pi(setpoint.heading).value;
   Frame speed_depth;
-  Status status = MessageWriter(kSpeedDepthPgn)
+  Status status = MessageWriter(table::kSpeedDepth)
                       .set("ManufacturerCode", kManufacturer)
                       .set("IndustryGroup", kMarineIndustry)
                       .set("CommandedSpeed", setpoint.speed.value)
@@ -34,7 +34,7 @@ Status compose_setpoint(const messages::Setpoint& setpoint, std::uint8_t source,
                       .frame(source, speed_depth);
   if (status != Status::kOk) return status;
 
-  MessageWriter control(kHeadingControlPgn);
+  MessageWriter control(table::kHeadingControl);
   control.set("SteeringMode", kHeadingControl)
       .set("HeadingReference", kTrueNorth)
       .set("HeadingToSteer", heading < 0.0 ? heading + kTwoPi : heading);

@@ -18,11 +18,15 @@ consteval bool all_are_well_formed() {
     }
     for (const Signal& signal : message.signals) {
       if (!is_well_formed(message, signal)) return false;
+      for (const Signal& other : message.signals) {
+        if (&other != &signal && other.key == signal.key) return false;
+      }
     }
   }
   return true;
 }
-static_assert(all_are_well_formed(), "every signal lies in its message, every message goes the way that its size needs");
+static_assert(all_are_well_formed(),
+              "every signal lies in its message and is found by its name, every message goes the way that its size needs");
 
 }  // namespace
 
@@ -37,9 +41,9 @@ const Message* find_message(std::uint32_t pgn, std::uint8_t kind) {
   return nullptr;
 }
 
-const Signal* find_signal(const Message& message, std::string_view name) {
+const Signal* find_signal(const Message& message, FieldName name) {
   for (const Signal& signal : message.signals) {
-    if (signal.name == name) return &signal;
+    if (signal.key == name.key) return &signal;
   }
   return nullptr;
 }
@@ -65,7 +69,7 @@ std::array<std::uint8_t, kMaxMessageSize> blank(const Message& message) {
   std::array<std::uint8_t, kMaxMessageSize> bytes{};
   bytes.fill(0xFF);
   for (const Signal& signal : message.signals) {
-    if (signal.kind == Signal::Kind::kNumber) detail::write_bits(bytes, signal, static_cast<std::uint64_t>(signal.top));
+    if (signal.kind == Signal::Kind::kNumber) detail::write_bits(bytes, signal, static_cast<std::uint64_t>(signal.top()));
   }
   return bytes;
 }

@@ -16,16 +16,23 @@ namespace earshot::n2k {
 // candump, cantools and SavvyCAN users is printed from it (earshot dbc). Where a field is a constant, all of this is settled when it is
 // compiled: there is no search by name on the way of a frame.
 
+/// The name of a field, to find it by. A literal's key is computed when it is compiled.
+struct FieldName {
+  std::uint32_t key;
+  consteval FieldName(const char* name) : key(key_of(name)) {}  // NOLINT(google-explicit-constructor): in a name's place
+  constexpr explicit FieldName(std::string_view name) : key(key_of(name)) {}
+};
+
 /// Every message Earshot reads or writes.
 [[nodiscard]] std::span<const Message> messages();
 
 /// The first with this PGN (and, of those that share it, of this kind); null if the table has no such message or signal.
 [[nodiscard]] const Message* find_message(std::uint32_t pgn, std::uint8_t kind = 0);
-[[nodiscard]] const Signal* find_signal(const Message& message, std::string_view name);
+[[nodiscard]] const Signal* find_signal(const Message& message, FieldName name);
 
 /// The raw value that says "not available"; of a field all of whose values are numbers, the highest.
 [[nodiscard]] constexpr std::int64_t not_available(const Signal& signal) {
-  return signal.top;
+  return signal.top();
 }
 
 /// How many of the highest raw values are no numbers.
@@ -69,7 +76,7 @@ constexpr void write_bits(std::span<std::uint8_t> bytes, const Signal& signal, s
     const unsigned unused = 64U - signal.bit_count;
     raw = static_cast<std::int64_t>(static_cast<std::uint64_t>(raw) << unused) >> unused;
   }
-  if (signal.special_count != 0 && raw == signal.top) return Status::kNotReady;
+  if (signal.special_count != 0 && raw == signal.top()) return Status::kNotReady;
   if (raw < signal.lowest_raw || raw > signal.highest_raw) return Status::kOutOfRange;
   return raw;
 }

@@ -33,12 +33,12 @@ Status VehicleCondition::give(const Sensors& sensors, Time now, messages::Vehicl
   const std::optional<Time> newest = std::max({sensors.heard(Measured::kAltitude), sensors.heard(Measured::kCharge), hull_heard_});
   if (!newest) return Status::kNotReady;
   const Readings& readings = sensors.readings();
-  status = {
-      .time = *newest,
-      .altitude = if_fresh(readings.altitude, *newest, oldest_altitude_).value_or(Meters{messages::VehicleStatus::kUnknown}),
-      .battery_percent = if_fresh(readings.charge_percent, *newest, table::kCharge.timeout).value_or(messages::VehicleStatus::kUnknown),
-      .has_leak = hull_.has_leak(),
-      .has_ground_fault = hull_.has_ground_fault()};
+  status = {.time = *newest,
+            .altitude = if_fresh(readings.altitude, *newest, oldest_altitude_).value_or(Meters{messages::VehicleStatus::kUnknown}),
+            .battery_percent =
+                if_fresh(readings.charge_percent, *newest, table::timeout_of(table::kCharge)).value_or(messages::VehicleStatus::kUnknown),
+            .has_leak = hull_.has_leak(),
+            .has_ground_fault = hull_.has_ground_fault()};
   const bool is_due = !given_ || (*newest > given_->status.time && now - given_->at >= kVehicleStatusPeriod);
   if (!is_due && !has_new_alarm(status, given_->status)) return Status::kNotReady;
   given_ = Given{.status = status, .at = now};

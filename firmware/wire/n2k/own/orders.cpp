@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <string_view>
 
 #include "firmware/wire/n2k/identifier.hpp"
 #include "firmware/wire/n2k/own/ownership.hpp"
@@ -22,7 +21,7 @@ Status cut(const MessageWriter& writer, const Route& route, FastPacketFrames& fr
   return compose_fast_packet(writer.identifier(route.source, route.destination), route.sequence, writer.bytes(), frames);
 }
 
-constexpr std::array<std::string_view, 4> kMarkSignals{"Mark0", "Mark1", "Mark2", "Mark3"};
+constexpr std::array<FieldName, 4> kMarkSignals{"Mark0", "Mark1", "Mark2", "Mark3"};
 
 /// Four bytes of a mark, little-endian, as everything on this bus.
 std::int64_t mark_part(const messages::CommandMark& mark, std::size_t part) {

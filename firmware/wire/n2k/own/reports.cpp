@@ -19,11 +19,11 @@ Status cut(const MessageWriter& writer, const Sender& sender, FastPacketFrames& 
   return compose_fast_packet(writer.identifier(sender.source), sender.sequence, writer.bytes(), frames);
 }
 
-std::uint64_t count_in(MessageReader& reader, std::string_view signal) {
+std::uint64_t count_in(MessageReader& reader, FieldName signal) {
   return static_cast<std::uint64_t>(reader.raw(signal));
 }
 
-NorthEast place_in(MessageReader& reader, std::string_view north, std::string_view east) {
+NorthEast place_in(MessageReader& reader, FieldName north, FieldName east) {
   const Meters northward{reader.value(north)};
   return {.north = northward, .east = Meters{reader.value(east)}};
 }

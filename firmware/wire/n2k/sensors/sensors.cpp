@@ -52,32 +52,33 @@ Status Sensors::take(const Arrival& arrival, Measured& measured) {
   switch (arrival.identifier.pgn) {
     case kPositionPgn:
       measured = Measured::kPosition;
-      return keep_admitted(measured, arrival, table::kPosition, readings_.position, by<fields::position>);
+      return keep_admitted(measured, arrival, table::handover_of(table::kPosition), readings_.position, by<fields::position>);
     case kHeadingPgn:
       measured = Measured::kHeading;
-      return keep_admitted(measured, arrival, table::kHeading, readings_.heading,
+      return keep_admitted(measured, arrival, table::handover_of(table::kHeading), readings_.heading,
                            [&](Bytes bytes) { return true_heading(bytes, arrival.time); });
     case kVariationPgn:
       measured = Measured::kVariation;
-      return keep_admitted(measured, arrival, table::kVariation, readings_.variation, by<fields::variation>);
+      return keep_admitted(measured, arrival, table::handover_of(table::kVariation), readings_.variation, by<fields::variation>);
     case kRateOfTurnPgn:
       measured = Measured::kRateOfTurn;
-      return keep_admitted(measured, arrival, table::kRateOfTurn, readings_.rate_of_turn, by<fields::rate_of_turn>);
+      return keep_admitted(measured, arrival, table::handover_of(table::kRateOfTurn), readings_.rate_of_turn, by<fields::rate_of_turn>);
     case kAttitudePgn:
       measured = Measured::kAttitude;
-      return keep_admitted(measured, arrival, table::kAttitude, readings_.attitude, by<fields::attitude>);
+      return keep_admitted(measured, arrival, table::handover_of(table::kAttitude), readings_.attitude, by<fields::attitude>);
     case kSpeedPgn:
       measured = Measured::kSpeed;
-      return keep_admitted(measured, arrival, table::kSpeed, readings_.speed, by<fields::speed>);
+      return keep_admitted(measured, arrival, table::handover_of(table::kSpeed), readings_.speed, by<fields::speed>);
     case kCoursePgn:
       measured = Measured::kOverGround;
-      return keep_admitted(measured, arrival, table::kCourse, readings_.over_ground, by<fields::over_ground>);
+      return keep_admitted(measured, arrival, table::handover_of(table::kCourse), readings_.over_ground, by<fields::over_ground>);
     case kWaterDepthPgn:
       measured = Measured::kAltitude;
-      return keep_admitted(measured, arrival, table::kWaterDepth, readings_.altitude, by<fields::altitude>);
+      return keep_admitted(measured, arrival, table::handover_of(table::kWaterDepth), readings_.altitude, by<fields::altitude>);
     case kRudderPgn:
       measured = Measured::kRudder;
-      return keep_admitted(measured, arrival, table::kRudder, readings_.rudder, by<fields::rudder>, fields::rudder_instance(arrival.bytes));
+      return keep_admitted(measured, arrival, table::handover_of(table::kRudder), readings_.rudder, by<fields::rudder>,
+                           fields::rudder_instance(arrival.bytes));
     case kPressurePgn:
       measured = Measured::kPressure;
       return take_pressure(arrival);
@@ -86,7 +87,7 @@ Status Sensors::take(const Arrival& arrival, Measured& measured) {
       return take_temperature(arrival);
     case kBatteryPgn:
       measured = Measured::kBattery;
-      return keep_admitted(measured, arrival, table::kBattery, readings_.battery, by<fields::battery>,
+      return keep_admitted(measured, arrival, table::handover_of(table::kBattery), readings_.battery, by<fields::battery>,
                            fields::battery_instance(arrival.bytes));
     default:
       ++counters_.of_no_interest;
@@ -108,11 +109,11 @@ Status Sensors::keep(std::optional<Reading<T>>& reading, Result<T> value, Time t
 }
 
 template <class T, class Read>
-Status Sensors::keep_admitted(Measured measured, const Arrival& arrival, const Message& message, std::optional<Reading<T>>& reading,
+Status Sensors::keep_admitted(Measured measured, const Arrival& arrival, Duration handover, std::optional<Reading<T>>& reading,
                               const Read& read, std::optional<std::uint8_t> instance) {
   SourceGate& gate = gates_[static_cast<std::size_t>(measured)];
   const Origin origin{.pgn = arrival.identifier.pgn, .address = arrival.identifier.source, .instance = instance};
-  const Standing standing = gate.standing(origin, directory_, arrival.time, message.handover);
+  const Standing standing = gate.standing(origin, directory_, arrival.time, handover);
   if (standing == Standing::kNotChosen) ++counters_.not_chosen[static_cast<std::size_t>(measured)];
   if (standing == Standing::kNotChosen || standing == Standing::kIsAnothers) {
     ++counters_.other_device;
@@ -132,7 +133,7 @@ Result<Radians> Sensors::true_heading(Bytes bytes, Time now) {
   const fields::Heading& heading = said.value();
   if (heading.is_true) return wrap_to_pi(heading.value);
   if (heading.variation) return wrap_to_pi(heading.value + *heading.variation);
-  if (!is_fresh(readings_.variation, now, table::kVariation.timeout)) {
+  if (!is_fresh(readings_.variation, now, table::timeout_of(table::kVariation))) {
     ++counters_.no_variation;
     return Status::kUnsupported;
   }
@@ -146,7 +147,7 @@ Status Sensors::take_packet(const Identifier& identifier, const Frame& frame, Ti
   if (status != Status::kOk) return status == Status::kNotReady ? status : Status::kMalformed;
   const Arrival arrival{.identifier = identifier, .bytes = message.bytes, .time = message.began};
   if (measured == Measured::kCharge) return take_charge(arrival);
-  return keep_admitted(Measured::kPosition, arrival, table::kGnss, readings_.position, by<fields::gnss_position>);
+  return keep_admitted(Measured::kPosition, arrival, table::handover_of(table::kGnss), readings_.position, by<fields::gnss_position>);
 }
 
 Status Sensors::take_pressure(const Arrival& arrival) {
@@ -156,8 +157,8 @@ Status Sensors::take_pressure(const Arrival& arrival) {
     ++counters_.of_no_interest;
     return Status::kNotReady;
   }
-  const Status kept = keep_admitted(Measured::kPressure, arrival, table::kPressure, readings_.pressure_pa, value_of(said),
-                                    fields::pressure_instance(arrival.bytes));
+  const Status kept = keep_admitted(Measured::kPressure, arrival, table::handover_of(table::kPressure), readings_.pressure_pa,
+                                    value_of(said), fields::pressure_instance(arrival.bytes));
   if (!readings_.pressure_pa) readings_.depth.reset();
   if (kept != Status::kOk) return kept;
   if (settings_.pressure_kind == PressureKind::kAbsolute && !settings_.surface_pa) {
@@ -188,8 +189,8 @@ Status Sensors::take_temperature(const Arrival& arrival) {
     return Status::kNotReady;
   }
   if (!said.ok() && said.status() != Status::kNotReady) return said.status();
-  return keep_admitted(Measured::kTemperature, arrival, table::kTemperature, readings_.water_temperature_k, value_of(said),
-                       fields::temperature_instance(arrival.bytes));
+  return keep_admitted(Measured::kTemperature, arrival, table::handover_of(table::kTemperature), readings_.water_temperature_k,
+                       value_of(said), fields::temperature_instance(arrival.bytes));
 }
 
 Status Sensors::take_charge(const Arrival& arrival) {
@@ -199,7 +200,8 @@ Status Sensors::take_charge(const Arrival& arrival) {
     return Status::kNotReady;
   }
   const auto read = [&said](Bytes /*bytes*/) { return said.ok() ? Result<double>(*said.value()) : Result<double>(said.status()); };
-  return keep_admitted(Measured::kCharge, arrival, table::kCharge, readings_.charge_percent, read, fields::charge_instance(arrival.bytes));
+  return keep_admitted(Measured::kCharge, arrival, table::handover_of(table::kCharge), readings_.charge_percent, read,
+                       fields::charge_instance(arrival.bytes));
 }
 
 }  // namespace earshot::n2k

@@ -93,8 +93,9 @@ class Sensors {
   [[nodiscard]] Status keep(std::optional<Reading<T>>& reading, Result<T> value, Time time);
   /// What `read` makes of a message, if it is of the device that this is taken from. Only a value makes it that device: one that has none
   /// is in nobody's way.
+  /// @param handover  of the message: the silence after which another device takes the place
   template <class T, class Read>
-  [[nodiscard]] Status keep_admitted(Measured measured, const Arrival& arrival, const Message& message, std::optional<Reading<T>>& reading,
+  [[nodiscard]] Status keep_admitted(Measured measured, const Arrival& arrival, Duration handover, std::optional<Reading<T>>& reading,
                                      const Read& read, std::optional<std::uint8_t> instance = {});
   [[nodiscard]] Result<Radians> true_heading(Bytes bytes, Time now);
   [[nodiscard]] Status take_pressure(const Arrival& arrival);

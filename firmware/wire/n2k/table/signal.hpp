@@ -4,16 +4,42 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <type_traits>
 
+#include "firmware/config/capacities.hpp"
 #include "firmware/core/time.hpp"
 
 namespace earshot::n2k {
 
+/// Names and units are for who reads a bus; a microcontroller, where nobody does, has no room for them: 10 KiB.
+inline constexpr bool kHasWords = config::kProfile == config::Profile::kVehicleComputer;
+struct NoWords {
+  constexpr NoWords() = default;
+  constexpr NoWords(std::string_view /*words*/) {}  // NOLINT(google-explicit-constructor): in a string's place
+};
+using Words = std::conditional_t<kHasWords, std::string_view, NoWords>;
+
+/// By which a name is found where names themselves are not kept: FNV-1a.
+constexpr std::uint32_t key_of(std::string_view name) {
+  std::uint32_t key = 2'166'136'261U;
+  for (const char c : name) key = (key ^ static_cast<std::uint8_t>(c)) * 16'777'619U;
+  return key;
+}
+
 /// The name of one raw value: a word of a closed list, as "Magnetic" of a heading's reference.
 struct Choice {
   std::int64_t raw = 0;
-  std::string_view name{};
+  std::uint32_t key = 0;
+  [[no_unique_address]] Words name{};
+
+  consteval Choice(std::int64_t value, std::string_view called) : raw(value), key(key_of(called)), name(called) {}
 };
+
+struct NoChoices {
+  constexpr NoChoices() = default;
+  constexpr NoChoices(std::span<const Choice> /*choices*/) {}  // NOLINT(google-explicit-constructor): in a span's place
+};
+using Choices = std::conditional_t<kHasWords, std::span<const Choice>, NoChoices>;
 
 /// value = raw * numerator / denominator: of whole numbers, so that a raw value below 2^53 becomes the double nearest to its decimal.
 struct Scale {
@@ -29,20 +55,25 @@ struct Signal {
     kFixedText,     ///< characters in a place of fixed size, padded
     kVariableText,  ///< size, encoding, characters; the n-th such text of a message (first_bit = n) lies behind those before it
   };
-  std::string_view name{};
+  std::uint32_t key = 0;  ///< key_of(name), no other's of the message
   std::uint16_t first_bit = 0;
   std::uint16_t bit_count = 0;  ///< of a number 1..64, unsigned 1..63
   Sign sign = Sign::kUnsigned;
   Kind kind = Kind::kNumber;
+  std::uint8_t special_count = 0;
+  Words name{};
+  Words unit{};
   Scale scale{};
-  std::string_view unit{};
   double lowest = 0.0;           ///< smallest value the standard allows, in `unit`
   double highest = 0.0;          ///< largest
   std::int64_t lowest_raw = 0;   ///< likewise, raw, to the nearest: the highest angle on the bus, 62832 * 1e-4 rad, is a hair over 2 pi
   std::int64_t highest_raw = 0;  ///< likewise
-  std::int64_t top = 0;          ///< highest raw value that the bits can hold; "not available" if special_count is not 0
-  std::int64_t special_count = 0;
-  std::span<const Choice> choices{};  ///< empty: a plain number
+  [[no_unique_address]] Choices choices{};  ///< empty: a plain number
+
+  /// The highest raw value that the bits of a number can hold; "not available" if special_count is not 0.
+  [[nodiscard]] constexpr std::int64_t top() const {
+    return static_cast<std::int64_t>(~std::uint64_t{0} >> (64U - bit_count + (sign == Sign::kSigned ? 1U : 0U)));
+  }
 };
 
 enum class Direction : std::uint8_t { kToRuntime, kFromRuntime, kBoth };
@@ -56,7 +87,7 @@ enum class Framing : std::uint8_t {
 
 /// One parameter group: which it is, how often it comes, after how long its value is too old.
 struct Message {
-  std::string_view name{};
+  Words name{};
   std::uint32_t pgn = 0;
   std::uint8_t priority = 0;  ///< default
   std::uint8_t size = 8;      ///< bytes; of a message that repeats or holds variable text: the least
@@ -95,7 +126,7 @@ consteval std::int64_t nearest(double x) {
 
 /// How many of the highest raw values are no numbers: 1 below four bits (not available), 2 below eight (and out of range), else 3 (and
 /// reserved).
-consteval std::int64_t usual_special_count(unsigned bit_count) {
+consteval std::uint8_t usual_special_count(unsigned bit_count) {
   if (bit_count >= 8) return 3;
   return bit_count >= 4 ? 2 : 1;
 }
@@ -103,16 +134,16 @@ consteval std::int64_t usual_special_count(unsigned bit_count) {
 /// A field that may hold all of its numbers.
 consteval Signal number(std::string_view name, unsigned first_bit, unsigned bit_count, Signal::Sign sign = kUnsigned, Scale scale = kOne,
                         std::string_view unit = "", Special special = Special::kUsual) {
-  Signal signal{.name = name,
+  Signal signal{.key = key_of(name),
                 .first_bit = static_cast<std::uint16_t>(first_bit),
                 .bit_count = static_cast<std::uint16_t>(bit_count),
                 .sign = sign,
-                .scale = scale,
-                .unit = unit};
-  signal.top = static_cast<std::int64_t>(~std::uint64_t{0} >> (64U - bit_count + (sign == kSigned ? 1U : 0U)));
-  signal.special_count = special == Special::kUsual ? usual_special_count(bit_count) : 0;
-  signal.highest_raw = signal.top - signal.special_count;
-  signal.lowest_raw = sign == kSigned ? -signal.top : 0;
+                .name = name,
+                .unit = unit,
+                .scale = scale};
+  if (special == Special::kUsual) signal.special_count = usual_special_count(bit_count);
+  signal.highest_raw = signal.top() - signal.special_count;
+  signal.lowest_raw = sign == kSigned ? -signal.top() : 0;
   signal.lowest = static_cast<double>(signal.lowest_raw) * scale.numerator / scale.denominator;
   signal.highest = static_cast<double>(signal.highest_raw) * scale.numerator / scale.denominator;
   return signal;
@@ -160,14 +191,15 @@ consteval Signal sequence_identifier(unsigned first_bit) {
 }
 
 consteval Signal fixed_text(std::string_view name, unsigned first_bit, unsigned bytes) {
-  return {.name = name,
+  return {.key = key_of(name),
           .first_bit = static_cast<std::uint16_t>(first_bit),
           .bit_count = static_cast<std::uint16_t>(8 * bytes),
-          .kind = Signal::Kind::kFixedText};
+          .kind = Signal::Kind::kFixedText,
+          .name = name};
 }
 
 consteval Signal variable_text(std::string_view name, unsigned index) {
-  return {.name = name, .first_bit = static_cast<std::uint16_t>(index), .kind = Signal::Kind::kVariableText};
+  return {.key = key_of(name), .first_bit = static_cast<std::uint16_t>(index), .kind = Signal::Kind::kVariableText, .name = name};
 }
 
 consteval Duration ten_times(Duration period) {
@@ -181,10 +213,18 @@ consteval Duration two_and_a_half_times(Duration period) {
 /// Never defined: a constant expression that calls it does not compile.
 void there_is_no_such_name();
 
+/// A number for who needs nothing else of the message: a reference to it would bring its fields, with their names, into the program.
+consteval Duration handover_of(const Message& message) {
+  return message.handover;
+}
+consteval Duration timeout_of(const Message& message) {
+  return message.timeout;
+}
+
 /// The field of that name; does not compile if the message has none.
 consteval Signal field(const Message& message, std::string_view name) {
   for (const Signal& signal : message.signals) {
-    if (signal.name == name) return signal;
+    if (signal.key == key_of(name)) return signal;
   }
   there_is_no_such_name();
   return {};
@@ -193,7 +233,7 @@ consteval Signal field(const Message& message, std::string_view name) {
 /// The raw value of that name; does not compile if the field has none.
 consteval std::int64_t raw_of(std::span<const Choice> choices, std::string_view name) {
   for (const Choice& choice : choices) {
-    if (choice.name == name) return choice.raw;
+    if (choice.key == key_of(name)) return choice.raw;
   }
   there_is_no_such_name();
   return 0;

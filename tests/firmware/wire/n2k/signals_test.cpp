@@ -18,7 +18,7 @@ namespace earshot::n2k {
 namespace {
 
 const Signal& signal(std::uint32_t pgn, std::string_view name) {
-  return *find_signal(*find_message(pgn), name);
+  return *find_signal(*find_message(pgn), FieldName(name));
 }
 
 /// The bytes of a recorded message, fast packets put together.
@@ -40,7 +40,7 @@ TEST(Signals, ReadWhatCanboatReadsOnARecordedBus) {
     ASSERT_NE(message, nullptr);
     EXPECT_EQ(recorded.fields.size(), message->signals.size());
     for (const auto& [name, value] : recorded.fields) {
-      const Signal* found = find_signal(*message, name);
+      const Signal* found = find_signal(*message, FieldName(name));
       ASSERT_NE(found, nullptr) << name;
       const Result<double> decoded = decode(*found, bytes_of(recorded));
       if (value) {
@@ -63,7 +63,7 @@ TEST(Signals, WriteTheRecordedFramesBitForBit) {
     for (const Signal& s : message.signals) detail::write_bits(bytes, s, static_cast<std::uint64_t>(not_available(s)));
     for (const auto& [name, value] : recorded.fields) {
       if (value) {
-        ASSERT_EQ(encode(*find_signal(message, name), *value, bytes), Status::kOk) << name;
+        ASSERT_EQ(encode(*find_signal(message, FieldName(name)), *value, bytes), Status::kOk) << name;
       }
     }
     EXPECT_EQ(bytes, expected) << recorded.pgn;

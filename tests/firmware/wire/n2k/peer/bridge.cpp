@@ -22,6 +22,7 @@
 namespace {
 
 using namespace earshot;
+using n2k::FieldName;
 using n2k::Frame;
 using n2k::Message;
 using n2k::Signal;
@@ -102,7 +103,7 @@ void encode_some(const Message& message, std::istream& words) {
   n2k::MessageWriter writer(message);
   for (std::string word; words >> word;) {
     const std::size_t equals = word.find('=');
-    writer.set_raw(word.substr(0, equals), std::stoll(word.substr(equals + 1)));
+    writer.set_raw(FieldName(word.substr(0, equals)), std::stoll(word.substr(equals + 1)));
   }
   if (writer.status() != Status::kOk) {
     std::cout << "refused\n";
@@ -177,7 +178,7 @@ int main() {
     } else if (verb == "choices") {
       std::string name;
       words >> name;
-      print_choices(*find_signal(*message, name));
+      print_choices(*find_signal(*message, FieldName(name)));
     } else if (verb == "decode") {
       std::string hex;
       words >> hex;

@@ -16,7 +16,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 struct Value {
-  std::string_view signal;
+  FieldName signal;
   double value;
 };
 

@@ -20,7 +20,7 @@ constexpr double kTrue = 0;
 constexpr double kMagnetic = 1;
 
 struct Value {
-  std::string_view signal;
+  FieldName signal;
   double value;
 };
 
