@@ -65,7 +65,7 @@ TEST_F(HypothesisBlockTest, StartsWithEveryPlaceAsLikelyUnderEveryHypothesis) {
   EXPECT_FALSE(block->holds({.level = 1}));
 }
 
-/// Bayes' rule with every factor written out, in long double: two looks from within and two from without, one of them too faint.
+/// Bayes' rule with every factor written out, in double: two looks from within and two from without, one of them too faint.
 TEST_F(HypothesisBlockTest, IsWhatBayesRuleGivesByHandUnderEveryHypothesis) {
   const BeliefModel model = small_model();
   OceanTables tables = no_tables(kSmallRanges);
@@ -94,14 +94,14 @@ TEST_F(HypothesisBlockTest, IsWhatBayesRuleGivesByHandUnderEveryHypothesis) {
     block->weigh(model, kAllLanes, likelihoods.by_range(tables), ranges);
   }
   for (std::size_t l = 0; l < kLanes; ++l) {
-    std::vector<long double> joint(400, 1.0L);
+    std::vector<double> joint(400, 1.0);
     for (const auto& [place, reception] : looks) {
-      const std::vector<long double> by_range = likelihoods_by_hand(model, tables, kHypotheses[l], reception);
+      const std::vector<double> by_range = likelihoods_by_hand(model, tables, kHypotheses[l], reception);
       for (std::size_t i = 0; i < joint.size(); ++i) joint[i] *= by_range[range_of(model, tables, place, i)];
     }
-    const long double total = std::accumulate(joint.begin(), joint.end(), 0.0L);
+    const double total = std::accumulate(joint.begin(), joint.end(), 0.0);
     // Half a unit of 0.14 % is rounded at every look, and the table of the normal distribution is 0.2 % off at four standard deviations.
-    EXPECT_NEAR(block->log_evidence(model)[l], static_cast<double>(512.0L * std::log2(total)), 4.0) << l;
+    EXPECT_NEAR(block->log_evidence(model)[l], 512.0 * std::log2(total), 4.0) << l;
     const std::vector<float> found = places(*block, model, l);
     for (std::size_t i = 0; i < joint.size(); ++i) {
       const auto p = static_cast<double>(joint[i] / total);

@@ -32,10 +32,9 @@ class LaneLikelihoodsTest : public testing::Test {
   void expect_by_hand(Reception reception) {
     likelihoods->tabulate(model, tables, kEight, reception);
     for (std::size_t l = 0; l < kLanes; ++l) {
-      const std::vector<long double> expected = likelihoods_by_hand(model, tables, kEight[l], reception);
+      const std::vector<double> expected = likelihoods_by_hand(model, tables, kEight[l], reception);
       for (std::size_t i = 0; i < tables.range_count; ++i) {
-        ASSERT_NEAR(likelihoods->by_range(tables)[i][l], static_cast<double>(512.0L * std::log2(expected[i])), 2.0)
-            << "lane " << l << ", range " << i;
+        ASSERT_NEAR(likelihoods->by_range(tables)[i][l], 512.0 * std::log2(expected[i]), 2.0) << "lane " << l << ", range " << i;
       }
     }
   }

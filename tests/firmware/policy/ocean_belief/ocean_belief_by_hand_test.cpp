@@ -17,10 +17,10 @@ namespace {
 
 /// Whether the source was declared found after each look.
 using Declared = std::vector<bool>;
-using Joint = std::vector<long double>;  ///< [cell that the source began in]
+using Joint = std::vector<double>;  ///< [cell that the source began in]
 
 Joint moved_by_hand(const Joint& joint, std::uint8_t mobility) {
-  constexpr std::array<long double, 4> kPenalty{0.0L, 0.125L, 0.5L, 0.5L};
+  constexpr std::array<double, 4> kPenalty{0.0, 0.125, 0.5, 0.5};
   constexpr std::array<int, 4> kReach{0, 1, 1, 2};
   const int far = kReach[mobility];
   if (far == 0) return joint;
@@ -28,21 +28,21 @@ Joint moved_by_hand(const Joint& joint, std::uint8_t mobility) {
   for (int i = 0; i < 400; ++i) {
     for (int n = std::max(0, i / 20 - far); n <= std::min(19, i / 20 + far); ++n) {
       for (int e = std::max(0, i % 20 - far); e <= std::min(19, i % 20 + far); ++e) {
-        const auto cells = static_cast<long double>(std::abs(n - i / 20) + std::abs(e - i % 20));
-        long double& to = moved[static_cast<std::size_t>(i)];
+        const auto cells = static_cast<double>(std::abs(n - i / 20) + std::abs(e - i % 20));
+        double& to = moved[static_cast<std::size_t>(i)];
         to = std::max(to, std::pow(kPenalty[mobility], cells) * joint[static_cast<std::size_t>(n * 20 + e)]);
       }
     }
   }
-  const long double scale = std::accumulate(joint.begin(), joint.end(), 0.0L) / std::accumulate(moved.begin(), moved.end(), 0.0L);
-  for (long double& p : moved) p *= scale;
+  const double scale = std::accumulate(joint.begin(), joint.end(), 0.0) / std::accumulate(moved.begin(), moved.end(), 0.0);
+  for (double& p : moved) p *= scale;
   return moved;
 }
 
 /// No place gets less likely than the likeliest by more than 2^-26.
 void keep_forgotten(Joint& joint) {
-  const long double least = std::ldexp(*std::ranges::max_element(joint), -26);
-  for (long double& p : joint) p = std::max(p, least);
+  const double least = std::ldexp(*std::ranges::max_element(joint), -26);
+  for (double& p : joint) p = std::max(p, least);
 }
 
 /// By hand: each hypothesis that is held, weighed by its prior and by all that was heard, before each of which the source may have moved,
@@ -65,10 +65,10 @@ class OceanBeliefByHand : public OceanBeliefRig {
   /// early where it was being weighed when that came.
   void expect_by_hand(const Looks& looks, const Declared& declared, double tolerance) const {
     std::vector<Joint> joint;
-    long double total = 0.0L;
+    double total = 0.0;
     for (const Hypothesis& h : held()) {
       joint.push_back(joint_by_hand(h, looks, declared));
-      total += std::accumulate(joint.back().begin(), joint.back().end(), 0.0L);
+      total += std::accumulate(joint.back().begin(), joint.back().end(), 0.0);
     }
     const auto look_count = static_cast<int>(looks.size());
     const bool has_bearings = std::ranges::any_of(looks, [](const auto& look) { return look.second.bearing.has_value(); });
@@ -77,7 +77,7 @@ class OceanBeliefByHand : public OceanBeliefRig {
     Joint by_place(400);  // by the next look, in the area as the current has carried it
     Joint left_out(400);
     for (std::size_t k = 0; k < joint.size(); ++k) {
-      const auto share = static_cast<double>(std::accumulate(joint[k].begin(), joint[k].end(), 0.0L) / total);
+      const double share = std::accumulate(joint[k].begin(), joint[k].end(), 0.0) / total;
       const double too_early = has_bearings && belief->hypothesis(k).mobility > 0 ? 1e-4 : 0.0;
       EXPECT_NEAR(double{belief->share(k)}, share, tolerance * share + too_early + 1e-9) << k;
       Joint of_one(400);  // in the area where it was
@@ -90,29 +90,28 @@ class OceanBeliefByHand : public OceanBeliefRig {
       std::vector<float> added(400);
       belief->add_joint(model, k, added);
       for (std::size_t i = 0; i < 400; ++i) {
-        const auto expected = static_cast<double>(of_one[i] / total);
+        const double expected = of_one[i] / total;
         ASSERT_NEAR(double{added[i]}, expected, tolerance * expected + too_early + 1e-5) << k << ", " << i;
       }
     }
     for (std::size_t i = 0; i < 400; ++i) {
-      const auto expected = static_cast<double>(by_place[i] / total);
-      const double allowed = tolerance * expected + static_cast<double>(left_out[i] / total) + 1e-6;
+      const double expected = by_place[i] / total;
+      const double allowed = tolerance * expected + left_out[i] / total + 1e-6;
       ASSERT_NEAR(double{belief->probability(model, i / 20, i % 20)}, expected, allowed) << i;
     }
   }
 
  private:
   /// What a bearing says of a place: in the area of the cell that it is in.
-  [[nodiscard]] static long double said_of(NorthEast place, NorthEast vehicle, const messages::Bearing& bearing) {
+  [[nodiscard]] static double said_of(NorthEast place, NorthEast vehicle, const messages::Bearing& bearing) {
     const auto is_within = [](Meters x) { return x.value >= 0.0 && x.value <= 10'000.0; };
-    return static_cast<long double>(is_within(place.north) && is_within(place.east)
-                                        ? bearing_likelihood_by_hand(vehicle, bearing, cell_at(place))
-                                        : bearing_likelihood_by_hand(vehicle, bearing, place));
+    return is_within(place.north) && is_within(place.east) ? bearing_likelihood_by_hand(vehicle, bearing, cell_at(place))
+                                                           : bearing_likelihood_by_hand(vehicle, bearing, place);
   }
 
   /// Probability of every cell together with all that was heard, under a hypothesis.
   [[nodiscard]] Joint joint_by_hand(const Hypothesis& h, const Looks& looks, const Declared& declared) const {
-    Joint p(400, std::exp2(static_cast<long double>(log_prior(h, tables)) / 512.0L));
+    Joint p(400, std::exp2(static_cast<double>(log_prior(h, tables)) / 512.0));
     for (std::size_t look = 0; look < looks.size(); ++look) {
       const auto& [place, reception] = looks[look];
       const auto now = [&h, look](std::size_t cell) { return drifted(h.drift, static_cast<int>(look), cell); };
@@ -122,7 +121,7 @@ class OceanBeliefByHand : public OceanBeliefRig {
         keep_forgotten(p);
       }
       p = moved_by_hand(p, h.mobility);
-      const std::vector<long double> by_range = likelihoods_by_hand(model, tables, h, reception);
+      const std::vector<double> by_range = likelihoods_by_hand(model, tables, h, reception);
       std::vector<std::size_t> ranges;
       for (std::size_t i = 0; i < 400; ++i) {
         const long steps = std::lround(range_between(place, now(i)) / tables.range_step);

@@ -42,48 +42,47 @@ inline BeliefModel small_model() {
 /// In 10 km x 10 km and 2 km about it, from where nothing is ruled out.
 inline constexpr std::uint16_t kSmallRanges = 180;
 
-inline long double clamped(long double x, long double least, long double most) {
+inline double clamped(double x, double least, double most) {
   return std::min(std::max(x, least), most);
 }
 
 /// Likelihood of what was received, were the source at a range, written out: the normal distribution, pauses, outliers over 80 dB, and the
 /// mean over a cell.
-inline std::vector<long double> likelihoods_by_hand(const BeliefModel& model, const OceanTables& tables, const Hypothesis& h,
-                                                    Reception reception) {
-  const std::vector<long double> offsets{-9, -6, -3, 0, 3, 6, 9};
-  const std::vector<long double> spreads{1, 2, 4, 7};
-  const std::vector<long double> silences{0, 0.25L, 0.5L, 0.75L};
-  const long double sigma = spreads[h.spread];
-  const long double silent = silences[h.silence];
-  const auto outlier = static_cast<long double>(model.outlier_share);
-  const long double cell = std::max(static_cast<long double>(model.area_size.north.value) / model.cells_north,
-                                    static_cast<long double>(model.area_size.east.value) / model.cells_east);
-  const auto step = static_cast<long double>(tables.range_step.value);
+inline std::vector<double> likelihoods_by_hand(const BeliefModel& model, const OceanTables& tables, const Hypothesis& h,
+                                               Reception reception) {
+  const std::vector<double> offsets{-9, -6, -3, 0, 3, 6, 9};
+  const std::vector<double> spreads{1, 2, 4, 7};
+  const std::vector<double> silences{0, 0.25, 0.5, 0.75};
+  const double sigma = spreads[h.spread];
+  const double silent = silences[h.silence];
+  const auto outlier = static_cast<double>(model.outlier_share);
+  const double cell = std::max(model.area_size.north.value / model.cells_north, model.area_size.east.value / model.cells_east);
+  const double step = tables.range_step.value;
   const int last = tables.range_count - 1;
-  std::vector<long double> at_range;
+  std::vector<double> at_range;
   for (int i = 0; i <= last; ++i) {
-    const long double expected = 0.5L * tables.tables[h.table].snr_half_db[static_cast<std::size_t>(i)] + offsets[h.level];
-    const long double z = (static_cast<long double>(reception.snr.value) - expected) / sigma;
-    const long double density = std::exp(-0.5L * z * z) / (sigma * std::sqrt(2.0L * std::numbers::pi_v<long double>));
-    const long double below = 0.5L * std::erfc(-z / std::sqrt(2.0L));
-    at_range.push_back(!reception.too_faint ? (1.0L - silent) * ((1.0L - outlier) * density + outlier / 80.0L)
-                                            : silent + (1.0L - silent) * ((1.0L - outlier) * below + outlier * 0.5L));
+    const double expected = 0.5 * tables.tables[h.table].snr_half_db[static_cast<std::size_t>(i)] + offsets[h.level];
+    const double z = (reception.snr.value - expected) / sigma;
+    const double density = std::exp(-0.5 * z * z) / (sigma * std::sqrt(2.0 * std::numbers::pi));
+    const double below = 0.5 * std::erfc(-z / std::sqrt(2.0));
+    at_range.push_back(!reception.too_faint ? (1.0 - silent) * ((1.0 - outlier) * density + outlier / 80.0)
+                                            : silent + (1.0 - silent) * ((1.0 - outlier) * below + outlier * 0.5));
   }
-  const int half = std::min(static_cast<int>(0.5L * cell / step), last);
-  std::vector<long double> result;
+  const int half = std::min(static_cast<int>(0.5 * cell / step), last);
+  std::vector<double> result;
   for (int i = 0; i <= last; ++i) {
-    long double sum = 0.0L;
+    double sum = 0.0;
     for (int k = i - half; k <= i + half; ++k) sum += at_range[static_cast<std::size_t>(std::clamp(k, 0, last))];
-    result.push_back(std::pow(sum / (2 * half + 1), 0.8125L));  // 208 / 256 of a look's logarithm counts
+    result.push_back(std::pow(sum / (2 * half + 1), 0.8125));  // 208 / 256 of a look's logarithm counts
   }
   return result;
 }
 
 /// Share of a cell, its centre at a range step, that lies further away than a step of the search: what is left of it after a declaration.
-inline long double left_of_cell(const BeliefModel& model, const OceanTables& tables, std::size_t range) {
-  const long double range_m = static_cast<long double>(range) * static_cast<long double>(tables.range_step.value);
-  const long double cell_m = static_cast<long double>(model.area_size.north.value) / model.cells_north;
-  return clamped((range_m - static_cast<long double>(model.step_length.value)) / cell_m + 0.5L, 1e-3L, 1.0L);
+inline double left_of_cell(const BeliefModel& model, const OceanTables& tables, std::size_t range) {
+  const double range_m = static_cast<double>(range) * tables.range_step.value;
+  const double cell_m = model.area_size.north.value / model.cells_north;
+  return clamped((range_m - model.step_length.value) / cell_m + 0.5, 1e-3, 1.0);
 }
 
 /// Range step at which a cell's centre lies, the nearest.
