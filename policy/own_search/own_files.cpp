@@ -147,8 +147,9 @@ std::string readme_text(const OwnSearch& search, FliesBy by, const fs::path& fol
       "- What the vehicle believes possible of the ocean stands in its tables, not in `ocean.toml`.";
   if (by == FliesBy::kWhatShips)
     text += " Those that ship are used here; `earshot init --own-tables` makes a folder for tables of your own.";
-  return text +
-         "\n- This folder may be copied to the vehicle; `run` and the paths in `mission.toml` are then to be those of that computer.\n";
+  return text + "\n- This folder may be copied to the vehicle" +
+         (by == FliesBy::kWhatShips ? "" : ", but for `search.key` (`rsync --exclude search.key`)") +
+         "; `run` and the paths in `mission.toml` are then to be those of that computer.\n";
 }
 
 }  // namespace earshot::own_search

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -100,15 +101,27 @@ void judge(const fs::path& here, FliesBy by) {
   (void)host::load_tables(tables.path, file.public_key);
 }
 
-void keep_key(const fs::path& earlier, const fs::path& here) {
-  for (const std::string_view name : {std::string_view(kKeyFile), std::string_view(kPublicKeyFile)})
+void keep(std::initializer_list<std::string_view> names, const fs::path& earlier, const fs::path& here) {
+  for (const std::string_view name : names)
     if (fs::exists(earlier / name)) fs::copy_file(earlier / name, here / name);
+}
+
+/// Tables of a folder's own may have taken hours: a search that cannot fly by them does not replace them.
+void judge_kept_tables(const fs::path& folder, const fs::path& here) {
+  if (!fs::exists(here / kTablesFile)) return;
+  try {
+    judge(here, FliesBy::kOwnPolicy);
+  } catch (const host::BadInput& e) {
+    throw host::BadInput(std::string(e.what()) + "; " + (folder / kTablesFile).string() +
+                         " is of the earlier search, and --force keeps it: move it elsewhere first");
+  }
 }
 
 void make(const fs::path& folder, const fs::path& here, const OwnSearch& search, FliesBy by) {
   if (by != FliesBy::kWhatShips) write_own_policy(here, search);
   write_files(here, search, by, folder);
   judge(here, by);
+  if (by == FliesBy::kTablesToBeMade) judge_kept_tables(folder, here);
 }
 
 /// What is wrong with a file is said of where it would stand.
@@ -130,7 +143,8 @@ FliesBy make_own_folder(const fs::path& named, const OwnSearch& search, Earlier 
   if (!fs::is_directory(folder.parent_path())) throw host::BadInput(folder.parent_path().string() + ": no such folder");
   const bool has_earlier = is_earlier(folder, earlier);
   FolderToBe to_be(folder);
-  if (has_earlier) keep_key(folder, to_be.path());
+  if (has_earlier) keep({kKeyFile, kPublicKeyFile}, folder, to_be.path());
+  if (has_earlier && by != FliesBy::kOwnPolicy) keep({kTablesFile}, folder, to_be.path());
   try {
     make(folder, to_be.path(), search, by);
   } catch (const host::BadInput& e) {

@@ -83,6 +83,17 @@ TEST_F(OwnFolder, KeepsItsKeyWhenItIsReplaced) {
   EXPECT_EQ(support::read_text(own_ / "search.key"), key);
 }
 
+/// Tables of a folder's own may have taken hours to make.
+TEST_F(OwnFolder, KeepsTablesOfItsOwnOrIsRefusedWhereTheyDoNotFit) {
+  make_own_folder(own_, {.area_east_m = 8'000.0}, Earlier::kStays);  // with tables that init makes of those that ship, signed with its key
+  const std::string tables = support::read_text(own_ / "search.tables");
+  make_own_folder(own_, {.area_east_m = 8'000.0, .depth_m = 310.0, .own_tables = true}, Earlier::kReplaced);
+  EXPECT_TRUE(support::read_text(own_ / "search.tables") == tables);
+  refuses({.area_east_m = 8'000.0, .frequency_hz = 50.0}, Earlier::kReplaced, "move it elsewhere first");
+  make_own_folder(own_, {}, Earlier::kReplaced);  // by what ships: they are not needed, but not lost
+  EXPECT_TRUE(support::read_text(own_ / "search.tables") == tables);
+}
+
 TEST_F(OwnFolder, HoldsAllButTheTablesWhereNoneThatShipAreOfTheSearch) {
   EXPECT_EQ(make_own_folder(own_, {.depth_m = 200.0, .frequency_hz = 35.0}, Earlier::kStays), FliesBy::kTablesToBeMade);
   EXPECT_EQ(names_in(own_),
