@@ -84,8 +84,12 @@ int execute(const fs::path& folder, const std::string& verb, std::vector<char*> 
   if (is_name && errno != ENOENT) {
     std::cerr << program << ": " << std::strerror(errno) << "\n";
   } else {
+    // One of Earshot's that this computer has not got: the packages share them out.
+    const bool is_known = !description_of(verb).empty();
     std::cerr << "earshot: there is no verb \"" << earshot::host::printable(verb) << "\""
-              << earshot::program::did_you_mean(verb, verbs(folder)) << " (earshot help lists all)\n";
+              << (is_known ? " here: it comes with another of the packages earshot-sil, earshot-tools and earshot-hil"
+                           : earshot::program::did_you_mean(verb, verbs(folder)))
+              << " (earshot help lists all)\n";
   }
   return earshot::program::kBadInput;
 }

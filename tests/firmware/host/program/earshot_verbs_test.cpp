@@ -32,6 +32,18 @@ TEST(EarshotVerbs, ASlipIsAnsweredWithTheVerbThatWasMeant) {
   EXPECT_EQ(answer.text, "earshot: there is no verb \"feild\"; did you mean field? (earshot help lists all)\n");
 }
 
+/// Where one package alone is installed.
+TEST(EarshotVerbs, AVerbOfAnotherPackageIsSaidToBeOne) {
+  const support::TemporaryFolder folder;
+  const std::filesystem::path alone = folder / "earshot";
+  std::filesystem::copy_file(std::filesystem::path(EARSHOT_BIN_DIR) / "earshot", alone);
+  support::Process process(alone, {"tables"}, folder / "said");
+  EXPECT_EQ(process.wait(10s), 2);
+  EXPECT_EQ(process.output(),
+            "earshot: there is no verb \"tables\" here: it comes with another of the packages earshot-sil, earshot-tools and earshot-hil "
+            "(earshot help lists all)\n");
+}
+
 TEST(EarshotVerbs, HelpOfAVerbIsTheVerbsOwn) {
   EXPECT_EQ(answer_to({"help", "field"}).text, answer_to({"--help"}, "earshot-field").text);
   EXPECT_EQ(answer_to({"help", "feild"}).status, 2);
