@@ -37,6 +37,7 @@ bool OceanBelief::ponder(const BeliefModel& model, const OceanTables& tables) {
     while (slice > 0 && to_weigh_ > 0 && has_candidates_ && candidates_heard_ < looks_.size()) {
       const std::uint32_t index = candidates_heard_++;
       const Look& look = looks_[index];
+      candidates_.let_move(model);
       if (drift && look.bearing.is_there()) take_in_past_bearing(model, look, index);
       take_in(model, tables, look, index, candidates_);
       const std::size_t cost = !drift ? 1 : look.bearing.is_there() ? kLooksOfDriftsWithBearing : kLooksOfDrifts;

@@ -100,6 +100,7 @@ void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, No
                   .too_faint = reception.too_faint,
                   .was_declared = false};
   is_history_whole_ = looks_.push_back(look) == Status::kOk && is_history_whole_;
+  for (HypothesisBlock& block : residents_) block.let_move(model);  // since the last look: bearing and SNR are of where it is now
   if (look.bearing.is_there()) take_in_bearing(model, look);
   for (HypothesisBlock& block : residents_) take_in(model, tables, look, heard_, block);
   ++heard_;
@@ -146,10 +147,9 @@ void OceanBelief::find_regrets(const BeliefModel& model, NorthEast position) {
   for (ActionOutlook& outlook : outlooks) outlook.regret = std::min(outlook.regret - least, model.costs.most_regret);
 }
 
-/// @param index  of the look, counted from 0
+/// What its SNR says of the source where it is now. @param index  of the look, counted from 0
 void OceanBelief::take_in(const BeliefModel& model, const OceanTables& tables, const Look& look, std::uint32_t index,
                           HypothesisBlock& block) {
-  block.let_move(model);
   likelihoods_.tabulate(model, tables, block.hypotheses(), {.snr = look.snr, .too_faint = look.too_faint});
   CellPlaces places;
   for_each_drift(block, [&](const Drift& drift, const Lanes& lanes) {

@@ -64,7 +64,7 @@ class OceanBelief {
   /// Adds the probability of every cell together with that of one of the hypotheses that are held.
   /// @param joint  [north x east]
   void add_joint(const BeliefModel& model, std::size_t index, std::span<float> joint) const;
-  /// CRC-32 of all that is believed, bit for bit.
+  /// CRC-32 of all that is believed of places, bit for bit: weights, their sum over the hypotheses, and what each action expects of it.
   [[nodiscard]] std::uint32_t fingerprint(const BeliefModel& model) const;
 
  private:

@@ -10,9 +10,9 @@
 
 namespace earshot::policy {
 
-/// From this surprise on what was heard is not explained, bits. Were no hypothesis odd and all of them held, what is drawn from P would
-/// ever come to it in at most 2^-6.75 of all missions, 0.9 % (Ville's inequality). Oddity breaks that, on purpose: the measured share is
-/// what counts, README.md.
+/// From this surprise on what was heard is not explained, bits. Were P a probability, what is drawn from it would ever come to it in at
+/// most 2^-6.75 of all missions, 0.9 % (Ville's inequality). It is none: looks are tempered, and oddity and the priors left out change its
+/// sum, on purpose. The measured share is what counts, README.md.
 inline constexpr float kSurpriseLevel_bits = messages::kSurprising_bits;
 
 /// From this surprise on the vehicle sweeps the area. Chosen so that in no world measured it then finds less than by a sweep alone; of what
@@ -26,7 +26,7 @@ inline constexpr float kSweepLevel_bits = 12.0F;
 /// Oracle: Oddity.*, OddExplanations.*
 [[nodiscard]] int oddity(const Hypothesis& hypothesis);
 
-/// log2 of the sum of powers of two, all in 1/512. @param logs  at least one, none of them further than 2^21 from 0
+/// log2 of the sum of powers of two, all in 1/512. @param logs  at least one, at most 2^30 apart
 /// Oracle: LogOfSum.*
 [[nodiscard]] int log_of_sum(std::span<const int> logs);
 

@@ -116,11 +116,11 @@ class OceanBeliefByHand : public OceanBeliefRig {
       const auto& [place, reception] = looks[look];
       const auto now = [&h, look](std::size_t cell) { return drifted(h.drift, static_cast<int>(look), cell); };
       keep_forgotten(p);
+      p = moved_by_hand(p, h.mobility);
       if (reception.bearing) {
         for (std::size_t i = 0; i < 400; ++i) p[i] *= said_of(now(i), place, *reception.bearing);
         keep_forgotten(p);
       }
-      p = moved_by_hand(p, h.mobility);
       const std::vector<double> by_range = likelihoods_by_hand(model, tables, h, reception);
       std::vector<std::size_t> ranges;
       for (std::size_t i = 0; i < 400; ++i) {
