@@ -10,6 +10,7 @@
 #include "firmware/boards/linux/checklist/budgets.hpp"
 #include "firmware/boards/linux/checklist/formatted.hpp"
 #include "firmware/boards/linux/checklist/rule_doubts.hpp"
+#include "firmware/config/capacities.hpp"
 #include "firmware/core/polygon.hpp"
 #include "firmware/host/file/printable.hpp"
 
@@ -36,6 +37,12 @@ void doubt_limits(const config::Mission& mission, Doubts& doubts) {
   doubt_if(room < kDepthRoom, doubts,
            formatted("search.depth_m is %g m above limits.max_depth_m: a vehicle that is deeper than that for 5 s is aborted; leave %g m",
                      room.value, kDepthRoom.value));
+}
+
+void doubt_steps(const config::Mission& mission, Doubts& doubts) {
+  doubt_if(mission.max_steps > config::kMaxBeliefLooks, doubts,
+           formatted("search.max_steps, %u: a policy with a belief tries no other oceans and drifts from look %zu on", unsigned{mission.max_steps},
+                     config::kMaxBeliefLooks + 1));
 }
 
 void doubt_time(const config::Mission& mission, Doubts& doubts) {
@@ -125,6 +132,7 @@ void doubt_ports(const host::MissionFile& file, Doubts& doubts) {
 std::vector<std::string> doubts_about(const host::MissionFile& file) {
   Doubts doubts;
   doubt_limits(file.mission, doubts);
+  doubt_steps(file.mission, doubts);
   doubt_time(file.mission, doubts);
   doubt_battery(file.mission, doubts);
   doubt_zones(file.mission, doubts);

@@ -33,6 +33,11 @@ TEST(Doubts, DoubtsWhatIsAllowedAndUnwise) {
   EXPECT_TRUE(doubts_about(file).empty());
   file.mission.max_depth = file.mission.search_depth + Meters{1.5};
   EXPECT_TRUE(is_doubted(file, "search.depth_m is 1.5 m above limits.max_depth_m"));
+  file.mission.max_steps = 128;
+  EXPECT_FALSE(is_doubted(file, "search.max_steps"));
+  file.mission.max_steps = 129;
+  EXPECT_TRUE(is_doubted(file, "search.max_steps, 129: a policy with a belief tries no other oceans and drifts from look 129 on"));
+  file.mission.max_steps = 100;
   file.mission.max_time = Duration::seconds(49'999);
   EXPECT_TRUE(is_doubted(file, "limits.max_time_s is over before all steps are taken"));
   file.mission.safety.vehicle.battery_percent_per_km = 1.01;
