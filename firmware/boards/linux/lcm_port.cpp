@@ -1,8 +1,10 @@
 #include "firmware/boards/linux/lcm_port.hpp"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -14,13 +16,26 @@
 namespace earshot::board {
 namespace {
 
+struct Input {
+  host::Role role;
+  std::string_view channel;
+};
+
+constexpr auto kInputs = std::to_array<Input>({
+    {host::Role::kNavigation, wire::kNavStateChannel},
+    {host::Role::kNavigation, wire::kVehicleStatusChannel},
+    {host::Role::kSnr, wire::kSnrEstimateChannel},
+    {host::Role::kSnr, wire::kBearingChannel},
+    {host::Role::kSnr, wire::kHydrophoneStatusChannel},
+    {host::Role::kOperator, wire::kOperatorCommandChannel},
+    {host::Role::kAutopilot, wire::kAutopilotStatusChannel},
+});
+
 std::vector<std::string_view> channels_of(host::Roles roles) {
   std::vector<std::string_view> channels;
-  if (roles.has(host::Role::kNavigation)) channels.insert(channels.end(), {wire::kNavStateChannel, wire::kVehicleStatusChannel});
-  if (roles.has(host::Role::kSnr))
-    channels.insert(channels.end(), {wire::kSnrEstimateChannel, wire::kBearingChannel, wire::kHydrophoneStatusChannel});
-  if (roles.has(host::Role::kOperator)) channels.push_back(wire::kOperatorCommandChannel);
-  if (roles.has(host::Role::kAutopilot)) channels.push_back(wire::kAutopilotStatusChannel);
+  for (const auto& [role, channel] : kInputs) {
+    if (roles.has(role)) channels.push_back(channel);
+  }
   return channels;
 }
 

@@ -146,8 +146,8 @@ std::size_t JournalFile::write_some(std::span<const std::uint8_t> bytes, std::ui
 
 void JournalFile::note_first_bytes(std::span<const std::uint8_t> bytes) {
   if (part_ > 1 || size_ >= beginning_.size()) return;
-  std::ranges::copy(bytes.first(std::min(bytes.size(), beginning_.size() - size_)),
-                    beginning_.begin() + static_cast<std::ptrdiff_t>(size_));
+  const std::span left = std::span(beginning_).subspan(static_cast<std::size_t>(size_));
+  std::copy_n(bytes.begin(), std::min(bytes.size(), left.size()), left.begin());
 }
 
 bool JournalFile::has_budget_for(std::uint64_t bytes) {
