@@ -78,7 +78,8 @@ inline void wait_for_ports(std::span<const pollfd> ports, Duration most) {
   std::array<pollfd, config::kMaxPorts> readable{};
   const std::size_t count = std::min(ports.size(), readable.size());
   std::copy_n(ports.begin(), count, readable.begin());
-  const timespec timeout{.tv_sec = most.us / kMicrosecondsPerSecond, .tv_nsec = most.us % kMicrosecondsPerSecond * 1000};
+  const timespec timeout{.tv_sec = static_cast<std::time_t>(most.us / kMicrosecondsPerSecond),
+                         .tv_nsec = static_cast<long>(most.us % kMicrosecondsPerSecond * 1000)};
   (void)ppoll(readable.data(), count, &timeout, nullptr);
 }
 

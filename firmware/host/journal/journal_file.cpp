@@ -129,10 +129,10 @@ std::size_t JournalFile::write_some(std::span<const std::uint8_t> bytes, std::ui
   if (kept > 0) {
     while (can_hold_ && room(size_, kept) < bytes.size() && hold_more()) {
     }
-    if (can_hold_) bytes = bytes.first(std::min<std::size_t>(bytes.size(), room(size_, kept)));
+    if (can_hold_) bytes = bytes.first(static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size(), room(size_, kept))));
     if (!can_hold_ && !has_budget_for(bytes.size())) return 0;
   } else if (const std::uint64_t end = size_ + bytes.size(); end > held_ && !has_budget_for(end - held_)) {
-    bytes = bytes.first(held_ - size_);
+    bytes = bytes.first(static_cast<std::size_t>(held_ - size_));
   }
   if (bytes.empty()) return 0;
   const ssize_t count = ::write(file_.number(), bytes.data(), bytes.size());

@@ -24,7 +24,7 @@ std::vector<std::uint8_t> first_record(InputFile& file) {
   if (file.read(bytes) < bytes.size() || load_big_endian(std::span(bytes).first(4)) != kRecordSync) return {};
   const std::uint64_t more = load_big_endian(std::span(bytes).subspan(20, 4)) + load_big_endian(std::span(bytes).subspan(24, 4));
   if (more > kMostOfFirstRecord_bytes) return {};
-  bytes.resize(kRecordHeaderSize + more);
+  bytes.resize(kRecordHeaderSize + static_cast<std::size_t>(more));
   const std::size_t count = file.read(std::span(bytes).subspan(kRecordHeaderSize));
   const bool is_whole = count == more && load_big_endian(std::span(bytes).subspan(4, 4)) == crc32(std::span(bytes).subspan(kCheckedFrom));
   return is_whole ? bytes : std::vector<std::uint8_t>();
@@ -33,7 +33,7 @@ std::vector<std::uint8_t> first_record(InputFile& file) {
 /// What the first record of a later part says. Nothing: it is no such record.
 std::optional<journal_part_t> beginning_of_part(std::span<const std::uint8_t> record) {
   if (record.empty()) return std::nullopt;
-  const std::size_t channel_size = load_big_endian(record.subspan(20, 4));
+  const auto channel_size = static_cast<std::size_t>(load_big_endian(record.subspan(20, 4)));
   const std::string_view channel(reinterpret_cast<const char*>(record.data()) + kRecordHeaderSize, channel_size);
   journal_part_t beginning{};
   if (channel != wire::kJournalPartChannel || wire::decode(record.subspan(kRecordHeaderSize + channel_size), beginning) != Status::kOk)

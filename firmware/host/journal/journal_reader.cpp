@@ -33,7 +33,7 @@ std::span<const std::uint8_t> JournalReader::look_ahead(std::size_t size) {
   return std::span(window_).subspan(at_, std::min(size, filled_ - at_));
 }
 
-JournalReader::Found JournalReader::look(std::uint64_t& size) {
+JournalReader::Found JournalReader::look(std::size_t& size) {
   std::span<const std::uint8_t> rest = look_ahead(kRecordHeaderSize);
   if (rest.empty()) return Found::kNothing;
   if (rest.size() < kRecordHeaderSize) return Found::kBeginning;
@@ -41,7 +41,7 @@ JournalReader::Found JournalReader::look(std::uint64_t& size) {
   const std::uint64_t channel_size = load_big_endian(rest.subspan(20, 4));
   const std::uint64_t data_size = load_big_endian(rest.subspan(24, 4));
   if (channel_size < 1 || channel_size > wire::kMaxChannelLength || data_size > config::kLcmMessageBytes) return Found::kOther;
-  size = kRecordHeaderSize + channel_size + data_size;
+  size = kRecordHeaderSize + static_cast<std::size_t>(channel_size + data_size);
   rest = look_ahead(size);
   if (rest.size() < size) return Found::kBeginning;
   return load_big_endian(rest.subspan(4, 4)) == checksum_of(rest) ? Found::kRecord : Found::kOther;
@@ -71,7 +71,7 @@ bool JournalReader::pass_over(std::uint64_t& passed) {
 }
 
 void JournalReader::keep(std::span<const std::uint8_t> bytes, JournalRecord& record) const {
-  const auto channel = bytes.subspan(kRecordHeaderSize, load_big_endian(bytes.subspan(20, 4)));
+  const auto channel = bytes.subspan(kRecordHeaderSize, static_cast<std::size_t>(load_big_endian(bytes.subspan(20, 4))));
   const auto data = bytes.subspan(kRecordHeaderSize + channel.size());
   record.number = static_cast<std::uint32_t>(load_big_endian(bytes.subspan(8, 4)));
   record.time = Time{static_cast<std::int64_t>(load_big_endian(bytes.subspan(12, 8)))};
@@ -112,7 +112,7 @@ bool JournalReader::next(JournalRecord& record) {
 
 bool JournalReader::next_of_parts(JournalRecord& record) {
   if (is_end_damaged_) return false;  // who asks again at the end hears no other end
-  std::uint64_t size = 0;
+  std::size_t size = 0;
   std::uint64_t passed = 0;
   bool is_beginning = false;  // of a record that the file's end cuts off
   bool is_empty = true;

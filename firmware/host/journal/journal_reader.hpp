@@ -70,7 +70,7 @@ class JournalReader {
   /// What comes next, `size` bytes of it or all that is left.
   [[nodiscard]] std::span<const std::uint8_t> look_ahead(std::size_t size);
   /// What stands where the window is. @param size  of the record
-  [[nodiscard]] Found look(std::uint64_t& size);
+  [[nodiscard]] Found look(std::size_t& size);
   /// Of a record that stands where the window is.
   [[nodiscard]] std::uint32_t checksum_of(std::span<const std::uint8_t> record);
   void forget_sums();

@@ -59,7 +59,7 @@ class RecordRing {
   [[nodiscard]] std::span<const std::uint8_t> piece(std::uint64_t begin, std::uint64_t end) const;
 
   /// The record of this index, counted from the first ever.
-  [[nodiscard]] Record& record(std::uint64_t index) { return records_[index % records_.size()]; }
+  [[nodiscard]] Record& record(std::uint64_t index) { return records_[static_cast<std::size_t>(index % records_.size())]; }
 
  private:
   std::array<std::uint8_t, config::kJournalBufferBytes> bytes_;

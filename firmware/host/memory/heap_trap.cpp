@@ -1,3 +1,6 @@
+// mmap and mmap64 are two functions here, not two names of one.
+#undef _FILE_OFFSET_BITS
+#undef _TIME_BITS
 #include "firmware/host/memory/heap_trap.hpp"
 
 #include <execinfo.h>
@@ -10,7 +13,9 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdlib>
+#include <limits>
 #include <memory>
+#include <type_traits>
 
 namespace earshot::host {
 namespace {
@@ -164,13 +169,26 @@ void free(void* memory) noexcept {
   __libc_free(memory);
 }
 
-static_assert(sizeof(off_t) == 8 && sizeof(long) == 8, "the system call takes its offset in bytes");
-void* mmap(void* at, std::size_t size, int protection, int flags, int file, off_t offset) noexcept {
+#ifdef SYS_mmap2  // of 32-bit machines: it takes its offset in units of 4096 bytes
+void* mmap64(void* at, std::size_t size, int protection, int flags, int file, off64_t offset) noexcept {
+  constexpr off64_t kUnit = 4096;
+  note(Call::kMapping, size);
+  if (offset % kUnit != 0 || offset < 0 || offset / kUnit > std::numeric_limits<unsigned long>::max()) {
+    errno = EINVAL;
+    return MAP_FAILED;
+  }
+  return reinterpret_cast<void*>(::syscall(SYS_mmap2, at, size, protection, flags, file, static_cast<unsigned long>(offset / kUnit)));
+}
+#else
+static_assert(sizeof(off64_t) == sizeof(long), "the system call takes its offset in bytes");
+void* mmap64(void* at, std::size_t size, int protection, int flags, int file, off64_t offset) noexcept {
   note(Call::kMapping, size);
   return reinterpret_cast<void*>(::syscall(SYS_mmap, at, size, protection, flags, file, offset));
 }
-void* mmap64(void* at, std::size_t size, int protection, int flags, int file, off64_t offset) noexcept {
-  return mmap(at, size, protection, flags, file, offset);
+#endif
+void* mmap(void* at, std::size_t size, int protection, int flags, int file, off_t offset) noexcept {
+  // 32 bits are counted to 4 GB, as the C library counts them.
+  return mmap64(at, size, protection, flags, file, static_cast<off64_t>(static_cast<std::make_unsigned_t<off_t>>(offset)));
 }
 void* sbrk(std::intptr_t increment) noexcept {
   if (increment != 0) note(Call::kMapping, increment > 0 ? static_cast<std::size_t>(increment) : 0);

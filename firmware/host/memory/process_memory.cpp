@@ -73,7 +73,8 @@ void touch(std::uintptr_t from, std::uintptr_t to) {
 /// No more than half of what the system allows the main stack: the rest is in use, or stays free.
 [[gnu::noinline]] std::size_t that_fits_stack(std::size_t bytes) {
   rlimit limit{};
-  return ::getrlimit(RLIMIT_STACK, &limit) == 0 ? std::min<std::size_t>(bytes, limit.rlim_cur / 2) : bytes;
+  if (::getrlimit(RLIMIT_STACK, &limit) != 0) return bytes;
+  return static_cast<std::size_t>(std::min<rlim_t>(bytes, limit.rlim_cur / 2));
 }
 
 [[gnu::noinline]] void paint_stack(std::size_t bytes) {

@@ -43,6 +43,10 @@ class BlockRing {
   using Samples = std::array<float, config::kHydrophoneRingSamples>;
   using Entries = std::array<Entry, config::kHydrophoneRingBlocks>;
 
+  /// Where the sample of this number, counted since the beginning, lies in the ring; and the block.
+  [[nodiscard]] std::size_t place(std::uint64_t sample) const { return static_cast<std::size_t>(sample % samples_->size()); }
+  [[nodiscard]] Entry& entry(std::uint64_t block) const { return (*entries_)[static_cast<std::size_t>(block % entries_->size())]; }
+
   std::unique_ptr<Samples> samples_ = std::make_unique<Samples>();
   std::unique_ptr<Entries> entries_ = std::make_unique<Entries>();
   // The putter's.

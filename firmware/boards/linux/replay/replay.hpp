@@ -22,7 +22,7 @@ struct ReplayOptions {
 
 /// The outcome of giving a journal to the runtime again.
 struct ReplayResult {
-  std::size_t inputs = 0;
+  std::uint64_t inputs = 0;
   std::size_t turns = 0;
   std::size_t decisions = 0;
   bool was_compared = false;  ///< the decision was made from which on outputs are compared

@@ -160,6 +160,25 @@ TEST(HeapTrapMappings, AreThoseThatWereAskedFor) {
   EXPECT_EQ(::munmap(mapped, page), 0);
 }
 
+TEST(HeapTrapMappings, OfAFileBeginWhereTheyWereAskedToBeyondFourGigabytesToo) {
+  const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  const int file = ::memfd_create("sparse", MFD_CLOEXEC);
+  ASSERT_GE(file, 0);
+  for (const off64_t begin : {off64_t{0}, static_cast<off64_t>(page), (off64_t{1} << 32) + static_cast<off64_t>(page)}) {
+    const char mark = 'x';
+    ASSERT_EQ(::pwrite64(file, &mark, 1, begin), 1);
+    void* const mapped = ::mmap64(nullptr, page, PROT_READ, MAP_SHARED, file, begin);
+    ASSERT_NE(mapped, MAP_FAILED) << begin;
+    EXPECT_EQ(*static_cast<const char*>(mapped), 'x') << begin;
+    EXPECT_EQ(::munmap(mapped, page), 0);
+    errno = 0;
+    EXPECT_EQ(::mmap64(nullptr, page, PROT_READ, MAP_SHARED, file, begin + 1), MAP_FAILED) << "no page begins there";
+    EXPECT_EQ(errno, EINVAL);
+    ASSERT_EQ(::ftruncate(file, 0), 0);
+  }
+  EXPECT_EQ(::close(file), 0);
+}
+
 TEST(HeapTrapRefusals, OfTheReplacedFunctionsAreThoseOfTheOriginals) {
   if (!kHeapTrapCounts) GTEST_SKIP() << "a sanitizer's heap is not counted";
   void* memory = nullptr;
