@@ -41,8 +41,8 @@ void doubt_limits(const config::Mission& mission, Doubts& doubts) {
 
 void doubt_steps(const config::Mission& mission, Doubts& doubts) {
   doubt_if(mission.max_steps > config::kMaxBeliefLooks, doubts,
-           formatted("search.max_steps, %u: a policy with a belief tries no other oceans and drifts from look %zu on", unsigned{mission.max_steps},
-                     config::kMaxBeliefLooks + 1));
+           formatted("search.max_steps, %u: a policy with a belief tries no other oceans and drifts from look %zu on",
+                     unsigned{mission.max_steps}, config::kMaxBeliefLooks + 1));
 }
 
 void doubt_time(const config::Mission& mission, Doubts& doubts) {
