@@ -238,7 +238,7 @@ std::array<int, kLanes> HypothesisBlock::log_evidence(const BeliefModel& model) 
 }
 
 EARSHOT_WIDE void HypothesisBlock::add_together(const BeliefModel& model, const FloatLanes& shares, std::span<float> marginal) const {
-  const FloatLanes& per_weight = sums_;
+  const FloatLanes& per_weight = sums(model);
   VectorLanes scale;
   for (std::size_t l = 0; l < kLanes; ++l) scale[l] = shares[l] / per_weight[l];
   const LogLanes highest = highest_;
@@ -252,12 +252,13 @@ EARSHOT_WIDE void HypothesisBlock::add_together(const BeliefModel& model, const 
 }
 
 void HypothesisBlock::add_each(const BeliefModel& model, const FloatLanes& shares, std::span<float> marginal) const {
+  const FloatLanes& per_weight = sums(model);
   FloatLanes scale;
   std::array<std::uint8_t, kLanes> likely;
   std::size_t count = 0;
   for (std::size_t l = 0; l < kLanes; ++l) {
     if (shares[l] > 0.0F) likely[count++] = static_cast<std::uint8_t>(l);
-    scale[l] = shares[l] / sums_[l];
+    scale[l] = shares[l] / per_weight[l];
   }
   FloatLanes p{};
   for (std::size_t i = 0; i < cell_count(model); ++i) {
@@ -270,7 +271,6 @@ void HypothesisBlock::add_each(const BeliefModel& model, const FloatLanes& share
 }
 
 void HypothesisBlock::add_to(const BeliefModel& model, const FloatLanes& shares, std::span<float> marginal) const {
-  static_cast<void>(sums(model));
   kHasVectors ? add_together(model, shares, marginal) : add_each(model, shares, marginal);
 }
 

@@ -27,17 +27,17 @@ double positive(Radians angle) {
 Status compose_navigation(const messages::Navigation& navigation, const LocalPlane& plane, std::uint8_t source, NavigationFrames& frames) {
   const Result<Geographic> place = plane.to_geographic(navigation.position);
   if (!place.ok() || !is_finite(navigation.heading.value)) return Status::kOutOfRange;
-  MessageWriter speed(kSpeedPgn);
+  MessageWriter speed(table::kSpeed);
   if (navigation.speed.value == navigation.speed.value) speed.set("SpeedWaterReferenced", navigation.speed.value);  // not NaN
   const std::array statuses{
-      MessageWriter(kHeadingPgn).set("Heading", positive(navigation.heading)).set("Reference", kTrueNorth).frame(source, frames[0]),
+      MessageWriter(table::kHeading).set("Heading", positive(navigation.heading)).set("Reference", kTrueNorth).frame(source, frames[0]),
       speed.frame(source, frames[1]),
-      MessageWriter(kPressurePgn)
+      MessageWriter(table::kPressure)
           .set("Instance", 0)
           .set("Source", kWaterPressure)
           .set("Pressure", gauge_pressure_pa_at(navigation.depth))
           .frame(source, frames[2]),
-      MessageWriter(kPositionPgn)
+      MessageWriter(table::kPosition)
           .set("Latitude", place.value().latitude_deg)
           .set("Longitude", place.value().longitude_deg)
           .frame(source, frames[3]),
