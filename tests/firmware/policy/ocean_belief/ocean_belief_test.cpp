@@ -280,6 +280,29 @@ TEST_F(OceanBeliefTest, TakesABearingAsOneMoreLikelihood) {
     EXPECT_NEAR(double{belief->probability(model, i / 20, i % 20)} / (by_hand[i] / sum), 1.0, 2e-3) << i;
 }
 
+/// Before the first look every place is as likely as another, and moving from there leaves it so: what a bearing says of a source that
+/// moves is what it says of one that rests. Were it heard first, the movement would spread it.
+TEST_F(OceanBeliefTest, HearsABearingWhereASourceThatMovesIsNow) {
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  add_table(tables, 1.0F, [](double) { return 20.0; });
+  belief->start(model, tables);
+  const messages::Bearing bearing{.direction = Radians{60.0 * kDegree}, .deviation = Radians{4.0 * kDegree}};
+  belief->update(model, tables, at(-1'000, 5'000), {.snr = Decibels{20.0}, .bearing = bearing});
+  const auto places_of = [&](const Hypothesis& wanted) {
+    std::vector<float> joint(400, 0.0F);
+    for (std::size_t k = 0; k < OceanBelief::kHypotheses; ++k) {
+      if (belief->hypothesis(k) == wanted) belief->add_joint(model, k, joint);
+    }
+    const float sum = std::accumulate(joint.begin(), joint.end(), 0.0F);
+    EXPECT_GT(sum, 0.0F);
+    for (float& p : joint) p /= sum;
+    return joint;
+  };
+  const std::vector<float> at_rest = places_of({});
+  const std::vector<float> moving = places_of({.mobility = 1});
+  for (std::size_t i = 0; i < 400; ++i) EXPECT_NEAR(moving[i], at_rest[i], 1e-5) << i;
+}
+
 /// Where nothing else tells of the place a bearing says nothing of the ocean, whether a hypothesis was held when it came or drawn later.
 TEST_F(OceanBeliefTest, LearnsNothingOfTheOceanFromBearings) {
   for (int k = 0; k < 40; ++k) add_table(tables, 1.0F, [k](double) { return 0.5 * k; });
