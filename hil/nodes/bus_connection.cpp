@@ -3,9 +3,9 @@
 #include <poll.h>
 
 #include <algorithm>
-#include <ctime>
 
 #include "firmware/config/capacities.hpp"
+#include "firmware/host/transport/timespec.hpp"
 
 namespace earshot::hil {
 namespace {
@@ -36,7 +36,7 @@ void BusConnection::turn() {
 
 void BusConnection::wait() const {
   const Duration most = std::clamp(clock_.on_host(kShortestPeriod), kLeastWait, kMostWait);
-  const timespec timeout{.tv_sec = most.us / 1'000'000, .tv_nsec = most.us % 1'000'000 * 1000};
+  const timespec timeout = host::timespec_of(most);
   pollfd readable{.fd = socket_.is_up() ? socket_.file_descriptor() : -1, .events = POLLIN, .revents = 0};
   (void)ppoll(&readable, 1, &timeout, nullptr);
 }

@@ -19,7 +19,7 @@ using Wire = ProtobufReader::Wire;
 using Field = ProtobufReader::Field;
 
 constexpr std::uint64_t kFloat = 1;  // TensorProto.FLOAT
-constexpr std::size_t kMaxSide = 1U << 16U;
+constexpr std::uint64_t kMaxSide = 1U << 16U;
 constexpr std::size_t kMaxNodes = 64;  ///< operators of a graph; the networks that fly have six
 
 std::string text_of(const Field& field) {
@@ -29,7 +29,7 @@ std::string text_of(const Field& field) {
 
 struct Tensor {
   std::string name;
-  std::vector<std::size_t> shape;
+  std::vector<std::uint64_t> shape;
   std::vector<float> values;  // row-major
 };
 
@@ -41,14 +41,14 @@ void append_floats(std::string_view bytes, std::vector<float>& values) {
   if (!bytes.empty()) std::memcpy(values.data() + before, bytes.data(), bytes.size());
 }
 
-void read_dims(const Field& field, std::vector<std::size_t>& shape) {
+void read_dims(const Field& field, std::vector<std::uint64_t>& shape) {
   if (field.wire == Wire::kVarint) return shape.push_back(field.value);
   for (ProtobufReader packed(field.bytes); !packed.at_end();) shape.push_back(packed.varint());
 }
 
 void check_size(const Tensor& tensor) {
-  std::size_t size = 1;
-  for (const std::size_t side : tensor.shape) {
+  std::uint64_t size = 1;
+  for (const std::uint64_t side : tensor.shape) {
     if (side == 0 || side > kMaxSide || size > kMaxSide * kMaxSide) throw BadInput("of a size that cannot be");
     size *= side;
   }
@@ -227,8 +227,8 @@ const Tensor& initializer(const Graph& graph, const Node& node, std::size_t inpu
 /// @param transposed  the tensor is [outputs x inputs]; else it is [inputs x outputs]
 DenseLayer layer_from(const Tensor& weights, bool transposed) {
   DenseLayer layer;
-  layer.outputs = weights.shape[transposed ? 0 : 1];
-  layer.inputs = weights.shape[transposed ? 1 : 0];
+  layer.outputs = static_cast<std::size_t>(weights.shape[transposed ? 0 : 1]);
+  layer.inputs = static_cast<std::size_t>(weights.shape[transposed ? 1 : 0]);
   layer.weights.resize(weights.values.size());
   for (std::size_t o = 0; o < layer.outputs; ++o) {
     for (std::size_t i = 0; i < layer.inputs; ++i) {

@@ -94,6 +94,8 @@ class Machine {
     for (std::size_t i = size; i-- > 0;) value = (value << 8U) | static_cast<std::uint8_t>(taken[i]);
     return value;
   }
+  /// A text behind its length, a number of at most four bytes.
+  std::string_view counted_text(std::size_t bytes_of_length) { return take(static_cast<std::size_t>(little_endian(bytes_of_length))); }
   double big_endian_double() {
     std::uint64_t bits = 0;
     for (const char c : take(8)) bits = (bits << 8U) | static_cast<std::uint8_t>(c);
@@ -172,9 +174,9 @@ class Machine {
       case Opcode::kBinFloat:
         return push({.kind = Kind::kReal, .real = big_endian_double()}), true;
       case Opcode::kBinUnicode:
-        return push({.kind = Kind::kText, .text = std::string(take(little_endian(4)))}), true;
+        return push({.kind = Kind::kText, .text = std::string(counted_text(4))}), true;
       case Opcode::kShortBinUnicode:
-        return push({.kind = Kind::kText, .text = std::string(take(little_endian(1)))}), true;
+        return push({.kind = Kind::kText, .text = std::string(counted_text(1))}), true;
       default:
         return false;
     }

@@ -39,8 +39,8 @@ std::uint64_t ProtobufReader::varint() {
 
 std::string_view ProtobufReader::take(std::uint64_t size) {
   if (size > rest_.size()) throw BadInput("protobuf: cut short");
-  const std::string_view taken = rest_.substr(0, size);
-  rest_.remove_prefix(size);
+  const std::string_view taken = rest_.substr(0, static_cast<std::size_t>(size));
+  rest_.remove_prefix(taken.size());
   return taken;
 }
 

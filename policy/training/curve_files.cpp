@@ -18,7 +18,7 @@ constexpr host::FileKind kLearningCurve{"a learning curve", std::uint64_t{1} << 
 /// A curve's file as it was when the checkpoint was written.
 std::string earlier_part(const std::filesystem::path& path, const ppo::Continuation::Written& part) {
   host::InputFile file(path, kLearningCurve);
-  std::string text(std::min<std::uint64_t>(part.bytes, file.size()), '\0');
+  std::string text(static_cast<std::size_t>(std::min<std::uint64_t>(part.bytes, file.size())), '\0');
   text.resize(file.read({reinterpret_cast<std::uint8_t*>(text.data()), text.size()}));
   if (text.size() < part.bytes) throw BadInput(path.string() + ": shorter than when the checkpoint was written");
   if (host::crc32_of(text) != part.crc32) throw BadInput(path.string() + ": not the learning curve of the checkpoint");

@@ -64,7 +64,7 @@ class Header {
   std::uint64_t type_size() {
     const std::uint64_t type = number(4);
     ok = ok && type >= 1 && type < kTypeSize.size();
-    return ok ? kTypeSize[type] : 0;
+    return ok ? kTypeSize[static_cast<std::size_t>(type)] : 0;
   }
 
   /// What is longer than the whole file is not there; and a step that large could lead backwards.
@@ -102,11 +102,12 @@ Variable read_variable(Header& header, const std::vector<std::uint64_t>& dimensi
     const std::uint64_t dimension = header.count();
     header.ok = header.ok && dimension < dimensions.size();
     if (!header.ok) return variable;
-    if (dimensions[dimension] == 0) {
+    const std::uint64_t length = dimensions[static_cast<std::size_t>(dimension)];
+    if (length == 0) {
       variable.is_record = true;
     } else {
-      header.ok = values <= kMostValues / dimensions[dimension];
-      values *= dimensions[dimension];
+      header.ok = values <= kMostValues / length;
+      values *= length;
     }
   }
   header.skip_attributes();

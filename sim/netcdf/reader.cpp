@@ -129,12 +129,13 @@ std::vector<double> Reader::read(const std::string& variable, const Block& block
   const int status = nc_get_vara_double(file_, id, block.start.data(), block.count.data(), data.data());
   if (status != NC_NOERR) throw error(variable, std::string("cannot be read (") + nc_strerror(status) + ")");
 
-  const std::array<std::optional<double>, 2> absent = {number_attribute(id, "_FillValue"), number_attribute(id, "missing_value")};
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const double fill = number_attribute(id, "_FillValue").value_or(kNone);  // no value equals NaN
+  const double missing = number_attribute(id, "missing_value").value_or(kNone);
   const double scale = number_attribute(id, "scale_factor").value_or(1.0);
   const double offset = number_attribute(id, "add_offset").value_or(0.0);
   for (double& x : data) {
-    const bool none = x == absent[0] || x == absent[1];
-    x = none ? std::numeric_limits<double>::quiet_NaN() : x * scale + offset;
+    x = x == fill || x == missing ? kNone : x * scale + offset;
   }
   return data;
 }

@@ -12,7 +12,7 @@ Spectrogram::Spectrogram(std::uint64_t samples, const ShortTimeSpectrum& windows
   bins_per_row_ = (shown + kMostRows - 1) / kMostRows;
   rows_ = shown / bins_per_row_;
   hertz_per_row_ = static_cast<double>(bins_per_row_) * windows.bin_width();
-  columns_ = std::clamp<std::size_t>(samples / windows.hop(), 1, kMostColumns);
+  columns_ = static_cast<std::size_t>(std::clamp<std::uint64_t>(samples / windows.hop(), 1, kMostColumns));
   samples_per_column_ = static_cast<double>(samples) / static_cast<double>(columns_);
   seconds_per_column_ = samples_per_column_ / windows.sample_rate().value;
   sum_.assign(columns_ * rows_, 0.0);

@@ -7,12 +7,12 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <ctime>
 #include <span>
 #include <string>
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/core/time.hpp"
+#include "firmware/host/transport/timespec.hpp"
 #include "firmware/runtime/runtime.hpp"
 
 namespace earshot::board {
@@ -74,12 +74,10 @@ class Clock {
 
 /// Until one of the ports is readable, but no longer than `most`.
 inline void wait_for_ports(std::span<const pollfd> ports, Duration most) {
-  constexpr std::int64_t kMicrosecondsPerSecond = 1'000'000;
   std::array<pollfd, config::kMaxPorts> readable{};
   const std::size_t count = std::min(ports.size(), readable.size());
   std::copy_n(ports.begin(), count, readable.begin());
-  const timespec timeout{.tv_sec = static_cast<std::time_t>(most.us / kMicrosecondsPerSecond),
-                         .tv_nsec = static_cast<long>(most.us % kMicrosecondsPerSecond * 1000)};
+  const timespec timeout = host::timespec_of(most);
   (void)ppoll(readable.data(), count, &timeout, nullptr);
 }
 

@@ -3,13 +3,14 @@
 #include <cmath>
 #include <ctime>
 
+#include "firmware/host/transport/timespec.hpp"
 #include "hil/nodes/scaled_clock.hpp"
 
 namespace earshot::hil {
 namespace {
 
 void sleep_until(Time host) {
-  const timespec wake{.tv_sec = host.us / 1'000'000, .tv_nsec = host.us % 1'000'000 * 1000};
+  const timespec wake = host::timespec_of(host - Time{});
   (void)::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &wake, nullptr);
 }
 
