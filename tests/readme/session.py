@@ -80,7 +80,8 @@ def failure_of(commands: list[Command], folder: Path, environment: dict[str, str
     """Runs them until one fails. Returns FILE:LINE: the command and the end of what it printed, or None if none did."""
     read_end, write_end = os.pipe()
     shell = subprocess.Popen(
-        ["bash", "-c", f"exec 3>&{write_end} {write_end}>&-\n" + _script(commands)],
+        # Who runs this with & in a script has Ctrl-C ignored, which a shell would hand on and could not trap.
+        ["env", "--default-signal=INT", "bash", "-c", f"exec 3>&{write_end} {write_end}>&-\n" + _script(commands)],
         cwd=folder,
         env=environment,
         stdin=subprocess.DEVNULL,

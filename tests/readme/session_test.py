@@ -1,6 +1,7 @@
 """Commands that run on when they should have ended: none hangs the test, and none is left."""
 
 import os
+import signal
 import sys
 import tempfile
 import time
@@ -43,6 +44,10 @@ class Session(unittest.TestCase):
         ran = command("sh -c 'python3 late.py & exec sleep 1000'", "start")
         self.assertIsNone(self.failure_of(ran))
         self.assertTrue((self.folder / "stopped").exists())
+
+    def test_presses_ctrl_c_though_it_was_started_where_ctrl_c_is_ignored(self):
+        self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, signal.SIG_IGN))
+        self.assertIsNone(self.failure_of(command("bash -c 'trap \"exit 130\" INT; sleep 1000'", "start")))
 
     def test_tells_of_a_command_that_ends_by_itself_and_ends_what_it_left(self):
         begin = time.monotonic()
