@@ -65,6 +65,9 @@ inline constexpr std::size_t kGoldenTrajectories = 2;
 inline constexpr std::size_t kGoldenSteps = 6;
 /// Bytes of provenance text in a policy, or in ocean tables; full: refused when they are made.
 inline constexpr std::size_t kMaxProvenance = 1024;
+/// Bytes of it that are kept when a file is read (people read it in a vehicle computer's reports; a microcontroller shows it to nobody);
+/// full: passed over.
+inline constexpr std::size_t kKeptProvenance = by_profile(kMaxProvenance, 0);
 /// Bytes of the whole on-vehicle state (nearly all of them belief, ocean tables and policy weights); full: does not compile.
 inline constexpr std::size_t kRuntimeBytes = by_profile(332, 128, 72) * 1024;
 
@@ -133,10 +136,17 @@ inline constexpr std::size_t kCanWaitingGroups = 24;
 /// NMEA 2000 fast packets in the making (senders x PGNs). A slot is held from a message's first frame to its last, by each device that
 /// sends one at that time. A bus has up to 50 devices, and what is put together here more than one of them sends: positions of GNSS
 /// receivers, plotters and autopilots, and 126720, which every maker uses for messages of his own. With eight, nine that begin within the
-/// 50 ms of a long message would lose one. Full: the one fed longest ago goes, counted.
-inline constexpr std::size_t kFastPacketSlots = 16;
+/// 50 ms of a long message would lose one. On a microcontroller's bus, which is its vehicle's alone, eight: 250 kbit/s carry the 32 frames
+/// of the longest message in 20 ms, the 8 of a position in 5, and a vehicle has two receivers, an autopilot and a battery or two that send
+/// what is put together there. Were there twenty, each once a second and 50 ms long, one message in 550 000 would begin as a ninth, and
+/// what it says comes again within a second. Full: the one fed longest ago goes, counted.
+inline constexpr std::size_t kFastPacketSlots = by_profile(16, 8);
 /// Of one assembly: 280 bytes a slot and its counters. A CAN port holds two, for positions and for orders.
-inline constexpr std::size_t kFastPacketBytes = 4608;
+inline constexpr std::size_t kFastPacketBytes = by_profile(4608, 2304);
+/// Devices whose NAMEs are known by their addresses (every address that there is; a network of NMEA 2000 has 50 devices at most, and some
+/// claim two addresses); full: one more is known by its address alone, as if it had claimed none, and is counted. So it is taken for
+/// another device when its address changes, and is never one that the mission names.
+inline constexpr std::size_t kKnownDevices = by_profile(254, 64);
 
 /// Devices that watch the hull and have an alarm at one time (one or two in each of a vehicle's compartments); full: the alarm of one more
 /// stands until earshotd ends.
@@ -158,8 +168,9 @@ inline constexpr std::size_t kJournalOrderReserveBytes = 1'048'576;
 inline constexpr std::size_t kFirTaps = by_profile(1632, 256);
 /// Taps of the second decimator (from 64 to 4 times the band's high end, 80 dB down); more: no such band may be asked for.
 inline constexpr std::size_t kSecondFirTaps = 224;
-/// Samples of one channel that are filtered in one go (what stays in a processor's first cache); more: the next go.
-inline constexpr std::size_t kSoundChunk = by_profile(1024, 256);
+/// Samples of one channel that are filtered in one go (what stays in a processor's first cache; a microcontroller keeps four times as many
+/// floats, and 256 would take 2 KiB more than 128 to save a hundredth of the instructions); more: the next go.
+inline constexpr std::size_t kSoundChunk = by_profile(1024, 128);
 /// Levels that a noise floor remembers (2 minutes of a quarter of a second, 8 minutes of a second; of a microcontroller 5 minutes of two
 /// seconds); full: the oldest goes.
 inline constexpr std::size_t kFloorLevels = by_profile(512, 160);

@@ -9,8 +9,8 @@
 
 namespace earshot::policy {
 
-/// Where a file comes from, for people: UTF-8 "key = value" lines.
-using Provenance = FixedVector<char, config::kMaxProvenance>;
+/// Where a file comes from, for people: UTF-8 "key = value" lines. Nothing where this build keeps none of it.
+using Provenance = FixedVector<char, config::kKeptProvenance>;
 
 namespace format {
 
@@ -18,7 +18,7 @@ namespace format {
 inline PolicyFault read_provenance(ByteReader& reader, Provenance& provenance) {
   if (reader.remaining() > config::kMaxProvenance) return PolicyFault::kBadShape;
   provenance.clear();
-  while (reader.remaining() > 0) static_cast<void>(provenance.push_back(static_cast<char>(reader.u8())));
+  while (reader.remaining() > 0) static_cast<void>(provenance.push_back(static_cast<char>(reader.u8())));  // kFull: passed over
   return PolicyFault::kNone;
 }
 

@@ -24,7 +24,7 @@ auto value_of(const Result<fields::Sourced>& said) {
 
 }  // namespace
 
-Sensors::Sensors(const SensorSettings& settings) : settings_(settings) {
+Sensors::Sensors(const SensorSettings& settings) : pressure_kind_(settings.pressure_kind), surface_pa_(settings.surface_pa) {
   for (std::size_t i = 0; i < kMeasured; ++i) gates_[i] = SourceGate(settings.sources[i]);
 }
 
@@ -161,11 +161,11 @@ Status Sensors::take_pressure(const Arrival& arrival) {
                                     value_of(said), fields::pressure_instance(arrival.bytes));
   if (!readings_.pressure_pa) readings_.depth.reset();
   if (kept != Status::kOk) return kept;
-  if (settings_.pressure_kind == PressureKind::kAbsolute && !settings_.surface_pa) {
+  if (pressure_kind_ == PressureKind::kAbsolute && !surface_pa_) {
     ++counters_.no_surface;
     return Status::kUnsupported;
   }
-  const double over_surface_pa = readings_.pressure_pa->value - settings_.surface_pa.value_or(0.0);
+  const double over_surface_pa = readings_.pressure_pa->value - surface_pa_.value_or(0.0);
   readings_.depth = Reading<Meters>{.value = depth_of(over_surface_pa), .time = arrival.time};
   return Status::kOk;
 }
@@ -173,11 +173,11 @@ Status Sensors::take_pressure(const Arrival& arrival) {
 Status Sensors::zero_at_surface() {
   if (!readings_.pressure_pa) return Status::kNotReady;
   const double pressure_pa = readings_.pressure_pa->value;
-  const bool gauge = settings_.pressure_kind == PressureKind::kGauge;
+  const bool gauge = pressure_kind_ == PressureKind::kGauge;
   const double lowest_pa = gauge ? -20'000.0 : 80'000.0;
   const double highest_pa = gauge ? 20'000.0 : 110'000.0;
   if (!(pressure_pa >= lowest_pa && pressure_pa <= highest_pa)) return Status::kOutOfRange;
-  settings_.surface_pa = pressure_pa;
+  surface_pa_ = pressure_pa;
   readings_.depth = Reading<Meters>{.value = Meters{0.0}, .time = readings_.pressure_pa->time};
   return Status::kOk;
 }

@@ -102,7 +102,8 @@ class Sensors {
   [[nodiscard]] Status take_temperature(const Arrival& arrival);
   [[nodiscard]] Status take_charge(const Arrival& arrival);
 
-  SensorSettings settings_;
+  PressureKind pressure_kind_ = PressureKind::kGauge;
+  std::optional<double> surface_pa_;
   std::array<SourceGate, kMeasured> gates_{};
   std::array<std::optional<Time>, kMeasured> heard_{};
   Directory directory_;
