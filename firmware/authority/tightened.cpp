@@ -35,19 +35,44 @@ Duration of_seconds(double seconds) {
   return {static_cast<std::int64_t>(seconds * 1e6)};
 }
 
+/// All of a mission that an operator's limits change.
+struct Limited {
+  Meters max_depth;
+  Meters search_depth;
+  MetersPerSecond search_speed;
+  Duration max_time;
+};
+
+Limited limited(const config::Mission& mission) {
+  return {.max_depth = mission.max_depth,
+          .search_depth = mission.search_depth,
+          .search_speed = mission.search_speed,
+          .max_time = mission.max_time};
+}
+
+void put(const Limited& limited, config::Mission& mission) {
+  mission.max_depth = limited.max_depth;
+  mission.search_depth = limited.search_depth;
+  mission.search_speed = limited.search_speed;
+  mission.max_time = limited.max_time;
+}
+
 }  // namespace
 
-Result<config::Mission> tightened(const config::Mission& mission, const messages::OperatorLimits& limits) {
+Status tighten(config::Mission& mission, const messages::OperatorLimits& limits) {
   const bool are_tighter = is_tighter(limits.max_depth, mission.max_depth) && is_tighter(limits.max_speed, mission.search_speed) &&
                            is_tighter(limits.max_time_s, mission.max_time.to_seconds());
   if (limits == messages::OperatorLimits{} || !are_tighter) return Status::kOutOfRange;
-  config::Mission tighter = mission;
+  const Limited before = limited(mission);
+  Limited tighter = before;
   if (limits.max_depth) tighter.max_depth = *limits.max_depth;
   if (limits.max_speed) tighter.search_speed = *limits.max_speed;
   if (limits.max_time_s) tighter.max_time = of_seconds(*limits.max_time_s);
   tighter.search_depth = search_depth_within(tighter.max_depth, mission);
-  if (!can_be_flown(tighter)) return Status::kOutOfRange;
-  return tighter;
+  put(tighter, mission);
+  if (can_be_flown(mission)) return Status::kOk;
+  put(before, mission);
+  return Status::kOutOfRange;
 }
 
 }  // namespace earshot::authority

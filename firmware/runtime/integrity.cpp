@@ -56,20 +56,19 @@ bool Runtime::may_decide() const {
 
 /// Nothing here is believed that a single bit could have changed by itself. A vehicle that must move to come up goes round: where it points
 /// is not known, so that its heading turns on with the time.
-Outputs Runtime::step_of_damaged(Time now) const {
-  Outputs outputs;
+void Runtime::step_of_damaged(Time now, Outputs& outputs) const {
+  outputs = {};
   outputs.health.turn = progress_.turn;
   outputs.health.authority = messages::Authority::kAbort;
   outputs.health.state = MissionState::kAbort;
   outputs.health.end_reason = EndReason::kMemoryFault;
   const bool was_commanding = progress_.situation.commanded && sealed_.progress.situation.commanded;
   const bool was_engaged = progress_.command.is_engaged() && sealed_.progress.command.is_engaged();
-  if (!was_commanding && !was_engaged) return outputs;
+  if (!was_commanding && !was_engaged) return;
   messages::Setpoint& setpoint = outputs.setpoint.emplace();
   setpoint.speed = lower_of_possible(mission_.safety.vehicle.ascent_speed, sealed_.mission.safety.vehicle.ascent_speed);
   if (setpoint.speed > kNoSpeed)
     setpoint.heading = turned_on(now, setpoint.speed, mission_.safety.vehicle.turn_radius, sealed_.mission.safety.vehicle.turn_radius);
-  return outputs;
 }
 
 Outputs Runtime::step(Time now) {
@@ -77,9 +76,12 @@ Outputs Runtime::step(Time now) {
   if (!is_intact() || !are_same_bytes(mission_, sealed_.mission)) integrity_ = 0;
   Outputs outputs;
   if (integrity_ == kIntact) turn(now, outputs);
-  if (integrity_ != kIntact) return step_of_damaged(now);
-  seal();
-  return outputs;
+  if (integrity_ == kIntact) {
+    seal();
+  } else {
+    step_of_damaged(now, outputs);
+  }
+  return outputs;  // one object: what is returned in two places lies on the stack twice
 }
 
 void Runtime::take(const messages::Input& input) {

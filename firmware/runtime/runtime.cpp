@@ -229,9 +229,7 @@ CommandOutcome Runtime::obey(Time arrival, const messages::OperatorCommand& comm
 
 CommandOutcome Runtime::tighten(const messages::OperatorLimits& limits) {
   if (progress_.state != MissionState::kStandby && progress_.state != MissionState::kSearch) return CommandOutcome::kNotInThisState;
-  const Result<config::Mission> tighter = authority::tightened(mission_, limits);
-  if (!tighter.ok()) return CommandOutcome::kNotTighter;
-  mission_ = tighter.value();
+  if (authority::tighten(mission_, limits) != Status::kOk) return CommandOutcome::kNotTighter;
   seal_mission();
   progress_.supervisor.tighten(mission_);
   return CommandOutcome::kObeyed;

@@ -121,7 +121,7 @@ class Runtime {
   /// Whether policy, tables and memory of the search are what they were after the last decision.
   [[nodiscard]] bool may_decide() const;
   /// What is left to say when the memory cannot be trusted.
-  [[nodiscard]] Outputs step_of_damaged(Time now) const;
+  void step_of_damaged(Time now, Outputs& outputs) const;
 
   void forget();
   /// Whether mission and policy fit each other, and this build flies it as it was frozen. Works in memory_ and tables_.

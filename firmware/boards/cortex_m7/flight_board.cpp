@@ -58,6 +58,23 @@ std::optional<std::uint8_t> port_of_sound(std::string_view channel) {
   return static_cast<std::uint8_t>(port);
 }
 
+/// A mission, and the files that it is flown with.
+struct Ordered {
+  config::Mission mission;
+  std::uint32_t policy_crc32 = 0;
+  std::uint32_t tables_crc32 = 0;
+};
+
+/// Its message is gone from the stack when the mission is judged.
+__attribute__((noinline)) Status read(std::span<const std::uint8_t> bytes, Ordered& ordered) {
+  mission_t message{};
+  if (const Status status = wire::decode(bytes, message); status != Status::kOk) return status;
+  ordered.mission = wire::from_message(message);
+  ordered.policy_crc32 = static_cast<std::uint32_t>(message.policy_crc32);
+  ordered.tables_crc32 = static_cast<std::uint32_t>(message.tables_crc32);
+  return Status::kOk;
+}
+
 }  // namespace
 
 void FlightBoard::begin() {
@@ -118,8 +135,8 @@ void FlightBoard::hear(std::uint8_t port, const wire::FramedRecord& record) {
   }
   ++taken_;
   if (!hears_) return;
-  std::array<float, wire::kEncodedBytes / sizeof(float)> room;
-  const std::span<float> samples = std::span(room).first(message.sample_count());
+  // Where their message came in, which nothing else is read of any more: a room of their own would take 3 KiB of stack.
+  const std::span<float> samples(reinterpret_cast<float*>(frame_.data()), message.sample_count());
   wire::copy_samples(message, samples);
   detector_.hear(message.block, samples);
   while (const std::optional<detector::Estimate> estimate = detector_.next()) {
@@ -161,18 +178,22 @@ void FlightBoard::keep_piece(std::span<const std::uint8_t> piece, std::span<std:
 }
 
 void FlightBoard::arm(Time time, std::span<const std::uint8_t> bytes) {
-  mission_t message{};
-  if (const Status status = wire::decode(bytes, message); status != Status::kOk) return report(time, board_t::REFUSED, status);
-  const std::span<const std::uint8_t> policy = place_of_policy().first(policy_.size);
-  const std::span<const std::uint8_t> tables = place_of_tables().first(tables_.size);
-  const bool is_whole = policy_.known == policy_.size && tables_.known == tables_.size &&
-                        crc32(policy) == static_cast<std::uint32_t>(message.policy_crc32) &&
-                        crc32(tables) == static_cast<std::uint32_t>(message.tables_crc32);
-  if (!is_whole) return report(time, board_t::REFUSED, Status::kCorrupt);
-  taken_ = inputs_ = 0;
-  const Status status = runtime_.configure(wire::from_message(message), policy, tables);
+  const Status status = configure(bytes);
   if (status == Status::kOk) machine::begin_watchdog();  // from here on a mission depends on it
   report(time, status == Status::kOk ? board_t::ARMED : board_t::REFUSED, status);
+}
+
+/// The mission is gone from the stack when it is told what became of it.
+__attribute__((noinline)) Status FlightBoard::configure(std::span<const std::uint8_t> bytes) {
+  Ordered ordered;
+  if (const Status status = read(bytes, ordered); status != Status::kOk) return status;
+  const std::span<const std::uint8_t> policy = place_of_policy().first(policy_.size);
+  const std::span<const std::uint8_t> tables = place_of_tables().first(tables_.size);
+  const bool is_whole = policy_.known == policy_.size && tables_.known == tables_.size && crc32(policy) == ordered.policy_crc32 &&
+                        crc32(tables) == ordered.tables_crc32;
+  if (!is_whole) return Status::kCorrupt;
+  taken_ = inputs_ = 0;
+  return runtime_.configure(ordered.mission, policy, tables);
 }
 
 void FlightBoard::turn(Time now, std::span<const std::uint8_t> count) {

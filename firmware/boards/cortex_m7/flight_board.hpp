@@ -40,8 +40,9 @@ class FlightBoard {
   void take(const wire::FramedRecord& record);
   void keep_piece(std::span<const std::uint8_t> piece, std::span<std::uint8_t> place, Incoming& file);
   void arm(Time time, std::span<const std::uint8_t> message);
+  [[nodiscard]] Status configure(std::span<const std::uint8_t> message);
   void listen_for(Time time, std::span<const std::uint8_t> message);
-  /// A block of the hydrophone at a port: each look at it is an input, and is said.
+  /// A block of the hydrophone at a port: each look at it is an input, and is said. @param record  lies in frame_, and is written over
   void hear(std::uint8_t port, const wire::FramedRecord& record);
   void tell_deafness(messages::Input input, detector::Hearing hearing);
   void say(const messages::Input& input);
@@ -50,7 +51,7 @@ class FlightBoard {
   void say(Time now, const runtime::Outputs& outputs);
   void report(Time time, std::int8_t event, Status status = Status::kOk);
 
-  std::array<std::uint8_t, wire::kFrameBytes> frame_{};
+  alignas(float) std::array<std::uint8_t, wire::kFrameBytes> frame_{};
   wire::CobsReader reader_{frame_};
   Incoming policy_;
   Incoming tables_;

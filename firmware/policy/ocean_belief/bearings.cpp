@@ -74,7 +74,8 @@ void OceanBelief::weigh_bearing(const BeliefModel& model, const Look& look, int 
   const Rectangle area{.south_west = {}, .north_east = model.area_size};
   CellPlaces places;
   std::array<std::uint16_t, config::kMaxBeliefCells> cells;
-  std::array<std::int16_t, config::kMaxBeliefCells> drifted;
+  // Over `cells`, for what is said of a cell is written when its own has been read: two grids would be the deepest of the vehicle's stack.
+  const std::span<std::int16_t> drifted(reinterpret_cast<std::int16_t*>(cells.data()), cell_count(model));
   for_each_drift(block, [&](const Drift& drift, const Lanes& lanes) {
     if (drift.is_none()) return block.weigh_places(model, lanes, by_cell_);
     places.find(model, drift, index, {});

@@ -147,9 +147,16 @@ void OceanBelief::find_regrets(const BeliefModel& model, NorthEast position) {
   for (ActionOutlook& outlook : outlooks) outlook.regret = std::min(outlook.regret - least, model.costs.most_regret);
 }
 
-/// What its SNR says of the source where it is now. @param index  of the look, counted from 0
+/// What a look says of the source where it is now. @param index  of the look, counted from 0
 void OceanBelief::take_in(const BeliefModel& model, const OceanTables& tables, const Look& look, std::uint32_t index,
                           HypothesisBlock& block) {
+  weigh_snr(model, tables, look, index, block);
+  if (look.was_declared) rule_out(model, tables, look.position, index, block);
+}
+
+/// By itself, so that its places are gone from the stack when others are found by which to rule out.
+[[gnu::noinline]] void OceanBelief::weigh_snr(const BeliefModel& model, const OceanTables& tables, const Look& look, std::uint32_t index,
+                                              HypothesisBlock& block) {
   likelihoods_.tabulate(model, tables, block.hypotheses(), {.snr = look.snr, .too_faint = look.too_faint});
   CellPlaces places;
   for_each_drift(block, [&](const Drift& drift, const Lanes& lanes) {
@@ -157,7 +164,6 @@ void OceanBelief::take_in(const BeliefModel& model, const OceanTables& tables, c
     places.find_ranges(model, look.position, tables.range_step, tables.range_count - std::size_t{1}, ranges_);
     block.weigh(model, lanes, likelihoods_.by_range(tables), ranges_);
   });
-  if (look.was_declared) rule_out(model, tables, look.position, index, block);
 }
 
 void OceanBelief::find_posteriors(const BeliefModel& model, const OceanTables& tables) {

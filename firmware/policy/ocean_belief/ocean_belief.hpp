@@ -91,6 +91,7 @@ class OceanBelief {
   void take_in_past_bearing(const BeliefModel& model, const Look& look, std::uint32_t index);
   void weigh_bearing(const BeliefModel& model, const Look& look, int taken_off, std::uint32_t index, HypothesisBlock& block);
   void take_in(const BeliefModel& model, const OceanTables& tables, const Look& look, std::uint32_t index, HypothesisBlock& block);
+  void weigh_snr(const BeliefModel& model, const OceanTables& tables, const Look& look, std::uint32_t index, HypothesisBlock& block);
   void rule_out(const BeliefModel& model, const OceanTables& tables, NorthEast position, std::uint32_t index, HypothesisBlock& block);
   [[nodiscard]] Decibels least_snr_near(const BeliefModel& model, const OceanTables& tables) const;
   void judge(const BeliefModel& model, const OceanTables& tables, NorthEast position, const Reception& reception);

@@ -21,7 +21,7 @@ struct HydrophoneMessage {
 /// Oracle: HydrophoneMessage tests (lcm-gen's own type as the other side)
 [[nodiscard]] Status read_hydrophone_block(std::span<const std::uint8_t> bytes, HydrophoneMessage& message);
 
-/// @param samples  message.sample_count() floats
+/// @param samples  message.sample_count() floats; they may lie over the message, if they begin before its own
 void copy_samples(const HydrophoneMessage& message, std::span<float> samples);
 
 }  // namespace earshot::wire

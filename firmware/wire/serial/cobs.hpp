@@ -16,7 +16,8 @@ namespace earshot::wire {
   return size + size / 254 + 2;
 }
 
-/// @param to  of cobs_room(from.size()) bytes or more; must not overlap with `from`
+/// @param to  of cobs_room(from.size()) bytes or more. `from` may be the last bytes of so many, and is written over: what is stuffed never
+/// comes as far as what is still to be read. Otherwise they must not overlap.
 /// @return how many bytes of `to` were written, the ending zero among them
 [[nodiscard]] std::size_t stuff(std::span<const std::uint8_t> from, std::span<std::uint8_t> to);
 

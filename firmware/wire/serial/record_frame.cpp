@@ -15,14 +15,14 @@ constexpr std::size_t kDateBytes = 8;
 
 RecordFrame::RecordFrame(Time time, std::string_view channel, std::span<const std::uint8_t> data) {
   assert(channel.size() <= kFrameChannelBytes && data.size() <= kEncodedBytes);
-  std::array<std::uint8_t, kFrameBytes> frame;
-  store_big_endian(std::span(frame).first(kDateBytes), static_cast<std::uint64_t>(time.us));
+  const std::size_t checked = kFrameHeadBytes + channel.size() + data.size();
+  const std::span<std::uint8_t> room = std::span(bytes_).first(cobs_room(checked + kFrameChecksumBytes));
+  const std::span<std::uint8_t> frame = room.last(checked + kFrameChecksumBytes);
+  store_big_endian(frame.first(kDateBytes), static_cast<std::uint64_t>(time.us));
   frame[kDateBytes] = static_cast<std::uint8_t>(channel.size());
-  auto* end = std::copy(channel.begin(), channel.end(), frame.data() + kFrameHeadBytes);
-  end = std::copy(data.begin(), data.end(), end);
-  const auto size = static_cast<std::size_t>(end - frame.data());
-  store_big_endian(std::span(frame).subspan(size, kFrameChecksumBytes), crc32(std::span(frame).first(size)));
-  size_ = stuff(std::span(frame).first(size + kFrameChecksumBytes), bytes_);
+  std::copy(data.begin(), data.end(), std::copy(channel.begin(), channel.end(), frame.begin() + kFrameHeadBytes));
+  store_big_endian(frame.last(kFrameChecksumBytes), crc32(frame.first(checked)));
+  size_ = stuff(frame, room);
 }
 
 Status read_record_frame(std::span<const std::uint8_t> frame, FramedRecord& record) {

@@ -33,6 +33,12 @@ messages::OperatorLimits time(double s) {
   return {.max_time_s = s};
 }
 
+/// A mission with these limits, or why it cannot have them.
+Result<config::Mission> tightened(config::Mission mission, const messages::OperatorLimits& limits) {
+  const Status status = tighten(mission, limits);
+  return status == Status::kOk ? Result<config::Mission>(mission) : Result<config::Mission>(status);
+}
+
 TEST(Tightened, HasTheLimitsThatAreSaidAndKeepsTheRest) {
   config::Mission expected = mission();
   expected.max_depth = Meters{200};
@@ -97,6 +103,24 @@ TEST(Tightened, MayForestallARuleOfTheMissionsOwn) {
                                            .response = config::Response::kWarn}),
             Status::kOk);
   EXPECT_TRUE(tightened(warned, depth(340)).ok()) << "the vehicle comes up before it would have been warned of";
+}
+
+TEST(Tightened, IsAsItWasWhereItsLimitsAreRefused) {
+  config::Mission refused = mission();
+  messages::OperatorLimits mixed = depth(100);
+  mixed.max_time_s = 40'000;
+  for (const auto& limits : {mixed, depth(0), speed(3), time(1e-7)}) {
+    EXPECT_EQ(tighten(refused, limits), Status::kOutOfRange);
+    EXPECT_EQ(refused, mission());
+  }
+  config::Mission glides = mission();
+  glides.safety.vehicle.hold_speed = MetersPerSecond{0.8};
+  const config::Mission before = glides;
+  messages::OperatorLimits all = depth(200);
+  all.max_time_s = 1800;
+  all.max_speed = MetersPerSecond{0.7};
+  EXPECT_EQ(tighten(glides, all), Status::kOutOfRange) << "after all of them were put into it";
+  EXPECT_EQ(glides, before);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -68,6 +69,25 @@ TEST(Cobs, ComesBackWhateverWasStuffed) {
     const std::vector<Bytes> frames = read(stuffed(bytes), bytes.size());
     ASSERT_EQ(frames.size(), 1U);
     EXPECT_EQ(frames[0], bytes);
+  }
+}
+
+/// In the last bytes of the room that they are stuffed into.
+Bytes stuffed_in_place(const Bytes& from) {
+  Bytes room(cobs_room(from.size()), 0xEE);
+  const std::span<std::uint8_t> last = std::span(room).last(from.size());
+  std::copy(from.begin(), from.end(), last.begin());
+  room.resize(stuff(last, room));
+  return room;
+}
+
+TEST(Cobs, StuffsBytesThatLieAtTheEndOfTheirRoomAsIfTheyLayElsewhere) {
+  for (const std::size_t size : {1U, 2U, 253U, 254U, 255U, 507U, 508U, 509U, 762U, 3125U}) {
+    for (const std::size_t zero_every : {1U, 2U, 254U, 255U, 256U, 100'000U}) {
+      Bytes bytes(size);
+      for (std::size_t i = 0; i < size; ++i) bytes[i] = (i + 1) % zero_every == 0 ? 0 : static_cast<std::uint8_t>(1 + i % 255);
+      EXPECT_EQ(stuffed_in_place(bytes), stuffed(bytes)) << size << " bytes, a zero every " << zero_every;
+    }
   }
 }
 
