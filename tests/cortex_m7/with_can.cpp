@@ -1,4 +1,8 @@
-// The vehicle's program with all of NMEA 2000 that a CAN port needs: linked to know its size (check_budgets), run by nobody.
+// The vehicle's program with all of NMEA 2000 that a CAN port needs, code and state: linked to know its size (check_budgets), run by
+// nobody.
+
+#include <array>
+#include <cstddef>
 
 #include "firmware/wire/n2k/navigation.hpp"
 #include "firmware/wire/n2k/node/node.hpp"
@@ -14,6 +18,18 @@ namespace {
 
 using namespace earshot;
 
+/// What a CAN port holds of them (firmware/boards/linux/can/can_port.hpp): fixes, the vehicle's condition, whose SNR and autopilot it goes
+/// by, orders, and the device that it is on the bus itself.
+struct CanPort {
+  n2k::NavigationReceiver receiver;
+  n2k::VehicleCondition condition;
+  n2k::SourceGate snr_gate;
+  n2k::SourceGate autopilot_gate;
+  n2k::OrderReceiver orders;
+  n2k::Node node;
+};
+alignas(CanPort) std::array<std::byte, sizeof(CanPort)> port;
+
 /// The linker must keep what a function is taken of.
 template <class Function>
 void keep(Function function) {
@@ -23,6 +39,7 @@ void keep(Function function) {
 }  // namespace
 
 extern "C" __attribute__((used)) void keep_can() {
+  asm volatile("" : : "r"(port.data()) : "memory");
   keep(&n2k::Node::accept);
   keep(&n2k::Node::step);
   keep(static_cast<Status (n2k::NavigationReceiver::*)(const n2k::Frame&, Time, messages::Navigation&)>(&n2k::NavigationReceiver::accept));
