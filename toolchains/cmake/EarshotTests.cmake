@@ -1,0 +1,31 @@
+# How the sources of a test are compiled, on every machine: earshot_compile_as_test, earshot_test_headers. (earshot_test itself: tests/CMakeLists.txt, and
+# tests/cortex_m7/CMakeLists.txt for a machine without an operating system.)
+
+# earshot_compile_as_test(NAME): a fifth of a test's compiling would be optimising what it expects; what it tests is built as ever.
+function(earshot_compile_as_test NAME)
+  target_link_libraries(${NAME} PRIVATE earshot_flags)
+  # GCC 12 takes what it inlines of a precompiled std::string for code of ours that writes beyond its end, and it does not; clang warns, too.
+  target_compile_options(${NAME} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow>")
+  if(CMAKE_CROSSCOMPILING)
+    target_compile_definitions(${NAME} PRIVATE EARSHOT_EMULATED)  # tests/support/emulated.hpp
+  endif()
+  if(EARSHOT_BARE_METAL)
+    # GoogleTest cannot be had in ISO mode here. As in that mode, what a test computes is fused as little as what it tests.
+    set_target_properties(${NAME} PROPERTIES CXX_EXTENSIONS ON)
+    target_compile_options(${NAME} PRIVATE -O1 -ffp-contract=off)
+  else()
+    target_compile_options(${NAME} PRIVATE $<$<CONFIG:Dev>:-O1>)
+  endif()
+endfunction()
+
+# earshot_test_headers(GTEST HEADER...): the target test_headers, which precompiles what nearly every test includes, with the target of GoogleTest that is named. It
+# is read once a build: of fifteen tests from everywhere 26.3 s of processor time without, 16.1 with it (GCC 12). A test takes it with REUSE_FROM test_headers.
+function(earshot_test_headers GTEST)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp)
+  file(GENERATE OUTPUT ${source} CONTENT "// Made by toolchains/cmake/EarshotTests.cmake: CMake precompiles headers for a source.\n")
+  add_library(test_headers OBJECT ${source})
+  target_link_libraries(test_headers PRIVATE ${GTEST})
+  earshot_compile_as_test(test_headers)
+  target_compile_options(test_headers PRIVATE "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")  # for ccache: the same bytes whenever they are made
+  target_precompile_headers(test_headers PRIVATE ${ARGN})
+endfunction()
