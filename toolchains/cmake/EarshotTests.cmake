@@ -7,7 +7,7 @@ function(earshot_compile_as_test NAME)
   # GCC 12 takes what it inlines of a precompiled std::string for code of ours that writes beyond its end, and it does not; clang warns, too.
   target_compile_options(${NAME} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow>")
   if(CMAKE_CROSSCOMPILING)
-    target_compile_definitions(${NAME} PRIVATE EARSHOT_EMULATED)  # tests/support/emulated.hpp
+    target_compile_definitions(${NAME} PRIVATE EARSHOT_EMULATED)  # tests/firmware/emulated.hpp
   endif()
   if(EARSHOT_BARE_METAL)
     # GoogleTest cannot be had in ISO mode here. As in that mode, what a test computes is fused as little as what it tests.

@@ -15,9 +15,9 @@
 
 #include "firmware/core/math.hpp"
 #include "firmware/policy/format/policy_format.hpp"
+#include "tests/firmware/emulated.hpp"
 #include "tests/firmware/policy/made_up_policy.hpp"
 #include "tests/firmware/policy/tables/made_up_tables.hpp"
-#include "tests/support/emulated.hpp"
 
 namespace earshot::policy {
 namespace {
@@ -130,7 +130,7 @@ TEST(Golden, OfThePoliciesThatShipIsRepeatedOnThisMachine) {
 }
 
 TEST(Golden, IsNotRepeatedWhenABitOfAnyStepDiffers) {
-  for (std::size_t i = 0; i < config::kGoldenSteps; i += support::times(1, 5)) {
+  for (std::size_t i = 0; i < config::kGoldenSteps; i += tests::times(1, 5)) {
     EXPECT_FALSE(repeats_after([i](FrozenPolicy& policy) { flip(policy.golden[1][i].logits[3]); })) << i;
     EXPECT_FALSE(repeats_after([i](FrozenPolicy& policy) { flip(policy.golden[0][i].observation[1]); })) << i;
     EXPECT_FALSE(repeats_after([i](FrozenPolicy& policy) { policy.golden[0][i].fingerprint ^= 1U; })) << i;

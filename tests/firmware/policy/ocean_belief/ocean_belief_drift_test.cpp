@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "firmware/policy/ocean_belief/ocean_belief.hpp"
+#include "tests/firmware/emulated.hpp"
 #include "tests/firmware/policy/ocean_belief/ocean_belief_rig.hpp"
-#include "tests/support/emulated.hpp"
 
 namespace earshot::policy {
 namespace {
 
-constexpr std::uint64_t kSearches = support::times(10, 3);
+constexpr std::uint64_t kSearches = tests::times(10, 3);
 
 constexpr auto kSteep = [](double km) { return 45.0 - 4.0 * km; };
 

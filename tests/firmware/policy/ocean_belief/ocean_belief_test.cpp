@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "tests/firmware/emulated.hpp"
 #include "tests/firmware/policy/ocean_belief/ocean_belief_rig.hpp"
-#include "tests/support/emulated.hpp"
 
 namespace earshot::policy {
 namespace {
@@ -71,7 +71,7 @@ TEST_F(OceanBeliefTest, FindsOutInWhichOceanItIsAndWhereTheSourceIs) {
   add_table(tables, 1.0F, kTwoPerKilometre);
   const auto truth = [](double km) { return 45.0 - 5.0 * km; };
   add_table(tables, 1.0F, truth);
-  for (std::uint64_t seed = 1; seed <= support::times(6, 2); ++seed) {
+  for (std::uint64_t seed = 1; seed <= tests::times(6, 2); ++seed) {
     Pcg32 random(seed, 7);
     const double north_m = 1'000.0 + 8'000.0 * random.uniform_double();
     const NorthEast source = at(north_m, 1'000.0 + 8'000.0 * random.uniform_double());
@@ -237,7 +237,7 @@ TEST_F(OceanBeliefTest, ForgetsEverythingWhenItStarts) {
 TEST_F(OceanBeliefTest, ForgetsThoseThatItWasWeighingWhenItStarts) {
   for (int k = 0; k < 5; ++k) add_table(tables, 1.0F, [k](double km) { return 30.0 - (1.0 + k) * km; });
   const auto fresh = std::make_unique<OceanBelief>();
-  for (int looks = 15; looks < support::times(25, 18); ++looks) {
+  for (int looks = 15; looks < tests::times(25, 18); ++looks) {
     belief->start(model, tables);
     for (int i = 0; i < looks; ++i) belief->update(model, tables, at(-1'000, 500.0 * i), {.snr = Decibels{90.0}, .too_faint = true});
     belief->start(model, tables);

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace earshot::support {
+namespace earshot::tests {
 
 /// Whether an emulator runs this test, some twenty times slower than a processor of its own (toolchains/cmake/EarshotTests.cmake).
 #ifdef EARSHOT_EMULATED
@@ -15,4 +15,4 @@ constexpr int times(int all, int fewer) {
   return kIsEmulated ? fewer : all;
 }
 
-}  // namespace earshot::support
+}  // namespace earshot::tests
