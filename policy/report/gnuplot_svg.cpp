@@ -55,8 +55,15 @@ std::string page_style(const std::string& size) {
 }
 
 PlotFolder::PlotFolder() {
-  std::string name = (fs::temp_directory_path() / "earshot-report-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder can be made in " + fs::temp_directory_path().string());
+  std::error_code unusable;
+  const fs::path parent = fs::temp_directory_path(unusable);
+  if (unusable) {
+    const char* variable = std::getenv("TMPDIR");
+    throw std::runtime_error(std::string("no temporary folder can be made: TMPDIR = ") + (variable != nullptr ? variable : "/tmp") +
+                             ": must be a folder that may be written");
+  }
+  std::string name = (parent / "earshot-report-XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder can be made in " + parent.string());
   folder_ = name;
 }
 

@@ -111,6 +111,15 @@ TEST_F(Flight, GivenASourceReachedInTheMiddleOfAStepJournalSummaryAndConsoleCoun
   EXPECT_NE(flight->output().find("steps       " + std::to_string(decisions) + "\n"), std::string::npos) << flight->output();
 }
 
+TEST_F(Flight, GivenAFolderThatIsNamedLikeAnOptionItWritesItsReportThere) {
+  fs::current_path(folder_);
+  const std::vector<std::string> arguments{"--mission", kMission, "--out", "-x", "--seed", "7", "--source", "fixed"};
+  const auto flight = std::make_unique<support::Process>(kBin / "earshot-fly", arguments, folder_ / "text");
+  EXPECT_EQ(flight->wait(120s), 0) << flight->output();
+  EXPECT_TRUE(fs::exists(folder_ / "-x/report.html")) << flight->output();
+  fs::current_path("/");
+}
+
 TEST_F(Flight, GivenAnotherFlightsNavigationOnItsBusItRefusesItAndSaysSoInHealth) {
   start_both();
   ASSERT_TRUE(is_under_way()) << runtime_->output() << simulator_->output();

@@ -208,7 +208,8 @@ void print_summary(const fs::path& out) {
 }
 
 bool writes_report(const fs::path& folder) {
-  ChildProcess report("earshot-report", {folder});
+  ChildProcess report("earshot-report",
+                      {folder.native().starts_with('-') ? (fs::path(".") / folder).string() : folder.string()});  // not an option
   while (report.running()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     report.poll();

@@ -43,6 +43,16 @@ TEST_F(GnuplotSvg, DrawsInAFolderWhateverItsNameAndRunsNothingInIt) {
   for (const auto& entry : fs::recursive_directory_iterator(folder_)) EXPECT_NE(entry.path().filename(), "ran") << entry.path();
 }
 
+TEST_F(GnuplotSvg, NamesTheFolderForTemporaryFilesThatIsNotThere) {
+  ::setenv("TMPDIR", "/nowhere", 1);
+  try {
+    const PlotFolder folder;
+    FAIL() << "made in " << folder.path();
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(std::string(error.what()), "no temporary folder can be made: TMPDIR = /nowhere: must be a folder that may be written");
+  }
+}
+
 TEST_F(GnuplotSvg, DrawsInTheInkOfThePageUnderTheTitleItIsGivenAndThickEnoughToBeSeen) {
   const PlotFolder folder;
   const std::string svg =
