@@ -60,4 +60,6 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${control}/preinst ${control}/pos
 foreach(component SIL TOOLS HIL)
   set(CPACK_DEBIAN_${component}_PACKAGE_CONTROL_EXTRA ${control}/preinst ${control}/prerm)
 endforeach()
+# Without it apt would leave headers and libraries of the new version, unpacked and no more, beside programs of the old one.
+set(CPACK_DEBIAN_DEV_PACKAGE_CONTROL_EXTRA ${control}/preinst)
 include(CPack)
