@@ -9,7 +9,10 @@
 #include <system_error>
 #include <utility>
 
+#include "firmware/core/time.hpp"
 #include "firmware/host/file/folder_lock.hpp"
+#include "firmware/host/file/printable.hpp"
+#include "firmware/host/journal/journal_reader.hpp"
 
 namespace earshot::fly {
 namespace {
@@ -42,13 +45,36 @@ void bring_to_disk(const fs::path& path) {
   if (file.number() < 0 || ::fsync(file.number()) != 0) throw std::system_error(errno, std::generic_category(), path.string());
 }
 
+/// A vehicle's journal of a mission at sea bears the same name as a flight's: its clock tells it from one. @throws host::BadInput
+void require_not_from_sea(const fs::path& journal) {
+  if (!fs::is_regular_file(journal)) return;
+  constexpr Time kYear2000{946'684'800'000'000};  // no simulated flight lasts so long
+  host::JournalRecord first;
+  if (!host::JournalReader(journal).next(first) || first.time < kYear2000) return;
+  throw host::BadInput(host::printable(journal.string()) +
+                       ": is the journal of a mission at sea, which no flight replaces: choose another folder with --out");
+}
+
+/// Other folders within it are nobody's concern: out/seven may come before out. @throws host::BadInput naming a file that is no flight's
+void require_for_flights(const fs::path& folder) {
+  if (fs::exists(folder / kFiles.back())) return;  // an earlier flight's, whatever else lies there
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_directory() || name.starts_with('.')) continue;
+    throw host::BadInput(host::printable(folder.string()) + ": holds " + host::printable(name) +
+                         ", and no earlier flight: choose another folder for this one with --out");
+  }
+}
+
 }  // namespace
 
 FlightFolder::FlightFolder(fs::path folder) : folder_(std::move(folder)), first_made_(topmost_missing(fs::absolute(folder_))) {
   fs::create_directories(folder_);
   lock_ = host::lock_folder(folder_);
   host::require_not_being_written(folder_ / kFiles.front());
+  require_not_from_sea(folder_ / kFiles.front());
   if (fs::exists(folder_ / "finished-flight")) move_up();
+  require_for_flights(folder_);
   unfinished_ = free_name(folder_ / "unfinished-flight");
 }
 

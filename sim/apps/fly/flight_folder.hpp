@@ -13,7 +13,9 @@ namespace earshot::fly {
 ///   FOLDER/finished-flight     only while a whole flight's files are moving up, summary.json last; a cut there is made good by the next
 class FlightFolder {
  public:
-  /// Makes the folder if it is missing. @throws host::FolderInUse naming who writes there, std::system_error
+  /// Makes the folder if it is missing.
+  /// @throws host::FolderInUse naming who writes there, host::BadInput naming a journal from sea, or a file that is no flight's where no
+  /// earlier flight lies, std::system_error
   explicit FlightFolder(std::filesystem::path folder);
   /// What it made and nobody has written into is gone again.
   ~FlightFolder();

@@ -7,7 +7,11 @@
 #include <map>
 #include <string>
 
+#include "firmware/core/status.hpp"
+#include "firmware/core/time.hpp"
+#include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/folder_lock.hpp"
+#include "firmware/host/journal/journal.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -35,6 +39,16 @@ class FlightFolderTest : public testing::Test {
 
   static std::map<std::string, std::string> five_of(const std::string& which) {
     return {{"journal.lcmlog", which}, {"journal.policy", which}, {"track.csv", which}, {"snr.csv", which}, {"summary.json", which}};
+  }
+
+  /// With which a flight is refused; empty: it is not.
+  [[nodiscard]] std::string complaint() const {
+    try {
+      const FlightFolder folder(out_);
+      return "";
+    } catch (const host::BadInput& e) {
+      return e.what();
+    }
   }
 
   const support::TemporaryFolder root_;
@@ -100,6 +114,31 @@ TEST_F(FlightFolderTest, AnExchangeThatWasCutAtAnyFileIsMadeGoodByTheNextFlight)
 TEST_F(FlightFolderTest, LeavesNoFolderBehindWhenNobodyWroteIntoIt) {
   { const FlightFolder folder(out_); }
   EXPECT_TRUE(fs::is_empty(root_));
+}
+
+TEST_F(FlightFolderTest, IsRefusedWhereAJournalFromSeaLies) {
+  write_flight(out_, "earlier", true);  // even beside what a flight left: somebody may have moved that one's journal away
+  const auto journal_of = [this](Time began) -> void {
+    fs::remove(out_ / "journal.lcmlog");
+    host::Journal journal(out_ / "journal.lcmlog", {});
+    ASSERT_EQ(journal.append(began, "MISSION", {}), Status::kOk);
+  };
+  journal_of(Time{1'800'000'000'000'000});
+  const std::map<std::string, std::string> before = files();
+  EXPECT_EQ(complaint(), (out_ / "journal.lcmlog").string() +
+                             ": is the journal of a mission at sea, which no flight replaces: choose another folder with --out");
+  EXPECT_EQ(files(), before);
+  journal_of(Time{});  // a simulator's clock
+  EXPECT_EQ(complaint(), "");
+}
+
+TEST_F(FlightFolderTest, IsRefusedWhereFilesLieThatAreNoFlightsUnlessAnEarlierFlightIsAmongThem) {
+  fs::create_directories(out_ / "seven");
+  EXPECT_EQ(complaint(), "");
+  std::ofstream(out_ / "mission.toml") << "mine";
+  EXPECT_EQ(complaint(), out_.string() + ": holds mission.toml, and no earlier flight: choose another folder for this one with --out");
+  write_flight(out_, "earlier", true);
+  EXPECT_EQ(complaint(), "");
 }
 
 TEST_F(FlightFolderTest, IsRefusedToASecondFlight) {
