@@ -1,6 +1,7 @@
 #include "sim/link/session.hpp"
 
 #include <dds/dds.h>
+#include <fcntl.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 
@@ -27,7 +28,8 @@ int udp_port(int descriptor) {
 }
 
 /// Cyclone DDS 0.10 binds the sockets on which it receives to every interface, whatever interface its configuration names
-/// (ddsi_udp.c, bind_to_any); here they are bound to `lo`, so that what other hosts send to their ports meets no socket.
+/// (ddsi_udp.c, bind_to_any); here they are bound to `lo`, so that what other hosts send to their ports meets no socket. A program that is
+/// started inherits none of them: it would hold the port, and only root may bind a socket a second time.
 /// @return how many
 int keep_to_loopback(std::uint32_t domain) {
   constexpr std::string_view kLoopback = "lo";
@@ -39,6 +41,8 @@ int keep_to_loopback(std::uint32_t domain) {
     if (port < first || port >= first + 250) continue;
     if (::setsockopt(descriptor, SOL_SOCKET, SO_BINDTODEVICE, kLoopback.data(), kLoopback.size()) != 0)
       throw LinkError("simulation link: a socket cannot be bound to the loopback interface: " + std::string(std::strerror(errno)));
+    if (::fcntl(descriptor, F_SETFD, FD_CLOEXEC) != 0)
+      throw LinkError("simulation link: a socket cannot be kept from other programs: " + std::string(std::strerror(errno)));
     ++sockets;
   }
   return sockets;

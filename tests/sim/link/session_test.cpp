@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <string>
 
@@ -76,6 +77,19 @@ TEST(Session, IsReachedFromThisHostAndFromNoOther) {
     waitpid(neighbour, &status, 0);
     EXPECT_EQ(WEXITSTATUS(status), 0) << "1: received from another host; more: the test itself could not do its work";
   }
+}
+
+TEST(Session, ItsSocketsEndWithItThoughAProgramThatWasStartedMeanwhileLivesOn) {
+  if (!test::enter_private_network()) GTEST_SKIP() << "no network namespace can be made";
+  FILE* started = nullptr;
+  {
+    const Session session(kDomain);
+    started = popen("exec cat", "w");
+    ASSERT_NE(started, nullptr);
+    EXPECT_TRUE(is_received_at(INADDR_LOOPBACK));
+  }
+  EXPECT_FALSE(is_received_at(INADDR_LOOPBACK));
+  pclose(started);
 }
 
 }  // namespace
