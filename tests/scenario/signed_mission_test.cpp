@@ -143,6 +143,18 @@ TEST_F(SignedMissions, AreVerifiedBeforeADive) {
                  "is signed by none of trust.policy_keys of vehicle.toml (walk.pub)");
 }
 
+TEST_F(SignedMissions, AreNotReadyToDiveWhereTheirCounterCannotBeWritten) {
+  host::begin_counter(folder_ / "mission.counter", 0);
+  ASSERT_EQ(sign(1), 0);
+  const support::TemporaryFolder journals;
+  fs::permissions(folder_.path(), fs::perms::owner_write, fs::perm_options::remove);
+  const support::ForNoRoot earshotd(fs::path(EARSHOT_BIN_DIR) / "earshotd",
+                                    {"--vehicle", "vehicle.toml", "--check", "mission.toml", "--out", journals.path()});
+  expect_refused(earshotd.program, earshotd.arguments, "mission.counter: cannot be written: Permission denied");
+  fs::permissions(folder_.path(), fs::perms::owner_write, fs::perm_options::add);
+  EXPECT_EQ(run(earshotd.program, earshotd.arguments), 0) << said();
+}
+
 TEST_F(SignedMissions, AreNotWhatATablesOrPolicyFileIsTakenForThatDoesNotBeginAsOne) {
   std::ofstream(folder_ / "big.tables") << "x";
   fs::resize_file(folder_ / "big.tables", 5'000'000);

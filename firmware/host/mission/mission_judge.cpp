@@ -106,7 +106,8 @@ void MissionJudge::load_tables(const MissionFile& file, SignedSearch& search) co
 void MissionJudge::judge_counter(const SignedSearch& search, const std::filesystem::path& policy_path) {
   if (counting_ == Counting::kRecorded) counter_.emplace(vehicle_->counter_file);
   if (counter_) flown_last_ = counter_->flown_last();
-  if (counting_ == Counting::kOnlyRead) flown_last_ = read_flown_last(vehicle_->counter_file);
+  if (counting_ == Counting::kOnlyRead || counting_ == Counting::kJudged) flown_last_ = read_flown_last(vehicle_->counter_file);
+  if (counting_ == Counting::kJudged) require_recordable(vehicle_->counter_file);
   const std::string counter = signature_file_of(mission_).string() + ": counter " + std::to_string(manifest_->counter);
   const std::string last = std::to_string(flown_last_.counter);
   const std::string flown = " (" + vehicle_->counter_file.string() + "); sign what is to be flown now with a greater counter";

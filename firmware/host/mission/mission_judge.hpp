@@ -28,7 +28,8 @@ struct SignedSearch {
 /// What becomes of a vehicle's counter.
 enum class Counting : std::uint8_t {
   kRecorded,  ///< it flies: the counter's folder is locked, and record_flight() writes it
-  kOnlyRead,  ///< a simulation, a checklist
+  kOnlyRead,  ///< a simulation
+  kJudged,    ///< a checklist: it is only read, but must be one that kRecorded could write
   kLeftOut,   ///< where the vehicle's counter is not
 };
 

@@ -57,11 +57,15 @@ void begin_counter(const std::filesystem::path& counter_file, std::uint64_t coun
   write_new(counter_file, text_of({.counter = counter, .mission = {}, .policy = {}}));
 }
 
+void require_recordable(const std::filesystem::path& counter_file) {
+  require_writable(counter_file, kCounterOutput, Replace::kOwnKind, "it stays");
+}
+
 MissionCounter::MissionCounter(std::filesystem::path counter_file) : file_(std::move(counter_file)) {
   (void)read_flown_last(file_);  // says more of a file that is not there than its lock
   lock_ = locked_folder_of(file_);
   flown_last_ = read_flown_last(file_);
-  require_writable(file_, kCounterOutput, Replace::kOwnKind, "it stays");
+  require_recordable(file_);
 }
 
 void MissionCounter::record(const authority::MissionManifest& manifest) {

@@ -18,6 +18,9 @@ namespace earshot::host {
 /// @throws BadInput naming the file
 void begin_counter(const std::filesystem::path& counter_file, std::uint64_t counter);
 
+/// Changes nothing, and waits for nobody. @throws BadInput when a mission that flies could not be recorded in it
+void require_recordable(const std::filesystem::path& counter_file);
+
 /// The counter file of a vehicle that is about to fly, held as long as this is kept: of two programs one flies.
 class MissionCounter {
  public:

@@ -7,10 +7,18 @@
 #include "firmware/host/trust/vehicle_file.hpp"
 
 namespace earshot::board {
+namespace {
+
+host::Counting counting_of(Venture venture) {
+  if (venture == Venture::kSimulation) return host::Counting::kOnlyRead;
+  return venture == Venture::kChecklist ? host::Counting::kJudged : host::Counting::kRecorded;
+}
+
+}  // namespace
 
 host::MissionJudge judge_of(const std::optional<std::filesystem::path>& vehicle, Venture venture) {
   const std::optional<std::filesystem::path> file = venture == Venture::kSimulation ? vehicle : host::vehicle_file_of(vehicle);
-  if (file) return {host::load_vehicle(*file), venture == Venture::kAtSea ? host::Counting::kRecorded : host::Counting::kOnlyRead};
+  if (file) return {host::load_vehicle(*file), counting_of(venture)};
   if (venture != Venture::kSimulation)
     std::cerr << "earshotd: warning: no vehicle's configuration (--vehicle): whoever wrote the mission named the key that its policy is "
                  "judged by\n";

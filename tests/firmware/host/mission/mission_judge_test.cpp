@@ -132,6 +132,7 @@ TEST_F(MissionJudged, IsRefusedWithoutTheCounterOfWhatFlewLast) {
 
 TEST_F(MissionJudged, LeavesTheCounterInASimulationAndInAChecklist) {
   fly(Counting::kOnlyRead);
+  fly(Counting::kJudged);
   fly(Counting::kLeftOut);
   EXPECT_EQ(read_flown_last(folder_ / "mission.counter").counter, 0U);
 }
