@@ -280,6 +280,18 @@ void require_room_for_journal(const Options& o) {
                          "move it away, or name another folder with --out");
 }
 
+/// Who checks a mission need not do so where it will be flown from. @return empty: none
+/// @throws host::BadInput as require_room_for_journal() of a folder that is named
+std::string doubt_about_journal(const Options& o) {
+  try {
+    require_room_for_journal(o);
+    return {};
+  } catch (const host::BadInput& e) {
+    if (o.names_out) throw;
+    return std::string(e.what()) + "; the flight needs another folder for its journal: --out names it";
+  }
+}
+
 /// The checklist before a dive.
 /// @return exit status
 int check(const Options& o) {
@@ -287,14 +299,15 @@ int check(const Options& o) {
   const host::MissionFile file = load(o, judge);
   const host::SignedSearch search = judge.load_search(file);
   (void)make_runtime(file, search, o.mission.string());
-  require_room_for_journal(o);
+  const std::string about_journal = doubt_about_journal(o);
   if (o.chart) {
     host::require_writable(*o.chart, host::kSvgOutput, host::Replace::kOwnKind, "name another file");
     host::write_whole(*o.chart, board::chart(file.mission, host::printable(o.mission.filename().string())));
   }
   program::say() << board::checklist(file, search, o.mission.string(), board::signatures_of(judge, search));
   if (o.chart) program::say() << "chart         " << host::printable(o.chart->string()) << "\n";
-  const std::vector<std::string> doubts = board::doubts_about(file);
+  std::vector<std::string> doubts = board::doubts_about(file);
+  if (!about_journal.empty()) doubts.push_back(about_journal);
   // Of a mission that is flown after `--quiet --check` nobody may say that he was not told.
   std::ostream& told = program::talk() == program::Talk::kQuiet ? std::cerr : program::say();
   for (const std::string& doubt : doubts) told << "doubt: " << doubt << "\n";
@@ -377,6 +390,7 @@ int main(int argc, char** argv) {
   return program::run(line, argc, argv, [&] {
     streams.say_errors_as(
         [format = options.log_format()](std::string_view said, std::span<char> into) { return board::formatted(said, format, into); });
+    options.names_out = std::ranges::count(line.given(), "--out") > 0;
     return fly(options);
   });
 }

@@ -15,6 +15,7 @@ namespace earshot::board {
 struct Options {
   std::filesystem::path mission;
   std::filesystem::path out = ".";
+  bool names_out = false;  ///< the command line does
   std::optional<std::filesystem::path> vehicle;
   std::optional<std::filesystem::path> policy;
   std::optional<std::filesystem::path> tables;

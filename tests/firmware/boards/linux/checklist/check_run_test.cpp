@@ -102,6 +102,29 @@ TEST_F(CheckRun, RefusesAnOutputFolderThatCannotBeMade) {
   EXPECT_NE(said_.find("/proc/nothing: cannot be written"), std::string::npos) << said_;
 }
 
+TEST_F(CheckRun, OnlyDoubtsTheFolderThatItIsInWhereNoneIsNamedForTheJournal) {
+  namespace fs = std::filesystem;
+  const fs::path here = folder_ / "others";
+  fs::create_directories(here);
+  fs::permissions(here, fs::perms::owner_read | fs::perms::owner_exec);
+  const auto status_of = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{"--check", (kMissions / "search.toml").string()};
+    words.insert(words.end(), more.begin(), more.end());
+    const support::ForNoRoot earshotd(fs::path(EARSHOT_BIN_DIR) / "earshotd", words);
+    support::Process process(earshotd.program, earshotd.arguments, {.folder = here, .output = folder_ / "said.txt", .errors = {}});
+    const int status = process.wait(30s);
+    said_ = process.output();
+    return status;
+  };
+  EXPECT_EQ(status_of({}), 0) << said_;
+  EXPECT_NE(said_.find("\ndoubt: " + (here / "journal.lcmlog").string() +
+                       ": cannot be written: Permission denied; the flight needs another folder for its journal: --out names it\n"
+                       "ready to dive, but for what is in doubt\n"),
+            std::string::npos)
+      << said_;
+  EXPECT_EQ(status_of({"--out", "."}), 2) << said_;
+}
+
 // A flight leaves the file where it is, and writes journal-2.lcmlog beside it.
 TEST_F(CheckRun, RefusesAForeignJournalOnlyWhereItWouldBeReplaced) {
   std::filesystem::create_directories(folder_ / "out");
