@@ -11,6 +11,8 @@
 #include <iostream>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "firmware/host/file/printable.hpp"
@@ -35,45 +37,74 @@ std::vector<std::string> verbs(const fs::path& folder) {
 }
 
 struct Description {
+  std::string_view package;
   std::string_view verb;
   std::string_view what;
 };
 
-/// Of the verbs that are ours; another program that somebody put beside them has none.
+/// Of the verbs that are ours, by the package that brings them; another program that somebody put beside them has none.
 constexpr std::array kDescriptions{
-    Description{"bench", "flies cases of the bench on a bus; earshot hil starts it"},
-    Description{"candump", "says in words what goes over a CAN bus, and records it"},
-    Description{"dbc", "prints the CAN messages as a DBC file"},
-    Description{"emulate", "a vehicle's devices on a CAN bus, for an earshotd without its vehicle"},
-    Description{"evaluate", "flies many searches with policies and baselines, and says how they did"},
-    Description{"explain", "draws what a policy does, and says why it took one decision of a flight"},
-    Description{"field", "computes how loud a source is at every range and depth (NetCDF)"},
-    Description{"fly", "flies one search, from start to report"},
-    Description{"freeze", "freezes and signs a trained policy for the vehicle"},
-    Description{"hil", "flies missions with faults on a bench, and says which went as they had to"},
-    Description{"init", "makes a folder with a mission and an ocean of your own"},
-    Description{"journal", "says what happened on a mission, and writes its journal for other programs"},
-    Description{"key", "makes a pair of keys, with which missions and policies are signed"},
-    Description{"listen", "hears calls in recordings with the vehicle's detector"},
-    Description{"replay", "gives a journal to the vehicle's core again, also with another policy or mission"},
-    Description{"report", "writes the page about a flight again"},
-    Description{"sign", "signs a mission for vehicles that fly signed ones alone"},
-    Description{"sim", "the ocean and the vehicle of a flight; earshot fly starts it"},
-    Description{"tables", "makes the tables of what a vehicle believes possible of the ocean, and shows them"},
-    Description{"train", "trains a policy"},
-    Description{"verify", "says whether a vehicle would fly a mission or a policy, who signed it, and which counter it bears"},
-    Description{"with-can", "runs a command where SocketCAN works, on any machine"},
+    Description{"earshot", "journal", "says what happened on a mission, and writes its journal for other programs"},
+    Description{"earshot", "key", "makes a pair of keys, with which missions and policies are signed"},
+    Description{"earshot", "sign", "signs a mission for vehicles that fly signed ones alone"},
+    Description{"earshot", "verify", "says whether a vehicle would fly a mission or a policy, who signed it, and which counter it bears"},
+    Description{"earshot-sil", "fly", "flies one search, from start to report"},
+    Description{"earshot-sil", "init", "makes a folder with a mission and an ocean of your own"},
+    Description{"earshot-sil", "replay", "gives a journal to the vehicle's core again, also with another policy or mission"},
+    Description{"earshot-sil", "report", "writes the page about a flight again"},
+    Description{"earshot-sil", "sim", "the ocean and the vehicle of a flight; earshot fly starts it"},
+    Description{"earshot-tools", "candump", "says in words what goes over a CAN bus, and records it"},
+    Description{"earshot-tools", "dbc", "prints the CAN messages as a DBC file"},
+    Description{"earshot-tools", "evaluate", "flies many searches with policies and baselines, and says how they did"},
+    Description{"earshot-tools", "explain", "draws what a policy does, and says why it took one decision of a flight"},
+    Description{"earshot-tools", "field", "computes how loud a source is at every range and depth (NetCDF)"},
+    Description{"earshot-tools", "freeze", "freezes and signs a trained policy for the vehicle"},
+    Description{"earshot-tools", "listen", "hears calls in recordings with the vehicle's detector"},
+    Description{"earshot-tools", "tables", "makes the tables of what a vehicle believes possible of the ocean, and shows them"},
+    Description{"earshot-tools", "train", "trains a policy"},
+    Description{"earshot-hil", "bench", "flies cases of the bench on a bus; earshot hil starts it"},
+    Description{"earshot-hil", "emulate", "a vehicle's devices on a CAN bus, for an earshotd without its vehicle"},
+    Description{"earshot-hil", "hil", "flies missions with faults on a bench, and says which went as they had to"},
+    Description{"earshot-hil", "with-can", "runs a command where SocketCAN works, on any machine"},
 };
 
-std::string_view description_of(std::string_view verb) {
+std::string_view package_of(std::string_view verb) {
   const auto* const found = std::ranges::find(kDescriptions, verb, &Description::verb);
-  return found == kDescriptions.end() ? std::string_view() : found->what;
+  return found == kDescriptions.end() ? std::string_view() : found->package;
 }
 
-void print_help(std::ostream& out, const fs::path& folder) {
+void print_verb(std::ostream& out, std::string_view verb, std::string_view what) {
   constexpr int kColumn = 12;
-  out << "usage: earshot VERB [ARGUMENT...]\n       earshot help VERB\n       earshot --version\n\nVerbs installed here:\n";
-  for (const std::string& verb : verbs(folder)) out << "  " << std::left << std::setw(kColumn) << verb << description_of(verb) << "\n";
+  out << "  " << std::left << std::setw(kColumn) << verb << what << "\n";
+}
+
+/// What a stranger reads first: of packages, or of the source tree. Empty when neither is there.
+fs::path first_page(const fs::path& folder) {
+  for (const char* page : {"../share/doc/earshot/README.Debian", "../../../README.md"}) {
+    std::error_code error;
+    fs::path path = (folder / page).lexically_normal();
+    if (fs::exists(path, error)) return path;
+  }
+  return {};
+}
+
+/// All that there are, so that the manual page is the same whatever is installed; a verb that is not here says what brings it.
+void print_help(std::ostream& out, const fs::path& folder) {
+  out << "Usage: earshot VERB [ARGUMENT...]\n  or:  earshot help VERB\n  or:  earshot --version\n\nVerbs, and the package that brings "
+         "them.\n";
+  std::string_view package;
+  for (const Description& described : kDescriptions) {
+    if (described.package != package) out << "\nPackage " << described.package << ":\n";
+    package = described.package;
+    print_verb(out, described.verb, described.what);
+  }
+  std::string_view heading = "\nOther programs here:\n";
+  for (const std::string& verb : verbs(folder)) {
+    if (!package_of(verb).empty()) continue;
+    out << std::exchange(heading, "");
+    print_verb(out, verb, "");
+  }
+  if (const fs::path page = first_page(folder); !page.empty()) out << "\nWhere to begin: " << page.string() << "\n";
 }
 
 /// Becomes the verb's program; comes back only when that cannot be.
@@ -85,10 +116,10 @@ int execute(const fs::path& folder, const std::string& verb, std::vector<char*> 
     std::cerr << program << ": " << std::strerror(errno) << "\n";
   } else {
     // One of Earshot's that this computer has not got: the packages share them out.
-    const bool is_known = !description_of(verb).empty();
+    const std::string package(package_of(verb));
     std::cerr << "earshot: there is no verb \"" << earshot::host::printable(verb) << "\""
-              << (is_known ? " here: it comes with another of the packages earshot-sil, earshot-tools and earshot-hil"
-                           : earshot::program::did_you_mean(verb, verbs(folder)))
+              << (package.empty() ? earshot::program::did_you_mean(verb, verbs(folder))
+                                  : " here: the package " + package + " brings it (apt install ./" + package + "_*.deb)")
               << " (earshot help lists all)\n";
   }
   return earshot::program::kBadInput;

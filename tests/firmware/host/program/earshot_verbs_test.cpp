@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -40,7 +41,7 @@ TEST(EarshotVerbs, AVerbOfAnotherPackageIsSaidToBeOne) {
   support::Process process(alone, {"tables"}, folder / "said");
   EXPECT_EQ(process.wait(10s), 2);
   EXPECT_EQ(process.output(),
-            "earshot: there is no verb \"tables\" here: it comes with another of the packages earshot-sil, earshot-tools and earshot-hil "
+            "earshot: there is no verb \"tables\" here: the package earshot-tools brings it (apt install ./earshot-tools_*.deb) "
             "(earshot help lists all)\n");
 }
 
@@ -53,6 +54,37 @@ TEST(EarshotVerbs, HelpSaysOfEachVerbWhatItDoes) {
   const Answer answer = answer_to({"help"});
   EXPECT_EQ(answer.status, 0);
   EXPECT_NE(answer.text.find("  field       computes how loud a source is"), std::string::npos) << answer.text;
+}
+
+/// programs.txt: COMPONENT PROGRAM, a line each, as they are packed.
+TEST(EarshotVerbs, HelpNamesThePackageThatBringsEachVerb) {
+  std::ifstream packed(std::filesystem::path(EARSHOT_BIN_DIR).parent_path() / "programs.txt");
+  const std::string help = answer_to({"help"}).text;
+  int count = 0;
+  for (std::string component, program; packed >> component >> program;) {
+    if (!program.starts_with("earshot-")) continue;
+    ++count;
+    const std::size_t place = help.find("\n  " + program.substr(8) + " ");
+    ASSERT_NE(place, std::string::npos) << program;
+    const std::size_t heading = help.rfind("\nPackage ", place);
+    ASSERT_NE(heading, std::string::npos) << program;
+    const std::string package = component == "runtime" ? "earshot" : "earshot-" + component;
+    EXPECT_EQ(help.substr(heading, help.find('\n', heading + 1) - heading), "\nPackage " + package + ":") << program;
+  }
+  EXPECT_GE(count, 20);
+}
+
+TEST(EarshotVerbs, HelpEndsWithThePageToBeginWithWhereverItRuns) {
+  const support::TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "usr/bin");
+  std::filesystem::create_directories(folder / "usr/share/doc/earshot");
+  const std::filesystem::path page = folder / "usr/share/doc/earshot/README.Debian";
+  std::ofstream(page) << "begin";
+  std::filesystem::copy_file(std::filesystem::path(EARSHOT_BIN_DIR) / "earshot", folder / "usr/bin/earshot");
+  support::Process installed(folder / "usr/bin/earshot", {"help"}, folder / "said");
+  EXPECT_EQ(installed.wait(10s), 0);
+  EXPECT_TRUE(installed.output().ends_with("\nWhere to begin: " + page.string() + "\n")) << installed.output();
+  EXPECT_TRUE(answer_to({"help"}).text.ends_with("/README.md\n"));
 }
 
 TEST(EarshotVerbs, TheVersionIsTheSameInEveryProgram) {
