@@ -1,7 +1,7 @@
 #!/usr/bin/python3 -B
 """Whether every relative link of every Markdown file leads to something that is there. Run by ctest (readme.links).
 
-usage: tests/readme/links.py
+usage: tests/readme/links.py [FOLDER]     (default: of the tree; FOLDER: all in it, such as installed documents)
 """
 
 from __future__ import annotations
@@ -64,11 +64,16 @@ def problems_of(name: str, root: Path) -> list[str]:
     return problems
 
 
-def main() -> int:
+def names_of_tree() -> list[str]:
     command = ["git", "ls-files", "-z", "-co", "--exclude-standard", "*.md"]
     listed = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
-    names = sorted(name for name in listed.split("\0") if name and (ROOT / name).is_file())
-    problems = [problem for name in names for problem in problems_of(name, ROOT)]
+    return sorted(name for name in listed.split("\0") if name and (ROOT / name).is_file())
+
+
+def main() -> int:
+    root = Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT
+    names = sorted(str(page.relative_to(root)) for page in root.rglob("*.md")) if len(sys.argv) > 1 else names_of_tree()
+    problems = [problem for name in names for problem in problems_of(name, root)]
     print("".join(problem + "\n" for problem in problems) + f"{len(names)} files, {len(problems)} links lead nowhere")
     return 0 if names and not problems else 1
 

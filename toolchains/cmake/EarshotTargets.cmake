@@ -132,6 +132,13 @@ function(earshot_library NAME)
     install(TARGETS ${NAME} EXPORT Earshot
       ARCHIVE DESTINATION ${EARSHOT_INSTALL_LIBRARIES} COMPONENT dev
       FILE_SET HEADERS DESTINATION ${EARSHOT_INSTALL_HEADERS} COMPONENT dev)
+    file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
+    foreach(header IN LISTS ARG_HEADERS)
+      cmake_path(SET path NORMALIZE "${folder}/${header}")
+      cmake_path(GET path PARENT_PATH parent)
+      cmake_path(GET path FILENAME name)
+      set_property(GLOBAL APPEND_STRING PROPERTY EARSHOT_INSTALLED "${EARSHOT_INSTALL_HEADERS} ${parent} ${name}\n")
+    endforeach()
   endif()
 endfunction()
 

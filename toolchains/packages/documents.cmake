@@ -1,14 +1,11 @@
-# What there is to read: READMEs as the source tree has them, licence, and what make_pages makes (manual pages, changelogs), where it has run.
+# What there is to read: READMEs of the source tree (pack_documents), licence, and what make_pages makes (manual pages, changelogs), where it has run.
 set(documents share/doc)
-install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${documents}/earshot COMPONENT runtime)
-install(FILES ${PROJECT_SOURCE_DIR}/toolchains/changelog.md DESTINATION ${documents}/earshot RENAME changes.md COMPONENT runtime)
-file(GLOB_RECURSE pages CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/firmware/*.md ${PROJECT_SOURCE_DIR}/sim/*.md
-     ${PROJECT_SOURCE_DIR}/policy/*.md ${PROJECT_SOURCE_DIR}/hil/*.md)
-foreach(page IN LISTS pages)
-  cmake_path(GET page PARENT_PATH folder)
-  install(FILES ${PROJECT_SOURCE_DIR}/${page} DESTINATION ${documents}/earshot/${folder} COMPONENT runtime)
-endforeach()
-install(FILES ${PROJECT_SOURCE_DIR}/firmware/boards/linux/examples/vehicle.toml DESTINATION ${documents}/earshot/examples COMPONENT runtime)
+get_property(installed GLOBAL PROPERTY EARSHOT_INSTALLED)
+file(WRITE ${PROJECT_BINARY_DIR}/installed.txt "${installed}")
+set(packed ${CMAKE_CURRENT_BINARY_DIR}/documents)
+install(CODE "execute_process(COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/pack_documents ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/installed.txt ${packed} COMMAND_ERROR_IS_FATAL ANY)"
+        COMPONENT runtime)
+install(DIRECTORY ${packed}/ DESTINATION ${documents}/earshot COMPONENT runtime)
 
 foreach(component runtime sil tools hil dev)
   set(package earshot-${component})
