@@ -60,7 +60,15 @@ describe(dev earshot-dev "libsodium-dev, libtomlplusplus-dev, liblcm-dev, pkg-co
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 
 # What a component's package does when it comes and goes.
-set(control ${CMAKE_CURRENT_SOURCE_DIR}/control)
+set(control ${CMAKE_CURRENT_BINARY_DIR}/control)
+file(READ control/guard.sh GUARD)  # a script of dpkg's cannot read another
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS control/guard.sh)
+foreach(script preinst prerm postrm)
+  configure_file(control/${script}.in ${control}/${script} @ONLY)
+endforeach()
+foreach(file postinst conffiles)
+  configure_file(control/${file} ${control}/${file} COPYONLY)
+endforeach()
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${control}/preinst ${control}/postinst ${control}/prerm ${control}/postrm ${control}/conffiles)
 foreach(component SIL TOOLS HIL)
   set(CPACK_DEBIAN_${component}_PACKAGE_CONTROL_EXTRA ${control}/preinst ${control}/prerm)
