@@ -29,6 +29,10 @@ option(EARSHOT_NAMES_NO_FOLDER "What is compiled does not say in which folder th
 if(EARSHOT_NAMES_NO_FOLDER)
   add_compile_options(-ffile-prefix-map=${PROJECT_SOURCE_DIR}=.)
 endif()
+option(EARSHOT_HARDENED "What is compiled looks after its stack and its buffers, as Debian's own programs do (packages)" OFF)
+if(EARSHOT_HARDENED)
+  add_compile_options(-fstack-protector-strong -D_FORTIFY_SOURCE=2)
+endif()
 option(EARSHOT_COVERAGE "Count which lines run (preset coverage)" OFF)
 
 # A machine without an operating system, chosen by its toolchain file (toolchains/cmake/cortex-m.cmake).

@@ -209,7 +209,8 @@ PartBegun JournalFile::begin_part(bool is_to_survive) {
     (void)::unlink(name);
     return refuse_part();
   }
-  (void)::ftruncate(file_.number(), static_cast<off_t>(size_));
+  // Space that it does not give back stays held, and does no harm.
+  [[maybe_unused]] const int given_back = ::ftruncate(file_.number(), static_cast<off_t>(size_));
   const bool survives = !is_to_survive || (::fdatasync(next.number()) == 0 && folder_.number() >= 0 && ::fsync(folder_.number()) == 0);
   if (part_ == 1) first_ = std::move(file_);
   file_ = std::move(next);
