@@ -62,7 +62,8 @@ void add_options(program::CommandLine& line, Options& o) {
           [](const std::string& name) { return host::is_interface_name(name) ? std::string() : std::string(host::kInterfaceNameRule); })
       .shows_default();
   line.flag("--own-tables", &s.own_tables, "believe in oceans of your own: README.md there says how earshot tables makes tables of them");
-  line.flag("--force", &o.force, "replace a folder that earshot init made, with what was changed in it");
+  line.flag("--force", &o.force,
+            "replace a folder that earshot init made, with what was changed in it; its key, tables, flights and journals stay");
 }
 
 /// What the chosen bus would leave without effect.

@@ -11,10 +11,12 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/output_file.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/mission/policy_file.hpp"
 #include "firmware/host/mission/tables_file.hpp"
@@ -35,6 +37,23 @@ constexpr std::array<std::string_view, 8> kFiles{kMissionFile, kOceanFile,  kRun
   throw host::BadInput(folder.string() + ": cannot be made: " + std::generic_category().message(error));
 }
 
+/// What earshot fly or earshotd left there: a folder of theirs, or a journal with its policy and tables.
+bool is_of_a_flight(const fs::directory_entry& entry) {
+  const fs::path journal = "journal.lcmlog";
+  const fs::path& path = entry.path();
+  if (entry.is_symlink()) return false;
+  if (entry.is_directory()) return !host::journals_beside(path / journal).empty() || fs::is_directory(path / "unfinished-flight");
+  const bool is_kind = path.extension() == ".lcmlog" || path.extension() == ".policy" || path.extension() == ".tables";
+  return entry.is_regular_file() && is_kind && host::name_of(journal, fs::path(path).replace_extension(journal.extension()));
+}
+
+std::vector<fs::path> flights_in(const fs::path& folder) {
+  std::vector<fs::path> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (is_of_a_flight(entry)) names.push_back(entry.path().filename());
+  return names;
+}
+
 /// Whether something stands in the folder's place that may go.
 bool is_earlier(const fs::path& folder, Earlier earlier) {
   if (!fs::exists(folder)) return false;
@@ -43,8 +62,9 @@ bool is_earlier(const fs::path& folder, Earlier earlier) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename();
     if (std::ranges::find(kFiles, name) != kFiles.end() && entry.is_regular_file()) continue;
+    if (is_of_a_flight(entry)) continue;
     throw host::BadInput(folder.string() + ": holds " + host::printable(name) +
-                         ", which is none of the files that earshot init makes: name a new folder");
+                         ", which is none of the files that earshot init makes, and no flight: name a new folder");
   }
   if (earlier == Earlier::kReplaced) return true;
   throw host::BadInput(folder.string() + ": is there already, with files in it: name a new folder, or --force replaces it");
@@ -60,7 +80,7 @@ class FolderToBe {
   }
   FolderToBe(const FolderToBe&) = delete;
   FolderToBe& operator=(const FolderToBe&) = delete;
-  /// What stands there after keep() is the earlier one, if there was one.
+  /// What stands there after keep() is the earlier one, if there was one, without its flights.
   ~FolderToBe() {
     std::error_code ignored;
     fs::remove_all(path_, ignored);
@@ -72,10 +92,24 @@ class FolderToBe {
     constexpr auto kAsAnyFolder = static_cast<fs::perms>(0755);
     fs::permissions(path_, kAsAnyFolder);
     const unsigned how = has_earlier ? RENAME_EXCHANGE : RENAME_NOREPLACE;
+    const std::vector<fs::path> flights = has_earlier ? flights_in(folder) : std::vector<fs::path>{};
     if (::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, folder.c_str(), how) != 0) fail(folder, errno);
+    std::error_code error;
+    for (std::size_t i = 0; i < flights.size() && !error; ++i) fs::rename(path_ / flights[i], folder / flights[i], error);
+    if (!error) return;
+    undo(folder, flights);
+    fail(folder, error.value());
   }
 
  private:
+  /// The earlier folder stands in its place again, as it was; where that fails, nothing goes.
+  void undo(const fs::path& folder, const std::vector<fs::path>& flights) {
+    std::error_code error;
+    for (const fs::path& name : flights)
+      if (!error && fs::exists(folder / name)) fs::rename(folder / name, path_ / name, error);
+    if (error || ::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) != 0) path_.clear();
+  }
+
   fs::path path_;
 };
 

@@ -76,6 +76,23 @@ TEST_F(OwnFolder, IsReplacedWholeWhenThatIsAskedFor) {
   EXPECT_EQ(names_in(parent_.path()), std::vector<std::string>{"own"});
 }
 
+/// What README.md there, and its `run`, lead to.
+TEST_F(OwnFolder, KeepsItsFlightsAndJournalsWhenItIsReplaced) {
+  make_own_folder(own_, {}, Earlier::kStays);
+  const std::vector<std::string> left{"flight/journal.lcmlog",           "flight/report.html", "journal/journal-3.lcmlog",
+                                      "out/unfinished-flight/track.csv", "journal-2.policy",   "journal.part2.lcmlog"};
+  for (const std::string& file : left) {
+    fs::create_directories((own_ / file).parent_path());
+    std::ofstream(own_ / file) << file;
+  }
+  make_own_folder(own_, {.depth_m = 100.0}, Earlier::kReplaced);
+  EXPECT_NE(support::read_text(own_ / "mission.toml").find("\ndepth_m = 100.0"), std::string::npos);
+  for (const std::string& file : left) EXPECT_EQ(support::read_text(own_ / file), file);
+  EXPECT_EQ(names_in(parent_.path()), std::vector<std::string>{"own"});
+  fs::create_directory(own_ / "notes");
+  refuses({}, Earlier::kReplaced, "holds notes, which is none of the files that earshot init makes, and no flight");
+}
+
 TEST_F(OwnFolder, KeepsItsKeyWhenItIsReplaced) {
   make_own_folder(own_, kAnotherSize, Earlier::kStays);
   const std::string key = support::read_text(own_ / "search.key");
