@@ -104,15 +104,15 @@ std::string ocean_text(const OwnSearch& search) {
   return ocean.text();
 }
 
-std::string run_text(const fs::path& folder) {
+std::string run_text() {
   return "#!/bin/sh\n"
          "# Flies mission.toml on the vehicle, made by earshot init: what a supervisor starts. Started again after a crash or a power cut, "
          "it goes on\n"
          "# with the mission that its journal holds. It commands nothing before an operator's START. Ctrl-C or SIGTERM ends the search in "
          "order.\n"
          "# Options of earshotd may follow (earshotd --help): ./run --speed 10 is a rehearsal ashore, ten times as fast.\n"
-         "cd " +
-         shell_word(folder.string()) + " || exit 2\nexec " + command("earshotd") + " mission.toml --out journal --resume \"$@\"\n";
+         "cd \"$(dirname \"$0\")\" || exit 2\nexec " +
+         command("earshotd") + " mission.toml --out journal --resume \"$@\"\n";
 }
 
 std::string readme_text(const OwnSearch& search, FliesBy by, const fs::path& folder) {
@@ -131,7 +131,8 @@ std::string readme_text(const OwnSearch& search, FliesBy by, const fs::path& fol
           (to_be_made ? "third" : "second") + " flies it in the ocean of `ocean.toml`" + (search.bus == "lcm" ? "" : kOverLcm) +
           " and leaves `flight/report.html`.\n\n"
           "| file | what | change it for |\n|---|---|---|\n"
-          "| `mission.toml` | what the vehicle does | area, depth, speed, limits, bus, rules of safety |\n"
+          "| `mission.toml` | what the vehicle does | where the area lies, depth (within a tenth), speed, limits, bus, rules of safety; "
+          "another size of the area, or another depth: `earshot init` again |\n"
           "| `ocean.toml` | what `earshot fly` searches in | water, sea floor, noise, source |\n"
           "| `run` | starts `earshotd` at sea | where its journal goes |\n";
   if (by != FliesBy::kWhatShips)
@@ -149,7 +150,7 @@ std::string readme_text(const OwnSearch& search, FliesBy by, const fs::path& fol
     text += " Those that ship are used here; `earshot init --own-tables` makes a folder for tables of your own.";
   return text + "\n- This folder may be copied to the vehicle" +
          (by == FliesBy::kWhatShips ? "" : ", but for `search.key` (`rsync --exclude search.key`)") +
-         "; `run` and the paths in `mission.toml` are then to be those of that computer.\n";
+         "; the paths in `run` and `mission.toml` are then to be those of that computer.\n";
 }
 
 }  // namespace earshot::own_search

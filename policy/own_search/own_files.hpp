@@ -17,8 +17,8 @@ inline constexpr const char* kReadmeFile = "README.md";
 [[nodiscard]] std::string mission_text(const OwnSearch& search, FliesBy by);
 /// The ocean that ships, with this search's values.
 [[nodiscard]] std::string ocean_text(const OwnSearch& search);
-/// A script that starts `earshotd` for this mission, as a service would.
-[[nodiscard]] std::string run_text(const std::filesystem::path& folder);
+/// A script that starts `earshotd` for the mission beside it, as a service would.
+[[nodiscard]] std::string run_text();
 /// @param folder  absolute
 [[nodiscard]] std::string readme_text(const OwnSearch& search, FliesBy by, const std::filesystem::path& folder);
 /// The command that makes tables of the search's own ocean, where none that ship are of the search. @param folder  absolute

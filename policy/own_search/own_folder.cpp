@@ -117,7 +117,7 @@ void write_files(const fs::path& here, const OwnSearch& search, FliesBy by, cons
   host::write_whole(here / kMissionFile, mission_text(search, by));
   host::write_whole(here / kOceanFile, ocean_text(search));
   host::write_whole(here / kReadmeFile, readme_text(search, by, folder));
-  host::write_whole(here / kRunFile, run_text(folder));
+  host::write_whole(here / kRunFile, run_text());
   fs::permissions(here / kRunFile, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec, fs::perm_options::add);
 }
 

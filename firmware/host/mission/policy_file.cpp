@@ -78,10 +78,14 @@ void check_fits(const policy::FrozenPolicy& policy, const std::filesystem::path&
                 const std::filesystem::path& mission_path) {
   const std::string complaint = complaint_about(policy, mission);
   if (complaint.empty()) return;
+  const policy::Mismatch mismatch = policy::mismatch(policy, mission);
+  const std::string way_out = mismatch == policy::Mismatch::kAreaSize
+                                  ? "; earshot init --area-north-m N --area-east-m E makes a search of another size, with a policy for it"
+                                  : "";
   // The window is chosen when a policy is frozen; the rest, when it is trained.
-  const bool is_chosen_last = policy::mismatch(policy, mission) == policy::Mismatch::kListening;
+  const bool is_chosen_last = mismatch == policy::Mismatch::kListening;
   throw BadInput(mission_path.string() + ": " + complaint + ", which the policy " + policy_path.string() + " was " +
-                 (is_chosen_last ? "frozen" : "trained") + " with");
+                 (is_chosen_last ? "frozen" : "trained") + " with" + way_out);
 }
 
 }  // namespace earshot::host

@@ -61,9 +61,10 @@ TEST_F(Init, BelievesInTablesOfOnesOwnWhereThatIsAskedFor) {
   EXPECT_TRUE(fs::exists(folder / "own/search.tables"));
 }
 
-TEST_F(Init, RunFileStartsTheVehiclesProgramInItsFolder) {
+TEST_F(Init, RunFileStartsTheVehiclesProgramInItsFolderWhereverThatIsMovedTo) {
   ASSERT_EQ(run("init own"), 0) << content(folder / "err");
-  EXPECT_EQ(shell("./own/run --check"), 2);  // of earshotd, which takes no --out with it: it was started with the mission, and says so
+  fs::rename(folder / "own", folder / "my own");
+  EXPECT_EQ(shell("'my own/run' --check"), 2);  // of earshotd, which takes no --out with it: it was started with the mission, and says so
   EXPECT_NE(content(folder / "err").find("--check"), std::string::npos) << content(folder / "err");
 }
 

@@ -119,7 +119,7 @@ TEST(CheckFits, NamesTheMissionsValueAndThePolicysWhereTheyDiffer) {
             "m.toml: search.step_length_m = 1500.123457: must be 1000, which the policy walk.policy was trained with");
   EXPECT_EQ(mismatch_after([](auto& mission) { mission.operating_area.north_east.north = Meters{45'000}; }),
             "m.toml: area is 50000 m north x 25000 m east: must be 25000 m north x 25000 m east, which the policy walk.policy was trained "
-            "with");
+            "with; earshot init --area-north-m N --area-east-m E makes a search of another size, with a policy for it");
   EXPECT_EQ(mismatch_after([](auto& mission) { mission.detection_threshold = Decibels{12}; }),
             "m.toml: search.detection_threshold_db = 12: must be 10, which the policy walk.policy was trained with");
   EXPECT_EQ(mismatch_after([](auto& mission) {
