@@ -1,8 +1,9 @@
 """Flies missions with faults with the real earshotd on a CAN bus or over LCM, and says which cases of the bench passed.
 
 Without --interface it does so on a virtual bus, in user-mode Linux where this kernel has no SocketCAN. Cases over LCM
-need no CAN bus, and are flown within this machine. It builds what it needs, which takes minutes the first time;
---earshotd PATH, or EARSHOT_PROGRAMS=FOLDER, takes programs that are there. Ctrl-C ends the flight.
+need no CAN bus, and are flown within this machine, alone where no bus can be made. It builds what it needs, which takes
+minutes the first time; --earshotd PATH, or EARSHOT_PROGRAMS=FOLDER, takes programs that are there. Ctrl-C ends
+the flight.
 Exit status: 0 every case passed; 1 one did not; 2 bad input; 3 the bench was lost; 130 Ctrl-C, or another signal.
 """
 
@@ -21,8 +22,8 @@ sys.path.insert(1, str(Path(__file__).resolve().parents[1] / "page"))
 from bad_input import BadInput
 from bench_page import page
 from bench_results import BadResults, CaseResult, read_results
-from bus import VIRTUAL, command_on_bus, require_bus
-from case_files import USUAL_MISSION, chosen_names, list_cases, need_can, require_cases
+from bus import VIRTUAL, command_on_bus, require_bus, why_no_virtual_bus
+from case_files import USUAL_MISSION, chosen_names, list_cases, names_over_can, require_cases
 from group_names import read_group_names
 from junit_report import junit_report
 from markup import printable
@@ -113,12 +114,13 @@ def judge(options: argparse.Namespace) -> None:
         raise BadInput("the page, the JUnit report and results.json must be three files")
 
 
-def bench_command(options: argparse.Namespace, programs: Programs) -> list[str]:
+def bench_command(options: argparse.Namespace, programs: Programs, names: list[str]) -> list[str]:
+    """@param names  of the cases; none: all"""
     command = [programs.bench, "--earshotd", programs.earshotd, "--cases", options.cases.absolute()]
     command += ["--mission", USUAL_MISSION, "--environment", OCEAN]
     command += ["--interface", options.interface or VIRTUAL, "--seed", options.seed, "--out", options.out.absolute()]
-    if options.case:
-        command += ["--case", ",".join(dict.fromkeys(options.case))]
+    if names:
+        command += ["--case", ",".join(dict.fromkeys(names))]
     if options.random is not None:
         command += ["--random", options.random]
     return [str(word) for word in command]
@@ -158,10 +160,33 @@ def write_reports(options: argparse.Namespace, results: list[CaseResult], progra
 
 
 def fly(options: argparse.Namespace, programs: Programs) -> int:
+    over_can = names_over_can(options.cases, options.case)
+    missing = why_no_virtual_bus(ROOT) if over_can and options.interface is None else ""
+    if missing:
+        return fly_over_lcm(options, programs, over_can, missing)
+    command = bench_command(options, programs, options.case)
+    return fly_by(command_on_bus(ROOT, options.interface, command, needs_can=bool(over_can)), options, programs)
+
+
+def fly_over_lcm(options: argparse.Namespace, programs: Programs, over_can: list[str], missing: str) -> int:
+    """What there is no CAN bus for is judged, and named as not flown."""
+    judged = run_to_its_end([*bench_command(options, programs, options.case), "--judge"])
+    if judged != DONE:
+        return judged if judged in (BAD_INPUT, STOPPED) else LOST
+    over_lcm = [name for name in chosen_names(options.cases, options.case) if name not in over_can]
+    fly_some = bool(over_lcm) and options.random is None  # random cases are drawn from all
+    print(f"{COMMAND}: {missing}", file=sys.stderr)
+    left = "no case" if not fly_some else "only what is over LCM"
+    print(f"{COMMAND}: {left} is flown; not flown: {' '.join(_line(name) for name in over_can)}", file=sys.stderr)
+    if not fly_some:
+        return BAD_INPUT
+    status = fly_by(bench_command(options, programs, over_lcm), options, programs)
+    return FAILED if status == DONE else status
+
+
+def fly_by(command: list[str], options: argparse.Namespace, programs: Programs) -> int:
     file = options.out / RESULTS
     older = identity(file)
-    needs_can = need_can(options.cases, options.case)
-    command = command_on_bus(ROOT, options.interface, bench_command(options, programs), needs_can=needs_can)
     status = run_to_its_end(command)
     if identity(file) != older:
         write_reports(options, read_results(file), programs)

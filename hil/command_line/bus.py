@@ -6,6 +6,7 @@ Cases over LCM need none: they are flown on this machine as it is.
 from __future__ import annotations
 
 import errno
+import subprocess
 from pathlib import Path
 
 from bad_input import BadInput
@@ -33,6 +34,16 @@ def require_bus(interface: str, interfaces: Path = INTERFACES) -> None:
         raise BadInput(f"--interface {interface}: is no CAN interface")
     if not int(flags, 16) & _IS_UP:
         raise BadInput(f"--interface {interface}: is down; set it up first: {make}")
+
+
+def why_no_virtual_bus(root: Path) -> str:
+    """Gets what one takes, too. Returns what is missing; empty: nothing is."""
+    command = [str(root / "hil/bus/with-can"), "--prepare"]
+    asked = subprocess.run(
+        command, stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace", check=False
+    )
+    lines = asked.stderr.strip().splitlines() or [f"with-can ended with status {asked.returncode}"]
+    return "" if asked.returncode == 0 else lines[-1]
 
 
 def command_on_bus(root: Path, interface: str | None, command: list[str], *, needs_can: bool) -> list[str]:

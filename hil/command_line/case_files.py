@@ -76,9 +76,9 @@ def _needs_can(file: Path) -> bool:
         return True
 
 
-def need_can(folder: Path, names: list[str]) -> bool:
-    """Whether one of those named, or of all, is flown on a CAN bus."""
-    return any(_needs_can(file) for file in _files_of(folder) if not names or file.stem in names)
+def names_over_can(folder: Path, names: list[str]) -> list[str]:
+    """Of those named, or of all, the ones that are flown on a CAN bus; by name."""
+    return [file.stem for file in _files_of(folder) if (not names or file.stem in names) and _needs_can(file)]
 
 
 def chosen_names(folder: Path, names: list[str]) -> list[str]:

@@ -47,6 +47,7 @@ struct Options {
   std::optional<std::string> earshotd;
   std::optional<std::uint32_t> random;
   bool disarmed = false;
+  bool judge = false;
 };
 
 void declare(program::CommandLine& line, Options& o) {
@@ -61,6 +62,7 @@ void declare(program::CommandLine& line, Options& o) {
               "fly so many random combinations of the cases' faults instead, which must break no promise; what fails is made smaller")
       .from(1, 1'000'000);
   line.flag("--disarmed", &o.disarmed, "fly the cases without the rules that must fire in them instead: each must fail");
+  line.flag("--judge", &o.judge, "read the cases and their missions, and say what is wrong with one, but fly none");
   line.option("--earshotd", &o.earshotd, "the earshotd to be tried; default: the one beside this program");
 }
 
@@ -203,6 +205,7 @@ int fly_random(const Options& o, const std::vector<hil::Case>& pool, const hil::
 
 int bench(const Options& o) {
   const std::vector<hil::Case> cases = chosen_cases(o);
+  if (o.judge) return program::kDone;
   hil::require_flyable(cases);
   const host::FileDescriptor folder = hil::take_folder(o.out);
   const std::optional<host::BusLock> bus = hil::take_bus(cases, o.interface);

@@ -143,6 +143,30 @@ class Flies(InAFolder):
         self.assertEqual((said.returncode, said.stderr), (0, ""))
         self.assertIn(str(self.earshotd), self.told())
 
+    def test_what_is_over_lcm_where_no_can_bus_can_be_made_and_names_the_rest(self):
+        (self.cases / "lost.toml").write_text(
+            f'when = "nothing comes"\nmission = "{ROOT}/hil/missions/search_over_lcm.toml"\n'
+        )
+        without = {"EARSHOT_CAN": "nowhere", "BENCH_RESULTS": self.results(calm() | {"name": "lost"})}
+        said = self.bench("--report", "page.html", **without)
+        self.assertEqual(said.returncode, 1, "not every case passed")
+        self.assertEqual(
+            said.stderr,
+            "hil/run: with-can: EARSHOT_CAN = nowhere: must be here, namespace or uml\n"
+            "hil/run: only what is over LCM is flown; not flown: calm deaf\n",
+        )
+        told = self.told()
+        self.assertEqual(told[told.index("--case") + 1], "lost")
+        self.assertIn("2 of 3 cases were not flown", (self.folder / "page.html").read_text())
+        said = self.bench("--case", "calm", **without)
+        self.assertEqual(said.returncode, 2)
+        self.assertIn("no case is flown; not flown: calm\n", said.stderr)
+        self.assertEqual(self.bench("--random", "3", **without).returncode, 2, "these are drawn from all")
+
+    def test_nothing_where_a_case_is_wrong_though_no_can_bus_can_be_made(self):
+        said = self.bench(EARSHOT_CAN="nowhere", BENCH_JUDGES="2")
+        self.assertEqual((said.returncode, said.stderr), (2, ""))
+
     def test_random_cases_which_leave_no_results(self):
         said = self.bench("--random", "1000", "--seed", "3")
         self.assertEqual((said.returncode, said.stderr), (0, ""))

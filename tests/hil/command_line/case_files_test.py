@@ -6,7 +6,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "hil/command_line"))
-from case_files import need_can
+from case_files import names_over_can
 
 
 class NeedCan(unittest.TestCase):
@@ -26,20 +26,20 @@ class NeedCan(unittest.TestCase):
         (self.cases / f"{name}.toml").write_text(text)
 
     def test_those_whose_mission_has_a_can_port(self):
-        self.assertFalse(need_can(self.cases, []))
+        self.assertEqual(names_over_can(self.cases, []), [])
         self.write("over_both", 'mission = "../missions/both.toml"\n')
-        self.assertTrue(need_can(self.cases, []))
-        self.assertTrue(need_can(self.cases, ["over_both"]))
-        self.assertFalse(need_can(self.cases, ["over_lcm"]))
+        self.assertEqual(names_over_can(self.cases, []), ["over_both"])
+        self.assertEqual(names_over_can(self.cases, ["over_both"]), ["over_both"])
+        self.assertEqual(names_over_can(self.cases, ["over_lcm"]), [])
 
     def test_those_that_name_no_mission(self):
         self.write("plain", 'when = "nothing"\n')
-        self.assertTrue(need_can(self.cases, ["plain"]))
+        self.assertEqual(names_over_can(self.cases, ["plain"]), ["plain"])
 
     def test_those_that_nobody_can_read_so_that_the_bench_says_what_is_wrong(self):
         for text in ("mission = 7", "mission = ", 'mission = "none.toml"', 'mission = "over_lcm.toml"'):
             self.write("odd", text)
-            self.assertTrue(need_can(self.cases, ["odd"]), text)
+            self.assertEqual(names_over_can(self.cases, ["odd"]), ["odd"], text)
 
 
 if __name__ == "__main__":
