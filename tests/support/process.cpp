@@ -71,13 +71,6 @@ std::string Process::output() const {
   return read_text(output_);
 }
 
-ForNoRoot::ForNoRoot(const std::filesystem::path& wanted, std::vector<std::string> its_arguments)
-    : program(wanted), arguments(std::move(its_arguments)) {
-  if (geteuid() != 0) return;
-  arguments.insert(arguments.begin(), {"--bounding-set=-dac_override,-dac_read_search", wanted.string()});
-  program = "/usr/bin/setpriv";
-}
-
 std::string read_text(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};

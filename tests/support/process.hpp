@@ -41,13 +41,6 @@ class Process {
   std::filesystem::path output_;
 };
 
-/// A command whose process may write only what its owner, or group, or others may, though root runs the test.
-struct ForNoRoot {
-  ForNoRoot(const std::filesystem::path& wanted, std::vector<std::string> its_arguments);
-  std::filesystem::path program;
-  std::vector<std::string> arguments;
-};
-
 [[nodiscard]] std::string read_text(const std::filesystem::path& path);
 
 }  // namespace earshot::support
