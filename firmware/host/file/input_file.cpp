@@ -11,6 +11,7 @@
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/file_type.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/file/shipped.hpp"
 
 namespace earshot::host {
 namespace {
@@ -42,7 +43,7 @@ void require_acceptable(const std::filesystem::path& path, FileKind kind, const 
 }
 
 [[noreturn]] void fail(const std::filesystem::path& path, int error) {
-  if (error == ENOENT || error == ENOTDIR) throw refused(path, "no such file");
+  if (error == ENOENT || error == ENOTDIR) throw refused(path, "no such file" + shipped_instead(path));
   throw unreadable(path, std::strerror(error));
 }
 

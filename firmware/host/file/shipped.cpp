@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/printable.hpp"
 
 namespace earshot::host {
 
@@ -32,6 +33,18 @@ fs::path shipped(const fs::path& relative, const fs::path& bin, const std::strin
 fs::path shipped(const fs::path& relative) {
   const char* const variable = std::getenv(kDataVariable);
   return shipped(relative, own_folder(), variable == nullptr ? "" : variable);
+}
+
+std::string shipped_instead(const fs::path& missing) {
+  if (missing.is_absolute()) return {};
+  try {
+    const fs::path ships = shipped(missing);
+    return fs::is_regular_file(ships) ? "; the one that ships is " + printable(ships.string()) : "";
+  } catch (const BadInput&) {
+    return {};
+  } catch (const fs::filesystem_error&) {
+    return {};
+  }
 }
 
 fs::path shipped_library(const std::string& name) {

@@ -21,6 +21,11 @@ inline constexpr const char* kDataVariable = "EARSHOT_DATA";
 [[nodiscard]] std::filesystem::path shipped(const std::filesystem::path& relative, const std::filesystem::path& bin,
                                             const std::string& data_variable);
 
+/// What to say behind "no such file" of a path that a document names as the source tree does, while the file lies elsewhere:
+/// "; the one that ships is /usr/share/earshot/policy/worlds/noisy_4db.toml". Empty when none ships under that name, and of a whole path.
+/// It is said and not opened: whoever means a file of his own must not get another.
+[[nodiscard]] std::string shipped_instead(const std::filesystem::path& missing);
+
 /// A library that the running program loads, or hands to one that it starts: beside the program, as it is built, or in lib/earshot beside
 /// its bin, as it is installed. No variable moves it: what runs in a program is no data.
 /// @return an empty path when it is in neither.

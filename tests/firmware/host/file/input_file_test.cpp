@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/shipped.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::host {
@@ -111,6 +112,20 @@ TEST_F(InputFileTest, RefusesAFolder) {
 TEST_F(InputFileTest, SaysThatThereIsNone) {
   EXPECT_EQ(refusal(folder_ / "none"), (folder_ / "none").string() + ": no such file");
   EXPECT_EQ(refusal(written("") / "below"), (folder_ / "file/below").string() + ": no such file");
+}
+
+/// READMEs name files as the source tree does; who has packages stands elsewhere.
+TEST_F(InputFileTest, SaysWhereTheOneThatShipsIsAndDoesNotOpenIt) {
+  const fs::path data = folder_ / "data";
+  fs::create_directories(data / "some/worlds");
+  std::ofstream(data / "some/worlds/noisy.toml") << "seed = 1\n";
+  setenv(kDataVariable, data.c_str(), 1);
+  EXPECT_EQ(refusal("some/worlds/noisy.toml"),
+            "some/worlds/noisy.toml: no such file; the one that ships is " + (data / "some/worlds/noisy.toml").string());
+  EXPECT_EQ(refusal("some/worlds/none.toml"), "some/worlds/none.toml: no such file");
+  EXPECT_EQ(refusal("some/worlds"), "some/worlds: no such file");
+  EXPECT_EQ(refusal("/nowhere/some/worlds/noisy.toml"), "/nowhere/some/worlds/noisy.toml: no such file");
+  unsetenv(kDataVariable);
 }
 
 TEST_F(InputFileTest, RefusesOneByteMoreThanItsKindHas) {
