@@ -266,7 +266,8 @@ void make(const Options& o) {
     throw BadInput("earshot tables: ENVIRONMENT or --expected, --output and --key are needed; or --show alone");
   const Files files = files_of(o);
   check_outputs(o);
-  program::say() << files.expected.size() << " expected, " << files.variants.size() << " variants, " << files.others.size() << " others\n";
+  program::say() << "oceans read: " << files.expected.size() << " expected (--expected), " << files.variants.size()
+                 << " variants of these (--variants), " << files.others.size() << " others (ENVIRONMENT)\n";
   const auto check_is_not_output = [&o](const char* what, const std::filesystem::path& file) {
     command_line::check_distinct(std::array{command_line::Output{what, file, {}}, command_line::Output{"--output", *o.output, {}}});
   };

@@ -52,13 +52,15 @@ std::string line_of(const Row& row, std::size_t width) {
          formatted(" %9.2f\n", 1e6 * row.decision_s);
 }
 
-/// "ocean_search: declared falsely in 3.0 % of the searches (further than 1.5 l off in 0.0 %), missed 1.2 %"
+/// "ocean_search: declared falsely in 3.0 % of the searches (further than 1.5 step lengths off in 0.0 %); of those that ended a step within
+/// a step length of the source, declared nothing there in 1.2 %"
 std::string said_by(const Row& row) {
   if (!row.declarations) return "";
   const DeclarationShares& d = *row.declarations;
   return row.policy +
-         formatted(": declared falsely in %.1f %% of the searches (further than 1.5 step lengths off in %.1f %%), missed ",
-                   100.0 * d.falsely, 100.0 * d.far_off) +
+         formatted(": declared falsely in %.1f %% of the searches (further than 1.5 step lengths off in %.1f %%)", 100.0 * d.falsely,
+                   100.0 * d.far_off) +
+         "; of those that ended a step within a step length of the source, declared nothing there in " +
          (std::isfinite(d.missed) ? formatted("%.1f %%", 100.0 * d.missed) : "-") + "\n";
 }
 
@@ -154,7 +156,8 @@ std::string as_text(std::span<const Row> rows) {
   constexpr const char* kRange = "(quartiles)  ";
   std::string text = heading(width, {"policy", "found", kSure, "hours to", kRange, "mean", kSure, "reward", kSure, "median", kRange,
                                      "path/", "left", "heard", "surpr.", "at", "us/"});
-  text += heading(width, {"", "%", "", "find", "", "hours", "", "mean", "", "reward", "", "line", "%", "", "%", "look", "decision"});
+  text +=
+      heading(width, {"", "%", "", "find", "", "hours", "", "mean", "", "reward", "", "line", "area %", "times", "%", "look", "decision"});
   for (const Row& row : rows) text += line_of(row, width);
   for (const Row& row : rows) text += said_by(row);
   return text;

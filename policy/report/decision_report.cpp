@@ -45,8 +45,9 @@ std::string as_html(const DecisionReport& report) {
           belief_svgs({{.account = a, .looks = report.looks(), .source = report.flight.source}}).front() + "</div>\n";
   text += "<h2>What it could do</h2>\n" + actions_table(a);
   text +=
-      "<h2>What moved the choice</h2>\n<p>Integrated gradients of the log-probability of what was taken: a part of 0.69 nats doubles its "
-      "chance.</p>\n" +
+      "<h2>What moved the choice</h2>\n<p>Integrated gradients of the natural logarithm of the chance of what was taken: a part of 0.69 "
+      "doubles "
+      "the chance, one of -0.69 halves it.</p>\n" +
       attribution_tables(a, kRows);
   text += "<h2>What was heard</h2>\n" + looks_table(report.looks());
   text += "<h2>Everything it saw</h2>\n<details><summary>" + std::to_string(a.observed.size()) + " numbers</summary>\n" +
@@ -65,7 +66,7 @@ std::string as_markdown(const DecisionReport& report) {
             fixed(action.hear.spread.value, 1) + " | " + fixed(100.0 * action.detected, 0) + " | " + fixed(100.0 * action.found, 1) +
             " | " + fixed(action.approach.value / 1e3, 2) + " |\n";
   }
-  text += "\n| observation | seen | baseline | nats | chance |\n|---|---|---|---|---|\n";
+  text += "\n| observation | seen | baseline | part | chance |\n|---|---|---|---|---|\n";
   for (const explain::ObservedAccount& o : explain::weightiest(a, kRows))
     text += "| " + o.name + " | " + o.value + " | " + o.baseline + " | " + fixed(o.part, 3) + " | " + factor_to_string(o.part) + " |\n";
   text += "\nCompared with " + to_string(a.baseline) + ": " + completeness_to_string(a.attribution) + ".\n";

@@ -128,7 +128,7 @@ std::string observed_row(const explain::ObservedAccount& o, double largest) {
 
 constexpr const char* kObservedHead =
     "<div class=\"table\"><table>\n<tr><th "
-    "class=\"left\">observation</th><th>seen</th><th>baseline</th><th>nats</th><th>against, for</th><th>chance</th></tr>\n";
+    "class=\"left\">observation</th><th>seen</th><th>baseline</th><th>part</th><th>against, for</th><th>chance</th></tr>\n";
 
 double largest_part(const std::vector<explain::ObservedAccount>& observed) {
   double largest = 0.0;
@@ -156,8 +156,7 @@ std::string to_string(explain::Baseline baseline) {
 }
 
 std::string completeness_to_string(const explain::Attribution& a) {
-  return "the parts add up to " + fixed(a.sum(), 4) + " of " + fixed(a.difference(), 4) + " nats after " + std::to_string(a.steps) +
-         " steps, " +
+  return "the parts add up to " + fixed(a.sum(), 4) + " of " + fixed(a.difference(), 4) + " after " + std::to_string(a.steps) + " steps, " +
          (a.is_complete() ? "complete within " + fixed(a.tolerance, 3)
                           : "NOT complete within " + fixed(a.tolerance, 3) + ": do not trust the parts beyond that gap");
 }

@@ -16,7 +16,7 @@ namespace earshot::report {
 /// "a vehicle in the middle of the area that has heard nothing yet"
 [[nodiscard]] std::string to_string(explain::Baseline baseline);
 
-/// "the parts add up to 1.2340 of 1.2344 nats after 64 steps, complete within 0.001"
+/// "the parts add up to 1.2340 of 1.2344 after 64 steps, complete within 0.001"
 [[nodiscard]] std::string completeness_to_string(const explain::Attribution& attribution);
 
 /// "× 1.83", "× 20 000", "× 0.0021", "× 3.2·10⁻⁷": what a part of the log-probability does to the probability

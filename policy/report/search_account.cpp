@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "firmware/messages/health.hpp"
 #include "policy/explain/wording.hpp"
 
 namespace earshot::report {
@@ -69,14 +70,24 @@ std::string declared_where(const SearchAccount& account) {
   return (is_wrong ? ", wrongly: " : ": ") + fixed(*account.declared_range_m, 0) + " m from the source";
 }
 
+namespace {
+
+/// A number of bits says nothing without the one from which it is a surprise.
+std::string surprise_to_string(const SearchAccount& account) {
+  const std::string level = fixed(static_cast<double>(messages::kSurprising_bits), 2);
+  const std::string bits = "surprise " + fixed(account.surprise_bits, 1) + " bits at the end, ";
+  if (account.surprised_step)
+    return "From " + step_to_string(*account.surprised_step) + " on what it heard was unlikely in every ocean of its tables (" + bits +
+           "which counts from " + level + " on)";
+  return "Nothing unexpected: the oceans of its tables explain what it heard (" + bits + "which would count from " + level + " on)";
+}
+
+}  // namespace
+
 std::string to_string(const SearchAccount& account) {
   std::string text;
   const auto say = [&text](const std::string& sentence) { text += (text.empty() ? "" : " ") + sentence + "."; };
-  if (account.believes)
-    say("Surprise at the end: " + fixed(account.surprise_bits, 1) + " bits" +
-        (account.surprised_step
-             ? "; from " + step_to_string(*account.surprised_step) + " on what it heard was unlikely in every ocean of its tables"
-             : ""));
+  if (account.believes) say(surprise_to_string(account));
   if (account.sweep_step)
     say("Swept from " + step_to_string(*account.sweep_step) + (account.max_steps ? " of " + std::to_string(*account.max_steps) : "") +
         " on: what it heard fitted no ocean of its tables");

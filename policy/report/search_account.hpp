@@ -25,8 +25,9 @@ struct SearchAccount {
 /// What is wrong with a summary's account, as "KEY: must be ..."; "" when nothing is.
 [[nodiscard]] std::string fault_in_account(const nlohmann::json& summary);
 
-/// "Surprise at the end: 13.2 bits; from step 9 on what it heard was unlikely in every ocean of its tables. Swept from step 11 of 100 on:
-/// what it heard fitted none of them. Declared found at step 34, wrongly: 1021 m from the source."; "" when there is nothing to say
+/// "From step 9 on what it heard was unlikely in every ocean of its tables (surprise 13.2 bits at the end, which counts from 6.75 on).
+/// Swept from step 11 of 100 on: what it heard fitted none of them. Declared found at step 34, wrongly: 1021 m from the source."; without a
+/// surprise "Nothing unexpected: the oceans of its tables explain what it heard (...)"; "" when there is nothing to say
 [[nodiscard]] std::string to_string(const SearchAccount& account);
 
 /// ", wrongly: 1021 m from the source", ": 640 m from the source" or, where that is not known, "".

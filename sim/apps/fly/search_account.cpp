@@ -64,10 +64,14 @@ std::string outcome(const nlohmann::json& s) {
 std::string account_lines(const nlohmann::json& s) {
   std::string text;
   if (!value_in(s, "surprise_bits").is_null()) {
-    text += "  surprise    " + decimals(s.at("surprise_bits"), 1) + " bits at the end";
-    if (!value_in(s, "surprised_from_step").is_null())
-      text += "; from " + step_in(s, "surprised_from_step") + " on what it heard was unlikely in every ocean of its tables";
-    text += "\n";
+    // A number of bits says nothing without the one from which it is a surprise.
+    const std::string end = decimals(s.at("surprise_bits"), 1) + " bits at the end, a surprise from " +
+                            decimals(static_cast<double>(messages::kSurprising_bits), 2) + " on";
+    text += "  surprise    ";
+    text += value_in(s, "surprised_from_step").is_null()
+                ? "none: the oceans of its tables explain what it heard"
+                : "from " + step_in(s, "surprised_from_step") + " on what it heard was unlikely in every ocean of its tables";
+    text += " (" + end + ")\n";
   }
   if (!value_in(s, "swept_from_step").is_null())
     text += "  swept       from " + step_in(s, "swept_from_step") + " of " + std::to_string(s.at("max_steps").get<int>()) +

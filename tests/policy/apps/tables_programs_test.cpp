@@ -80,12 +80,18 @@ TEST_F(Programs, TablesCountAnExpectedOceanOnceThoughAFolderHoldsIt) {
 TEST_F(Programs, TablesTakeOneExpectedFileEachTimeAndSayHowManyOfEachKindThereAre) {
   const std::string rest = " -o a.tables --key a.key ";
   ASSERT_EQ(run("tables -o b.tables --key a.key --new-key --expected " + kPapers + " " + kSeveral), 0) << content(folder / "err");
-  EXPECT_NE(content(folder / "out").find("1 expected, 0 variants, 7 others\n"), std::string::npos) << content(folder / "out");
+  EXPECT_NE(
+      content(folder / "out").find("oceans read: 1 expected (--expected), 0 variants of these (--variants), 7 others (ENVIRONMENT)\n"),
+      std::string::npos)
+      << content(folder / "out");
   ASSERT_EQ(run("tables --expected " + kPapers + rest + "--variants " + kShallow + " " + kOceans + "/deep.toml --variants " + kOceans +
                 "/rock.toml"),
             0)
       << content(folder / "err");
-  EXPECT_NE(content(folder / "out").find("1 expected, 2 variants, 1 others\n"), std::string::npos) << content(folder / "out");
+  EXPECT_NE(
+      content(folder / "out").find("oceans read: 1 expected (--expected), 2 variants of these (--variants), 1 others (ENVIRONMENT)\n"),
+      std::string::npos)
+      << content(folder / "out");
 }
 
 TEST_F(Programs, TablesCountAFileOnceThatIsGivenTwiceAndSaySo) {
@@ -96,7 +102,9 @@ TEST_F(Programs, TablesCountAFileOnceThatIsGivenTwiceAndSaySo) {
   const std::string said = content(folder / "out");
   EXPECT_NE(said.find("\npaper.toml: given twice, counts once, as one of the others\n"), std::string::npos) << said;
   EXPECT_NE(said.find(kShallow + ": given twice, counts once, as expected\n"), std::string::npos) << said;
-  EXPECT_NE(said.find("1 expected, 0 variants, 1 others\n"), std::string::npos) << said;
+  EXPECT_NE(said.find("oceans read: 1 expected (--expected), 0 variants of these (--variants), 1 others (ENVIRONMENT)\n"),
+            std::string::npos)
+      << said;
   EXPECT_NE(said.find(" bytes, 2 tables\n"), std::string::npos) << said;
 }
 

@@ -75,11 +75,12 @@ TEST(Table, SaysHowOftenTheSourceWasDeclaredFoundWronglyOfThoseWhoDeclareIt) {
   EXPECT_EQ(value_of(csv, "declared_far_off_fraction"), "0.25");
   EXPECT_EQ(value_of(csv, "missed_fraction"), "0.5") << "of the two that came near";
   EXPECT_NE(as_text(rows).find(
-                "guess: declared falsely in 75.0 % of the searches (further than 1.5 step lengths off in 25.0 %), missed 50.0 %\n"),
+                "guess: declared falsely in 75.0 % of the searches (further than 1.5 step lengths off in 25.0 %); of those that ended a "
+                "step within a step length of the source, declared nothing there in 50.0 %\n"),
             std::string::npos);
   all[0].declarations->was_within = all[1].declarations->was_within = false;
   rows = {row_of("sea", "guess", all, {}, 1)};
-  EXPECT_NE(as_text(rows).find("missed -\n"), std::string::npos) << "none came near";
+  EXPECT_NE(as_text(rows).find("declared nothing there in -\n"), std::string::npos) << "none came near";
 }
 
 TEST(Table, GivesTheShareOfSearchesSurprisedAndTheirMedianLookOrNothingWhereNobodyJudgesIt) {

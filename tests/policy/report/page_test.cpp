@@ -64,14 +64,17 @@ TEST_F(PageTest, CountsStepsOnceAndSaysThatTheSourceCutTheLastOneShort) {
 
 TEST_F(PageTest, SaysInItsHeadHowSurprisedTheVehicleWasThatItSweptAndThatItDeclaredWrongly) {
   Flight flight = read_flight(folder_);
-  EXPECT_EQ(count(page(flight, {}, {}), "Surprise"), 0U) << "a summary of an earlier version";
+  EXPECT_EQ(count(page(flight, {}, {}), "urprise"), 0U) << "a summary of an earlier version";
   flight.summary["surprise_bits"] = 13.25;
+  flight.summary["surprised_from_step"] = 9;
   flight.summary["swept_from_step"] = 11;
   flight.summary["max_steps"] = 100;
   const std::string swept = page(flight, {}, {});
   EXPECT_EQ(count(swept, "<p>The mission ended because: a test</p>"), 1U);
   EXPECT_EQ(
-      count(swept, "<p>Surprise at the end: 13.2 bits. Swept from step 11 of 100 on: what it heard fitted no ocean of its tables.</p>"),
+      count(swept,
+            "<p>From step 9 on what it heard was unlikely in every ocean of its tables (surprise 13.2 bits at the end, which counts from "
+            "6.75 on). Swept from step 11 of 100 on: what it heard fitted no ocean of its tables.</p>"),
       1U);
   flight.summary["end_reason"] = "declared_found";
   flight.summary["step_length_m"] = 1'000.0;

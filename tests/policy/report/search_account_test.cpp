@@ -11,8 +11,16 @@ TEST(SearchAccountInReport, SaysSurpriseSweepAndDeclarationInOneParagraph) {
                                {"step_length_m", 1'000.0}, {"declared_found", {{"step", 34U}, {"range_m", 1'020.6}}}};
   ASSERT_EQ(fault_in_account(summary), "");
   EXPECT_EQ(to_string(account_in(summary)),
-            "Surprise at the end: 13.2 bits; from step 9 on what it heard was unlikely in every ocean of its tables. Swept from step 11 of "
-            "100 on: what it heard fitted no ocean of its tables. Declared found at step 34, wrongly: 1021 m from the source.");
+            "From step 9 on what it heard was unlikely in every ocean of its tables (surprise 13.2 bits at the end, which counts from 6.75 "
+            "on). Swept from step 11 of 100 on: what it heard fitted no ocean of its tables. Declared found at step 34, wrongly: 1021 m "
+            "from the source.");
+}
+
+TEST(SearchAccountInReport, SaysThatNothingWasUnexpectedAndFromWhenOnItWouldBe) {
+  EXPECT_EQ(
+      to_string({.believes = true, .surprise_bits = -19.04}),
+      "Nothing unexpected: the oceans of its tables explain what it heard (surprise -19.0 bits at the end, which would count from 6.75 "
+      "on).");
 }
 
 TEST(SearchAccountInReport, CallsADeclarationWrongFromMoreThanAStepLengthOn) {

@@ -63,9 +63,10 @@ TEST_F(SeaPageTest, SaysHowSurprisedTheVehicleWasThatItSweptAndThatItDeclared) {
     journal.health(40, 34, 11.5F, true, true);
     journal.end(wire::Ending::kStopped);
   }
-  EXPECT_TRUE(has(page_of_it(),
-                  "<p>Surprise at the end: 11.5 bits; from step 9 on what it heard was unlikely in every ocean of its tables. Swept from "
-                  "step 11 of 100 on: what it heard fitted no ocean of its tables. Declared found at step 34.</p>"));
+  EXPECT_TRUE(
+      has(page_of_it(),
+          "<p>From step 9 on what it heard was unlikely in every ocean of its tables (surprise 11.5 bits at the end, which counts from "
+          "6.75 on). Swept from step 11 of 100 on: what it heard fitted no ocean of its tables. Declared found at step 34.</p>"));
 }
 
 TEST_F(SeaPageTest, IsOfTheFirstOfSeveralJournalsUnlessAnotherIsNamed) {

@@ -23,8 +23,16 @@ TEST(SearchAccount, SaysFromWhichStepOnASearchWasSurprisedAndSweptAndHowSurprise
   EXPECT_EQ(account.to_json().dump(), R"({"surprise_bits":13.25,"surprised_from_step":9,"swept_from_step":11,"declared_found":null})");
   EXPECT_EQ(outcome(summary_with(account)), "source not found: all 100 steps taken");
   EXPECT_EQ(account_lines(summary_with(account)),
-            "  surprise    13.2 bits at the end; from step 9 on what it heard was unlikely in every ocean of its tables\n"
+            "  surprise    from step 9 on what it heard was unlikely in every ocean of its tables (13.2 bits at the end, a surprise from "
+            "6.75 on)\n"
             "  swept       from step 11 of 100 on: what it heard fitted no ocean of its tables\n");
+}
+
+TEST(SearchAccount, SaysThatNothingSurprisedAndFromWhenOnItWouldHave) {
+  SearchAccount account;
+  account.note({.steps_taken = 8, .believed_source = kSomewhere, .surprise_bits = -19.04F}, Meters{9'000.0});
+  EXPECT_EQ(account_lines(summary_with(account)),
+            "  surprise    none: the oceans of its tables explain what it heard (-19.0 bits at the end, a surprise from 6.75 on)\n");
 }
 
 TEST(SearchAccount, SaysNothingOfSurpriseWhereThePolicyHoldsNoBelief) {
