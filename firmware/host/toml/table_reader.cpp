@@ -69,7 +69,10 @@ struct TableNode {
   std::set<std::string, std::less<>> noted;  ///< keys with a problem
   std::vector<std::shared_ptr<TableNode>> children;
 
-  [[nodiscard]] std::string full(std::string_view key) const { return (prefix.empty() ? "" : prefix + ".") + std::string(key); }
+  /// "search.speed_mps"; of the tables of an array, which are counted as ports are everywhere, "port 1: url".
+  [[nodiscard]] std::string full(std::string_view key) const {
+    return (prefix.empty() ? "" : prefix + (prefix.ends_with(':') ? " " : ".")) + std::string(key);
+  }
 
   [[nodiscard]] std::size_t line() const { return table != nullptr ? table->source().begin.line : 0; }
 
@@ -94,7 +97,7 @@ struct TableNode {
   }
 
   void note_value(std::string_view key, const toml::node& value, const std::string& allowed) {
-    noted.emplace(key.substr(0, key.find('[')));  // an element's problem is its array's
+    noted.emplace(key.substr(0, key.find_first_of("[ ")));  // an element's problem is its array's
     std::ostringstream text;
     text << full(key);
     value.visit([&text](const auto& v) {
@@ -324,9 +327,9 @@ std::vector<TableReader> TableReader::tables(std::string_view key) {
   }
   std::size_t index = 0;
   for (const toml::node& element : *node->as_array()) {
-    const std::string name = std::string(key) + "[" + std::to_string(index++) + "]";
+    const std::string name = std::string(key) + " " + std::to_string(++index);
     if (!element.is_table()) node_->note_value(name, element, "must be a table");
-    readers.push_back(TableReader(node_->add_child(element.as_table(), node_->full(name))));
+    readers.push_back(TableReader(node_->add_child(element.as_table(), node_->full(name + ":"))));
   }
   return readers;
 }

@@ -21,7 +21,7 @@ namespace {
 using host::BadInput;
 using host::TableReader;
 
-/// Another environment that may be the true one, and where the file names it: "ocean.toml:31: oceans[0].environment".
+/// Another environment that may be the true one, and where the file names it: "ocean.toml:31: oceans 1: environment".
 struct OtherOcean {
   std::string place;
   std::filesystem::path file;

@@ -108,7 +108,7 @@ TEST_F(CaseFileTest, KnowsEveryKindOfFaultWithItsAmountAndItsBounds) {
       continue;
     }
     const std::string amount(traits.amount);
-    EXPECT_NE(refusal(with_fault(fault)).find("fault[0]." + amount + " is missing"), std::string::npos) << traits.word;
+    EXPECT_NE(refusal(with_fault(fault)).find("fault 1: " + amount + " is missing"), std::string::npos) << traits.word;
     for (const double bound : {traits.lowest, traits.highest})
       EXPECT_EQ(load(with_fault(fault + amount + " = " + std::to_string(bound))).faults.at(0).amount, bound) << traits.word;
     for (const double beyond : {traits.lowest - 1.0, traits.highest + 1.0})
@@ -170,36 +170,36 @@ TEST_F(CaseFileTest, RefusesATimeAtSeaOutOfBounds) {
 
 TEST_F(CaseFileTest, RefusesAFaultOfNoKnownKindOrWithoutABeginning) {
   EXPECT_NE(
-      refusal_of_fault("kind = \"lost\"\nat_s = 1").find("cases.toml:5: fault[0].kind = 'lost': must be one of \"loss\", \"delay\", "),
+      refusal_of_fault("kind = \"lost\"\nat_s = 1").find("cases.toml:5: fault 1: kind = 'lost': must be one of \"loss\", \"delay\", "),
       std::string::npos);
   EXPECT_EQ(refusal_of_fault("kind = \"leak\""),
-            "cases.toml:4: fault[0].at_s is missing: must be a finite number of at least 0 and at most 1000000");
+            "cases.toml:4: fault 1: at_s is missing: must be a finite number of at least 0 and at most 1000000");
   EXPECT_EQ(refusal_of_fault("kind = \"leak\"\nat_s = -1"),
-            "cases.toml:6: fault[0].at_s = -1: must be a finite number of at least 0 and at most 1000000");
+            "cases.toml:6: fault 1: at_s = -1: must be a finite number of at least 0 and at most 1000000");
   EXPECT_EQ(refusal_of_fault("kind = \"leak\"\nat_s = 1\nfor_s = 0"),
-            "cases.toml:7: fault[0].for_s = 0: must be a finite number of at least 0.1 and at most 1000000");
+            "cases.toml:7: fault 1: for_s = 0: must be a finite number of at least 0.1 and at most 1000000");
 }
 
 TEST_F(CaseFileTest, RefusesWhichFramesWhereTheyAreNone) {
   EXPECT_EQ(refusal_of_fault("kind = \"loss\"\nat_s = 1\nshare = 1.5"),
-            "cases.toml:7: fault[0].share = 1.5: must be a finite number of at least 0 and at most 1");
+            "cases.toml:7: fault 1: share = 1.5: must be a finite number of at least 0 and at most 1");
   EXPECT_EQ(refusal_of_fault("kind = \"loss\"\nat_s = 1\npgn = 262144"),
-            "cases.toml:7: fault[0].pgn = 262144: must be a whole number from 0 to 262143");
+            "cases.toml:7: fault 1: pgn = 262144: must be a whole number from 0 to 262143");
   EXPECT_EQ(
       refusal_of_fault("kind = \"loss\"\nat_s = 1\nof = \"log\""),
-      "cases.toml:7: fault[0].of = 'log': must be one of \"autopilot\", \"compass\", \"speed-log\", \"depth-sensor\", \"navigation\", "
+      "cases.toml:7: fault 1: of = 'log': must be one of \"autopilot\", \"compass\", \"speed-log\", \"depth-sensor\", \"navigation\", "
       "\"hydrophone\", \"operator\", \"altimeter\", \"battery\", \"hull-monitor\", \"earshot\"");
   EXPECT_EQ(load_with_fault("kind = \"loss\"\nat_s = 1\nof = \"earshot\"").faults.at(0).device, "earshot");
 }
 
 TEST_F(CaseFileTest, RefusesKeysThatAKindOfFaultDoesNotHave) {
-  EXPECT_EQ(refusal_of_fault("kind = \"leak\"\nat_s = 1\nshare = 0.5"), "cases.toml:7: fault[0].share: unknown key");
-  EXPECT_EQ(refusal_of_fault("kind = \"leak\"\nat_s = 1\nof = \"compass\""), "cases.toml:7: fault[0].of: unknown key");
-  EXPECT_EQ(refusal_of_fault("kind = \"loss\"\nat_s = 1\nseconds = 3"), "cases.toml:7: fault[0].seconds: unknown key");
+  EXPECT_EQ(refusal_of_fault("kind = \"leak\"\nat_s = 1\nshare = 0.5"), "cases.toml:7: fault 1: share: unknown key");
+  EXPECT_EQ(refusal_of_fault("kind = \"leak\"\nat_s = 1\nof = \"compass\""), "cases.toml:7: fault 1: of: unknown key");
+  EXPECT_EQ(refusal_of_fault("kind = \"loss\"\nat_s = 1\nseconds = 3"), "cases.toml:7: fault 1: seconds: unknown key");
   EXPECT_EQ(refusal_of_fault("kind = \"heading_error\"\nat_s = 1\ndegrees = 3\ntowards_deg = 3"),
-            "cases.toml:8: fault[0].towards_deg: unknown key");
+            "cases.toml:8: fault 1: towards_deg: unknown key");
   EXPECT_EQ(refusal_of_fault("kind = \"current\"\nat_s = 1\nmps = 1\ntowards_deg = 361"),
-            "cases.toml:8: fault[0].towards_deg = 361: must be a finite number of at least -360 and at most 360");
+            "cases.toml:8: fault 1: towards_deg = 361: must be a finite number of at least -360 and at most 360");
 }
 
 TEST_F(CaseFileTest, RefusesRulesThatNoMissionCanHaveAndAnswersThatAreNone) {
@@ -221,7 +221,7 @@ TEST_F(CaseFileTest, RefusesARuleThatItsMissionDoesNotHave) {
 TEST_F(CaseFileTest, RefusesAFaultThatBeginsWhenTheFlightIsOver) {
   const std::string fault = "[[fault]]\nkind = \"leak\"\nat_s = ";
   EXPECT_EQ(refusal("at_most_s = 60\n" + kWords + fault + "60\n" + kExpect),
-            "cases.toml:7: fault[0].at_s = 60: the flight is over by then (at_most_s)");
+            "cases.toml:7: fault 1: at_s = 60: the flight is over by then (at_most_s)");
   EXPECT_EQ(load("at_most_s = 60\n" + kWords + fault + "59\n" + kExpect).faults.size(), 1U);
 }
 
@@ -264,8 +264,8 @@ TEST_F(CaseFileTest, MayExpectFramesRefusedAndNoFlightAtAll) {
 
 TEST_F(CaseFileTest, HasOnlyFaultsThatThereAreInItsKindOfFlight) {
   EXPECT_EQ(refusal(kWords + "speed = 20\n[[fault]]\nkind = \"loss\"\nat_s = 1\n" + kExpect),
-            "cases.toml:6: fault[0].kind = 'loss': there is no loss in a case with a speed");
-  EXPECT_NE(refusal_of_fault("kind = \"pause\"\nof = \"vehicle\"\nat_s = 1\nfor_s = 2").find("fault[0].of"), std::string::npos);
+            "cases.toml:6: fault 1: kind = 'loss': there is no loss in a case with a speed");
+  EXPECT_NE(refusal_of_fault("kind = \"pause\"\nof = \"vehicle\"\nat_s = 1\nfor_s = 2").find("fault 1: of"), std::string::npos);
   EXPECT_NE(refusal_of_fault("kind = \"slow_disk\"\nat_s = 1").find("there is no slow_disk in lock-step"), std::string::npos);
   EXPECT_NE(refusal(kWords + "speed = 0\n" + kExpect).find("speed"), std::string::npos);
 }

@@ -101,9 +101,9 @@ void doubt_zones(const config::Mission& mission, Doubts& doubts) {
                                       NorthEast{r.south_west.north, r.north_east.east}};
   const Corners halt = mission.safety.fence ? mission.safety.fence->halt.span() : Corners(area);
   for (std::size_t i = 0; i < mission.safety.no_surface.size(); ++i) {
-    doubt_if(
-        !do_overlap(mission.safety.no_surface[i].span(), halt), doubts,
-        formatted("no_surface[%zu] lies wholly beyond where a search is aborted: nothing ever surfaces there, and no search passes it", i));
+    doubt_if(!do_overlap(mission.safety.no_surface[i].span(), halt), doubts,
+             formatted("no_surface %zu lies wholly beyond where a search is aborted: nothing ever surfaces there, and no search passes it",
+                       i + 1));
   }
 }
 

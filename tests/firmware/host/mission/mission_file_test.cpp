@@ -185,7 +185,7 @@ TEST(MissionFile, RefusesAnAreaWithNoRoomToSearch) {
 }
 
 TEST(MissionFile, RefusesAnLcmAddressThatIsNotMulticast) {
-  EXPECT_NE(complaint("udpm://239.255.76.67:7667", "udpm://10.0.0.1:7667").find("port[0].url"), std::string::npos);
+  EXPECT_NE(complaint("udpm://239.255.76.67:7667", "udpm://10.0.0.1:7667").find("port 1: url"), std::string::npos);
 }
 
 TEST(MissionFile, SaysEverythingThatIsWrongAtOnce) {
@@ -197,17 +197,17 @@ TEST(MissionFile, SaysEverythingThatIsWrongAtOnce) {
 }
 
 TEST(MissionFile, RefusesAnLcmPortWithoutAnAddressAndTwoPortsOfOneAddressOrName) {
-  EXPECT_NE(complaint("url = \"udpm://239.255.76.67:7667?ttl=0\"\n", "").find("port[0].url is missing"), std::string::npos);
+  EXPECT_NE(complaint("url = \"udpm://239.255.76.67:7667?ttl=0\"\n", "").find("port 1: url is missing"), std::string::npos);
   const std::string twice = complaint(
       "[origin]", "[[port]]\nname = \"vehicle\"\nkind = \"lcm\"\nurl = \"udpm://239.255.76.67:7667?ttl=0\"\nroles = [\"snr\"]\n\n[origin]");
-  EXPECT_NE(twice.find("port[1].name = 'vehicle': \"vehicle\" is another port's name, too"), std::string::npos) << twice;
+  EXPECT_NE(twice.find("port 2: name = 'vehicle': \"vehicle\" is another port's name, too"), std::string::npos) << twice;
   EXPECT_NE(twice.find("is there already: give it all roles"), std::string::npos) << twice;
 }
 
 TEST(MissionFile, RefusesAPortWhoseNameIsEmptyOrWouldSteerATerminal) {
-  EXPECT_EQ(complaint("name = \"vehicle\"", "name = \"\""), "FILE:30: port[0].name = '': must be a text of at least one character");
+  EXPECT_EQ(complaint("name = \"vehicle\"", "name = \"\""), "FILE:30: port 1: name = '': must be a text of at least one character");
   EXPECT_EQ(complaint("name = \"vehicle\"", "name = \"a\\u001b[31m\""),
-            "FILE:30: port[0].name = \"a\\u001B[31m\": must have no character that steers a terminal");
+            "FILE:30: port 1: name = \"a\\u001B[31m\": must have no character that steers a terminal");
   EXPECT_EQ(complaint("name = \"vehicle\"", "name = \"Kiel \u00fc\""), "");
 }
 
@@ -215,15 +215,15 @@ TEST(MissionFile, RefusesTwoPortsOfOneLcmBusHoweverItsUrlIsSpelledAndSaysWhereTh
   EXPECT_EQ(
       complaint("[origin]",
                 "[[port]]\nname = \"payload\"\nkind = \"lcm\"\nurl = \"udpm://239.255.76.67:7667?ttl=1\"\nroles = [\"snr\"]\n\n[origin]"),
-      "FILE:38: port[1].url = 'udpm://239.255.76.67:7667?ttl=1': port \"vehicle\" is there already: give it all roles (FILE:32: "
-      "port[0].url; what "
+      "FILE:38: port 2: url = 'udpm://239.255.76.67:7667?ttl=1': port \"vehicle\" is there already: give it all roles (FILE:32: "
+      "port 1: url; what "
       "stands behind the '?' of a URL makes no other bus)");
 }
 
 TEST(MissionFile, RefusesTwoPortsOfOneCanInterface) {
   const std::string port = "kind = \"can\"\ninterface = \"can0\"\nroles = [\"navigation\"]\n\n";
   const std::string what = complaint("[origin]", "[[port]]\nname = \"one\"\n" + port + "[[port]]\nname = \"two\"\n" + port + "[origin]");
-  EXPECT_NE(what.find("port[2].interface = 'can0': port \"one\" is there already"), std::string::npos) << what;
+  EXPECT_NE(what.find("port 3: interface = 'can0': port \"one\" is there already"), std::string::npos) << what;
 }
 
 /// The shipped mission with a CAN port, and what is wrong with it.
@@ -235,10 +235,10 @@ std::string complaint_with_interface(const std::string& toml_string) {
 TEST(MissionFile, RefusesACanInterfaceOfANameThatNoneCanHaveRatherThanWaitForItForEver) {
   const std::string rule =
       ": must be 1 to 15 characters without '/', ':' and white space, and neither \".\" nor \"..\", as Linux names interfaces";
-  EXPECT_EQ(complaint_with_interface("\"a/b\""), "FILE:38: port[1].interface = 'a/b'" + rule);
+  EXPECT_EQ(complaint_with_interface("\"a/b\""), "FILE:38: port 2: interface = 'a/b'" + rule);
   for (const char* name : {"\"a b\"", "\".\"", "\"..\"", "\"can0:1\"", "\"x\\n\"", "\"can-front.left_1\"", "\"\""}) {
     const std::string what = complaint_with_interface(name);
-    EXPECT_TRUE(what.starts_with("FILE:38: port[1].interface")) << name << ": " << what;
+    EXPECT_TRUE(what.starts_with("FILE:38: port 2: interface")) << name << ": " << what;
   }
   EXPECT_EQ(complaint_with_interface("\"can-front.left1\""), "");
 }
@@ -267,11 +267,11 @@ TEST(MissionFile, TakesAHydrophoneOnAGroupOrAPortOfItsOwn) {
 
 TEST(MissionFile, RefusesAHydrophoneThatSharesItsPortWithOtherRolesOrTheirBus) {
   const std::string together = complaint_with_hydrophone("udpm://239.255.76.67:7668", "\"hydrophone\", \"snr\"");
-  EXPECT_NE(together.find("port[1].roles: \"hydrophone\" needs a port of its own"), std::string::npos) << together;
+  EXPECT_NE(together.find("port 2: roles: \"hydrophone\" needs a port of its own"), std::string::npos) << together;
   const std::string shared = complaint_with_hydrophone("udpm://239.255.76.67:7667?ttl=1", "\"hydrophone\"");
   EXPECT_NE(shared.find("port \"vehicle\" is there already: a hydrophone needs a group or port of its own"), std::string::npos) << shared;
   EXPECT_EQ(shared.find("give it all roles"), std::string::npos) << shared;
-  EXPECT_NE(complaint_with_hydrophone("udpm://10.0.0.1:7667", "\"hydrophone\"").find("port[1].url"), std::string::npos);
+  EXPECT_NE(complaint_with_hydrophone("udpm://10.0.0.1:7667", "\"hydrophone\"").find("port 2: url"), std::string::npos);
 }
 
 MissionFile mission_with_hydrophone() {

@@ -111,76 +111,76 @@ TEST(N2kTable, GivesEveryKey) {
 TEST(N2kTable, HasNoPartOfAFixOlderThanNavigationMayBe) {
   EXPECT_EQ(default_n2k(Duration::seconds(2)).navigation.oldest_part, Duration::seconds(2));
   EXPECT_EQ(complaint("[port.n2k]\noldest_part_s = 5.5"),
-            "FILE:36: port[0].n2k.oldest_part_s = 5.5: must be a finite number of at least 1e-06 and at most 5");
+            "FILE:36: port 1: n2k.oldest_part_s = 5.5: must be a finite number of at least 1e-06 and at most 5");
   EXPECT_EQ(complaint("[port.n2k]\noldest_part_s = 0.0"),
-            "FILE:36: port[0].n2k.oldest_part_s = 0.0: must be a finite number of at least 1e-06 and at most 5");
+            "FILE:36: port 1: n2k.oldest_part_s = 0.0: must be a finite number of at least 1e-06 and at most 5");
 }
 
 TEST(N2kTable, RefusesEachNumberOutsideItsBitsWithWhatIsAllowed) {
-  EXPECT_EQ(complaint("[port.n2k]\naddress = 252"), "FILE:36: port[0].n2k.address = 252: must be a whole number from 0 to 251");
+  EXPECT_EQ(complaint("[port.n2k]\naddress = 252"), "FILE:36: port 1: n2k.address = 252: must be a whole number from 0 to 251");
   EXPECT_EQ(complaint("[port.n2k]\nunique_number = 2097152"),
-            "FILE:36: port[0].n2k.unique_number = 2097152: must be a whole number from 0 to 2097151");
+            "FILE:36: port 1: n2k.unique_number = 2097152: must be a whole number from 0 to 2097151");
   EXPECT_EQ(complaint("[port.n2k]\ndevice_instance = 256"),
-            "FILE:36: port[0].n2k.device_instance = 256: must be a whole number from 0 to 255");
+            "FILE:36: port 1: n2k.device_instance = 256: must be a whole number from 0 to 255");
   EXPECT_EQ(complaint("[port.n2k.sources]\ndepth = { instance = 253 }"),
-            "FILE:36: port[0].n2k.sources.depth.instance = 253: must be a whole number from 0 to 252");
+            "FILE:36: port 1: n2k.sources.depth.instance = 253: must be a whole number from 0 to 252");
 }
 
 TEST(N2kTable, RefusesAPressureOfAnotherKindAndAnAbsoluteOneThatIsNeverZeroed) {
   EXPECT_EQ(complaint("[port.n2k]\npressure = \"sealed\""),
-            "FILE:36: port[0].n2k.pressure = 'sealed': must be one of \"gauge\", \"absolute\"");
+            "FILE:36: port 1: n2k.pressure = 'sealed': must be one of \"gauge\", \"absolute\"");
   EXPECT_EQ(
       complaint("[port.n2k]\npressure = \"absolute\""),
-      "FILE:35: port[0].n2k.zero_pressure_at_surface: must be true with an absolute pressure, which gives no depth before the air's is "
+      "FILE:35: port 1: n2k.zero_pressure_at_surface: must be true with an absolute pressure, which gives no depth before the air's is "
       "known");
   EXPECT_EQ(complaint("[port.n2k]\nzero_pressure_at_surface = \"yes\""),
-            "FILE:36: port[0].n2k.zero_pressure_at_surface = 'yes': must be true or false");
+            "FILE:36: port 1: n2k.zero_pressure_at_surface = 'yes': must be true or false");
 }
 
 TEST(N2kTable, RefusesASourceThatNamesNoDevice) {
   const std::string rule = "must be a device's NAME, 64 bits in hexadecimal: \"0x\" and 1 to 16 digits, not all zero";
   for (const std::string name : {"C0328600D0E4F1A2", "0x", "0x0", "0x10000000000000000", "0xG", "0x1 ", "0x-1"}) {
     EXPECT_EQ(complaint("[port.n2k.sources]\nheading = { name = \"" + name + "\" }"),
-              "FILE:36: port[0].n2k.sources.heading.name = '" + name + "': " + rule);
+              "FILE:36: port 1: n2k.sources.heading.name = '" + name + "': " + rule);
   }
-  EXPECT_EQ(complaint("[port.n2k.sources]\nheading = {}"), "FILE:36: port[0].n2k.sources.heading: must say a device's name");
+  EXPECT_EQ(complaint("[port.n2k.sources]\nheading = {}"), "FILE:36: port 1: n2k.sources.heading: must say a device's name");
   EXPECT_EQ(complaint("[port.n2k.sources]\ndepth = {}"),
-            "FILE:36: port[0].n2k.sources.depth: must say a device's name, an instance, or both");
+            "FILE:36: port 1: n2k.sources.depth: must say a device's name, an instance, or both");
   EXPECT_EQ(complaint("[port.n2k.sources]\nheading = { instance = 1 }"),
-            "FILE:36: port[0].n2k.sources.heading.instance = 1: only messages of depth (pressure) and battery bear an instance: give the "
+            "FILE:36: port 1: n2k.sources.heading.instance = 1: only messages of depth (pressure) and battery bear an instance: give the "
             "device's name");
 }
 
 TEST(N2kTable, RefusesUnknownKeysOnEveryLevelAndATableOfAnLcmPort) {
   EXPECT_EQ(complaint("[port.n2k]\nadress = 3\n[port.n2k.sources]\nwind = { name = \"0x1\" }\ndepth = { serial = 1 }"),
-            "FILE:39: port[0].n2k.sources.depth: must say a device's name, an instance, or both\n"
-            "FILE:36: port[0].n2k.adress: unknown key\n"
-            "FILE:38: port[0].n2k.sources.wind: unknown key\n"
-            "FILE:39: port[0].n2k.sources.depth.serial: unknown key");
+            "FILE:39: port 1: n2k.sources.depth: must say a device's name, an instance, or both\n"
+            "FILE:36: port 1: n2k.adress: unknown key\n"
+            "FILE:38: port 1: n2k.sources.wind: unknown key\n"
+            "FILE:39: port 1: n2k.sources.depth.serial: unknown key");
   EXPECT_EQ(
       complaint("[[port]]\nname = \"l\"\nkind = \"lcm\"\nurl = \"udpm://239.255.76.67:7667\"\nroles = [\"snr\"]\n[port.n2k]\naddress = 3"),
-      "FILE:40: port[1].n2k: unknown key");
+      "FILE:40: port 2: n2k: unknown key");
 }
 
 TEST(N2kTable, RefusesKeysThatThePortsRolesHaveNoUseFor) {
   EXPECT_EQ(complaint("[port.n2k]\noldest_part_s = 1.0\npressure = \"gauge\"\nzero_pressure_at_surface = true\n[port.n2k.sources]\n"
                       "heading = { name = \"0x1\" }\nsnr = { name = \"0x1\" }",
                       "\"autopilot\""),
-            "FILE:36: port[0].n2k.oldest_part_s = 1.0: of use only to a port with the role \"navigation\"\n"
-            "FILE:37: port[0].n2k.pressure = 'gauge': of use only to a port with the role \"navigation\"\n"
-            "FILE:38: port[0].n2k.zero_pressure_at_surface = true: of use only to a port with the role \"navigation\"\n"
-            "FILE:40: port[0].n2k.sources.heading: of use only to a port with the role \"navigation\"\n"
-            "FILE:41: port[0].n2k.sources.snr: of use only to a port with the role \"snr\"");
+            "FILE:36: port 1: n2k.oldest_part_s = 1.0: of use only to a port with the role \"navigation\"\n"
+            "FILE:37: port 1: n2k.pressure = 'gauge': of use only to a port with the role \"navigation\"\n"
+            "FILE:38: port 1: n2k.zero_pressure_at_surface = true: of use only to a port with the role \"navigation\"\n"
+            "FILE:40: port 1: n2k.sources.heading: of use only to a port with the role \"navigation\"\n"
+            "FILE:41: port 1: n2k.sources.snr: of use only to a port with the role \"snr\"");
 }
 
 TEST(N2kTable, RefusesAnAutopilotsNameForAPortWithoutThatRole) {
   EXPECT_EQ(complaint("[port.n2k.sources]\nautopilot = { name = \"0x1\" }", "\"navigation\""),
-            "FILE:36: port[0].n2k.sources.autopilot: of use only to a port with the role \"autopilot\"");
+            "FILE:36: port 1: n2k.sources.autopilot: of use only to a port with the role \"autopilot\"");
 }
 
 TEST(N2kTable, RefusesSoundOverCan) {
   EXPECT_EQ(complaint("", "\"hydrophone\""),
-            "FILE:33: port[0].roles: a CAN port carries no sound: \"hydrophone\" needs a port of kind \"lcm\"");
+            "FILE:33: port 1: roles: a CAN port carries no sound: \"hydrophone\" needs a port of kind \"lcm\"");
 }
 
 TEST(N2kTable, StaysThatOfTheMissionWhenACommandLineNamesTheBusAndIsWhatHoldsWithoutOneElse) {

@@ -144,10 +144,10 @@ TEST(SafetyTable, NamesTheKeyAndWhatIsWrongWithIt) {
   EXPECT_NE(complaint("north_m = 1000.0", "north_m = -1000.0").find("must lie inside the fence"), std::string::npos);
   EXPECT_NE(complaint("north_m = [5000, 6000, 6000]", "north_m = [5000, 5000, 6000]").find("corner 1 and the next are one place"),
             std::string::npos);
-  EXPECT_NE(complaint("below = 15.0", "below = 101.0").find("rule[0].below"), std::string::npos);
-  EXPECT_NE(complaint("below = 15.0", "above = 15.0").find("rule[0].below is missing"), std::string::npos);
-  EXPECT_NE(complaint("when = \"leak\"", "when = \"leaks\"").find("rule[1].when"), std::string::npos);
-  EXPECT_NE(complaint("then = \"return\"", "then = \"go home\"").find("rule[0].then"), std::string::npos);
+  EXPECT_NE(complaint("below = 15.0", "below = 101.0").find("rule 1: below"), std::string::npos);
+  EXPECT_NE(complaint("below = 15.0", "above = 15.0").find("rule 1: below is missing"), std::string::npos);
+  EXPECT_NE(complaint("when = \"leak\"", "when = \"leaks\"").find("rule 2: when"), std::string::npos);
+  EXPECT_NE(complaint("then = \"return\"", "then = \"go home\"").find("rule 1: then"), std::string::npos);
 }
 
 TEST(SafetyTable, TakesABatteryThatLastsForEverForOneThatIsNotSpokenOf) {
@@ -160,14 +160,14 @@ TEST(SafetyTable, TakesABatteryThatLastsForEverForOneThatIsNotSpokenOf) {
 TEST(SafetyTable, HasRoomForFourZonesAndSaysSo) {
   std::string zones;
   for (int i = 0; i < 4; ++i) zones += "[[no_surface]]\nnorth_m = [5000, 6000, 6000]\neast_m = [5000, 5000, 6000]\n\n";
-  EXPECT_EQ(complaint("[[no_surface]]", zones + "[[no_surface]]"), "no_surface[4].north_m: is one zone too many: there is room for 4");
+  EXPECT_EQ(complaint("[[no_surface]]", zones + "[[no_surface]]"), "no_surface 5: north_m: is one zone too many: there is room for 4");
 }
 
 TEST(SafetyTable, NamesTheMissionsOwnRuleThatLeavesAnotherNothingToDo) {
   const std::string what =
       complaint("when = \"leak\"\nthen = \"release\"", "when = \"battery_percent\"\nbelow = 14.0\nfor_s = 10.0\nthen = \"hold\"");
   EXPECT_NE(
-      what.find("rule[1].when = 'battery_percent': never does anything: another rule does as much, and sooner: battery_percent below 15"),
+      what.find("rule 2: when = 'battery_percent': never does anything: another rule does as much, and sooner: battery_percent below 15"),
       std::string::npos)
       << what;
   EXPECT_EQ(what.find("stands in every mission"), std::string::npos) << what;
@@ -176,7 +176,7 @@ TEST(SafetyTable, NamesTheMissionsOwnRuleThatLeavesAnotherNothingToDo) {
 TEST(SafetyTable, NamesTheRuleThatLeavesAnotherNothingToDo) {
   EXPECT_EQ(
       complaint("when = \"leak\"\nthen = \"release\"", "when = \"navigation_age_s\"\nabove = 9\nthen = \"hold\""),
-      "rule[1].when = 'navigation_age_s': never does anything: another rule does as much, and sooner: navigation_age_s above 5 then abort "
+      "rule 2: when = 'navigation_age_s': never does anything: another rule does as much, and sooner: navigation_age_s above 5 then abort "
       "(which stands in every mission)");
 }
 

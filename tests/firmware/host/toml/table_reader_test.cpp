@@ -223,7 +223,7 @@ TEST(TableReader, ReadsEachTableOfAnArray) {
     for (TableReader& layer : root.tables("layer")) static_cast<void>(layer.number("thickness_m", Range::above(0)));
   };
   EXPECT_EQ(complaint("[[layer]]\nthickness_m = 1\n[[layer]]\nthickness_m = 0\n", read),
-            ":4: layer[1].thickness_m = 0: must be a finite number above 0");
+            ":4: layer 2: thickness_m = 0: must be a finite number above 0");
 }
 
 TEST(TableReader, ReportsTheCallersOwnFindings) {

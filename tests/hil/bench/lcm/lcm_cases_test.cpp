@@ -44,8 +44,8 @@ TEST_F(LcmCasesTest, RefuseFaultsThatTheirBusDoesNotKnow) {
 }
 
 TEST_F(LcmCasesTest, RefuseSendersAndGroupsThatTheirBusDoesNotHave) {
-  EXPECT_NE(refusal("lcm", "kind = \"loss\"\nof = \"compass\"").find("fault[0].of"), std::string::npos);
-  EXPECT_NE(refusal("lcm", "kind = \"loss\"\npgn = 127250").find("fault[0].pgn: unknown key"), std::string::npos);
+  EXPECT_NE(refusal("lcm", "kind = \"loss\"\nof = \"compass\"").find("fault 1: of"), std::string::npos);
+  EXPECT_NE(refusal("lcm", "kind = \"loss\"\npgn = 127250").find("fault 1: pgn: unknown key"), std::string::npos);
 }
 
 }  // namespace

@@ -176,7 +176,7 @@ TEST_F(EnvironmentData, RefusesSedimentStationsThatDoNotFollowEachOther) {
       "[seabed]\ndepth_m = 3000.0\n"
       "[[seabed.stations]]\nrange_m = 0.0\n[[seabed.stations.layers]]\nsound_speed_mps = 1600.0\n"
       "[[seabed.stations]]\nrange_m = 0.0\n[[seabed.stations.layers]]\nsound_speed_mps = 1700.0\n";
-  expect_mentions(complaint(), "seabed.stations[1].range_m = 0.0: must be more than the station's before");
+  expect_mentions(complaint(), "seabed.stations 2: range_m = 0.0: must be more than the station's before");
 }
 
 }  // namespace

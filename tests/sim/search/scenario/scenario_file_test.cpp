@@ -188,7 +188,7 @@ TEST_F(ScenarioFile, RefusesTimesOfCallsBelowAHundredthOfASecond) {
 }
 
 TEST_F(ScenarioFile, IsRefusedForAnEmptyFileName) {
-  expect_refused("[[oceans]]\nenvironment = \"\"\n", "oceans[0].environment = '': must be a text of at least one character");
+  expect_refused("[[oceans]]\nenvironment = \"\"\n", "oceans 1: environment = '': must be a text of at least one character");
   expect_refused("[field_library]\nfile = \"\"\n", "field_library.file = '': must be a text of at least one character");
 }
 
@@ -268,7 +268,7 @@ TEST_F(ScenarioFile, RefusesAnOceanThatListsOthersOrHasConditions) {
   expect_refused("[[oceans]]\nenvironment = \"none.toml\"\n", "none.toml: no such file");
   const std::string named = complaint("\n[[oceans]]\nenvironment = \"none.toml\"\n");
   EXPECT_TRUE(named.starts_with((folder_ / "ocean.toml").string() + ":")) << named;
-  EXPECT_NE(named.find(": oceans[0].environment: " + (folder_ / "none.toml").string() + ": no such file"), std::string::npos) << named;
+  EXPECT_NE(named.find(": oceans 1: environment: " + (folder_ / "none.toml").string() + ": no such file"), std::string::npos) << named;
 }
 
 TEST_F(ScenarioFile, DrawsAFamilyBetweenItsBoundsAndTheSameFromTheSameSeed) {

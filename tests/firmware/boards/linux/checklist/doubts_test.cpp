@@ -107,7 +107,7 @@ TEST(Doubts, NameAZoneWhereNoSearchCanBe) {
   const auto is_beyond = [&file](const config::Polygon& zone) {
     file.mission.safety.no_surface.clear();
     (void)file.mission.safety.no_surface.push_back(zone);
-    return is_doubted(file, "no_surface[0] lies wholly beyond");
+    return is_doubted(file, "no_surface 1 lies wholly beyond");
   };
   EXPECT_TRUE(is_beyond(box(-9000, 0, 6000)));
   EXPECT_FALSE(is_beyond(box(-9000, 0, 8000))) << "its northern corners are in it";
