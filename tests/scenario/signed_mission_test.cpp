@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "firmware/host/trust/mission_counter.hpp"
-#include "tests/support/for_no_root.hpp"
+#include "tests/firmware/for_no_root.hpp"
 #include "tests/support/private_network.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/signed_mission.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/for_no_root.hpp"
+#include "tests/firmware/for_no_root.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
 
