@@ -66,9 +66,9 @@ class Flight : public testing::Test {
   }
 
   /// Until the journal holds some minutes at sea.
-  [[nodiscard]] bool is_under_way() const {
+  [[nodiscard]] bool is_under_way(const std::string& out = ".") const {
     for (const auto deadline = std::chrono::steady_clock::now() + 30s; std::chrono::steady_clock::now() < deadline;) {
-      for (const fs::path& journal : {folder_ / "journal.lcmlog", folder_ / "unfinished-flight/journal.lcmlog"}) {
+      for (const fs::path& journal : {folder_ / out / "journal.lcmlog", folder_ / out / "unfinished-flight/journal.lcmlog"}) {
         std::error_code error;
         if (fs::exists(journal) && fs::file_size(journal, error) > 50'000) return true;
       }
@@ -92,8 +92,8 @@ class Flight : public testing::Test {
     std::size_t records = 0;
     host::JournalReader::End end = host::JournalReader::End::kCorrupt;
   };
-  [[nodiscard]] Contents journal() const {
-    host::JournalReader reader(folder_ / "journal.lcmlog");
+  [[nodiscard]] Contents journal(const std::string& out = ".") const {
+    host::JournalReader reader(folder_ / out / "journal.lcmlog");
     Contents contents;
     for (host::JournalRecord record; reader.next(record);) ++contents.records;
     contents.end = reader.end();

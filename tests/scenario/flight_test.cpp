@@ -161,14 +161,14 @@ TEST_F(Flight, GivenAFlightOnABusASecondOneThereIsRefusedAndTheFirstGoesOnAsIfAl
   const std::string url = own_url(slot_);
   const auto alone = fly("alone", {"--seed", "5", "--lcm-url", url});
   ASSERT_EQ(alone->wait(120s), 0) << alone->output();
-  const auto first = fly(".", {"--seed", "5", "--lcm-url", url, "--speed", "10000"});
-  ASSERT_TRUE(is_under_way()) << first->output();
+  const auto first = fly("first", {"--seed", "5", "--lcm-url", url, "--speed", "10000"});
+  ASSERT_TRUE(is_under_way("first")) << first->output();
   const auto second = fly("second", {"--seed", "6", "--lcm-url", url});
   EXPECT_EQ(second->wait(10s), 2);
   EXPECT_EQ(second->output(), "earshot fly: " + url + ": earshot-fly (process " + std::to_string(first->pid()) + ") is using it\n");
   EXPECT_FALSE(fs::exists(folder_ / "second"));
   EXPECT_EQ(first->wait(120s), 0) << first->output();
-  EXPECT_TRUE(support::read_text(folder_ / "alone/track.csv") == support::read_text(folder_ / "track.csv"));
+  EXPECT_TRUE(support::read_text(folder_ / "alone/track.csv") == support::read_text(folder_ / "first/track.csv"));
 }
 
 TEST_F(Flight, GivenACanInterfaceInUseAFlightThereIsRefused) {

@@ -107,13 +107,13 @@ TEST_F(Losses, GivenAFullDiskUnderItsJournalEarshotdFliesOnAndCountsEveryRecordT
 }
 
 TEST_F(Losses, GivenCtrlCBothEndInOrderAndTheJournalIsWhole) {
-  const auto flight = fly(".", {"--speed", "500", "--ignore-source"});
-  ASSERT_TRUE(is_under_way()) << flight->output();
+  const auto flight = fly("out", {"--speed", "500", "--ignore-source"});
+  ASSERT_TRUE(is_under_way("out")) << flight->output();
   flight->signal(SIGINT);
   EXPECT_EQ(flight->wait(5s), 130) << flight->output();
-  EXPECT_EQ(summary(".").at("end_reason"), "interrupted");
+  EXPECT_EQ(summary("out").at("end_reason"), "interrupted");
   EXPECT_NE(flight->output().find("source not found: interrupted"), std::string::npos) << flight->output();
-  EXPECT_EQ(journal().end, host::JournalReader::End::kWhole);
+  EXPECT_EQ(journal("out").end, host::JournalReader::End::kWhole);
 }
 
 TEST_F(Losses, GivenItDiedAtSeaItStartsAgainBesideTheJournalThatIsThere) {
