@@ -15,7 +15,7 @@ version_in() { dpkg-deb -f "$1"/earshot_*.deb Version; }
 # All files but those that change by themselves, with the users.
 all_files() {
   find / -xdev \( -path /proc -o -path /sys -o -path /dev -o -path /tmp -o -path /run -o -path /var/lib/dpkg -o -path /var/cache -o -path /var/log \
-    -o -path /var/lib/apt -o -path /etc/passwd- -o -path /etc/group- -o -path /etc/shadow- -o -path /etc/gshadow- \) -prune -o -print | sort
+    -o -path /var/lib/apt -o -path /etc/passwd- -o -path /etc/group- -o -path /etc/shadow- -o -path /etc/gshadow- -o -path /etc/subuid- -o -path /etc/subgid- \) -prune -o -print | sort
   cut -d : -f 1 /etc/passwd /etc/group | sort
 }
 

@@ -5,10 +5,11 @@ refuse() {
   exit 1
 }
 refuse_under_a_mission() {
+  program=/usr/bin/earshotd
   for process in /proc/[0-9]*; do
     case $(readlink "$process/exe" 2>/dev/null) in
-      /usr/bin/earshotd | '/usr/bin/earshotd (deleted)') [ "$process/root" -ef / ] || continue ;;
-      *) [ "$process/exe" -ef /usr/bin/earshotd ] || continue ;;
+      "$program" | "$program (deleted)") [ "$process/root" -ef / ] || continue ;;
+      *) [ "$process/exe" -ef "$program" ] || continue ;;
     esac
     # Whoever started it chose its words: what a terminal would obey is left out.
     words=$(tr '\0' ' ' <"$process/cmdline" 2>/dev/null | LC_ALL=C tr -c '[:print:]' '?' || true)
