@@ -64,15 +64,13 @@ struct TableNode {
   std::shared_ptr<Problems> problems;
   std::shared_ptr<const toml::table> document;  ///< keeps every node alive
   const toml::table* table = nullptr;           ///< null: the table is missing, which is noted already
-  std::string prefix;                           ///< dotted path of this table, "" at the root
+  std::string prefix;                           ///< of its keys: "" at the root, "search.", "port 1: " of a table of an array
   std::set<std::string, std::less<>> asked;
   std::set<std::string, std::less<>> noted;  ///< keys with a problem
   std::vector<std::shared_ptr<TableNode>> children;
 
   /// "search.speed_mps"; of the tables of an array, which are counted as ports are everywhere, "port 1: url".
-  [[nodiscard]] std::string full(std::string_view key) const {
-    return (prefix.empty() ? "" : prefix + (prefix.ends_with(':') ? " " : ".")) + std::string(key);
-  }
+  [[nodiscard]] std::string full(std::string_view key) const { return prefix + std::string(key); }
 
   [[nodiscard]] std::size_t line() const { return table != nullptr ? table->source().begin.line : 0; }
 
@@ -81,12 +79,12 @@ struct TableNode {
     return table != nullptr ? table->get(key) : nullptr;
   }
 
-  std::shared_ptr<TableNode> add_child(const toml::table* child, std::string path) {
+  std::shared_ptr<TableNode> add_child(const toml::table* child, std::string prefix_of_child) {
     auto node = std::make_shared<TableNode>();
     node->problems = problems;
     node->document = document;
     node->table = child;
-    node->prefix = std::move(path);
+    node->prefix = std::move(prefix_of_child);
     children.push_back(node);
     return node;
   }
@@ -306,7 +304,7 @@ TableReader TableReader::table(std::string_view key) {
   } else if (!node->is_table()) {
     node_->note_value(key, *node, "must be a table");
   }
-  return TableReader(node_->add_child(node != nullptr ? node->as_table() : nullptr, node_->full(key)));
+  return TableReader(node_->add_child(node != nullptr ? node->as_table() : nullptr, node_->full(key) + "."));
 }
 
 std::optional<TableReader> TableReader::optional_table(std::string_view key) {
@@ -329,7 +327,7 @@ std::vector<TableReader> TableReader::tables(std::string_view key) {
   for (const toml::node& element : *node->as_array()) {
     const std::string name = std::string(key) + " " + std::to_string(++index);
     if (!element.is_table()) node_->note_value(name, element, "must be a table");
-    readers.push_back(TableReader(node_->add_child(element.as_table(), node_->full(name + ":"))));
+    readers.push_back(TableReader(node_->add_child(element.as_table(), node_->full(name) + ": ")));
   }
   return readers;
 }
