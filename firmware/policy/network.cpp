@@ -112,9 +112,14 @@ template <class Floats, std::size_t kBlock, class OutputFloats, std::size_t kOut
   alignas(kAlignment) float first[Network::kWidth];
   alignas(kAlignment) float second[Network::kWidth];
   alignas(kAlignment) float output[config::kMaxActions];
-  apply<Hidden, Floats, kBlock>(network.first, observation, network.hidden_sizes[0], first);
-  apply<Hidden, Floats, kBlock>(network.second, std::span(first).first(network.hidden_sizes[0]), network.hidden_sizes[1], second);
-  apply<Output, OutputFloats, kOutputBlock>(network.output, std::span(second).first(network.hidden_sizes[1]), logits.size(), output);
+  const std::array layers{&network.first, &network.second};
+  const std::array outputs{first, second};
+  std::span<const float> input = observation;
+  for (std::size_t l = 0; l < layers.size(); ++l) {  // in a loop, so that the code is there once
+    apply<Hidden, Floats, kBlock>(*layers[l], input, network.hidden_sizes[l], outputs[l]);
+    input = std::span<const float>(outputs[l], network.hidden_sizes[l]);
+  }
+  apply<Output, OutputFloats, kOutputBlock>(network.output, input, logits.size(), output);
   std::copy_n(output, logits.size(), logits.begin());
 }
 
