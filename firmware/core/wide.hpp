@@ -11,8 +11,7 @@
 
 namespace earshot {
 
-/// Whether the target has registers that hold several numbers. With none, a loop over cells and hypotheses goes hypothesis by hypothesis: a
-/// vector that is computed without them costs some fifty instructions a number.
+/// Whether the target has registers that hold several numbers.
 #if defined(__SSE2__) || defined(__ARM_NEON)
 inline constexpr bool kHasVectors = true;
 #else

@@ -1,5 +1,6 @@
 // What the core costs a Cortex-M7 in instructions, counted by the emulator (-icount shift=6). Lines "NAME VALUE", then the exit status.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -79,7 +80,7 @@ void make_search(policy::ObservationModel& model, policy::OceanTables& tables) {
   belief.border_width = Meters{1'000};
   belief.detection_threshold = Decibels{10};
   for (const UnitNorthEast& direction : bits::kEightDirections) static_cast<void>(belief.actions.push_back(direction));
-  belief.cells_north = belief.cells_east = 25;
+  belief.cells_north = belief.cells_east = config::kMaxBeliefCells >= 50 * 50 ? 50 : 25;
   model.spec = policy::belief_state(belief);
   policy::make_golden_tables(belief.area_size, tables);
   const policy::OceanTable first = tables.tables[0];
@@ -102,21 +103,27 @@ struct Account {
   }
 };
 
-/// A search of forty steps, to and fro before a source: what was heard is weighed, observed and answered, as in a decision.
+/// A search of forty looks, to and fro towards a source, and beside it until it is declared found and for a few more: what was heard is
+/// weighed, observed and answered, as in a decision.
 void measure_belief(State& state) {
   constexpr int kLooks = 40;
+  constexpr NorthEast source{Meters{15'700.0}, Meters{8'700.0}};
   make_search(state.model, state.tables);
   state.network.observation_size = state.model.spec.size();
   Pcg32 random(2);
   Account updates;
+  Account declarations;
   Account observations;
   Account decisions;
   Account slices;
   std::array<float, config::kMaxObservation> observation;
   std::array<float, 8> logits;
   for (int look = 0; look < kLooks; ++look) {
-    const NorthEast place{Meters{3'000.0 + 500.0 * look}, Meters{5'000.0 + 2'000.0 * (look % 4)}};
-    const policy::Reception heard{.snr = Decibels{25.0 - 0.5 * look + 3.0 * static_cast<double>(random.uniform_float())},
+    const int way = std::min(look, 26);
+    const NorthEast place{Meters{2'500.0 + 500.0 * way}, Meters{4'500.0 + 2'000.0 * (way % 4)}};
+    const auto range = static_cast<std::size_t>(range_between(place, source) / state.tables.range_step);
+    const double expected_db = state.tables.tables[0].snr_db(std::min(range, state.tables.range_count - std::size_t{1}));
+    const policy::Reception heard{.snr = Decibels{expected_db + 3.0 * static_cast<double>(random.uniform_float()) - 1.5},
                                   .too_faint = look % 7 == 6};
     const std::uint32_t began = instructions();
     if (look == 0) {
@@ -128,7 +135,7 @@ void measure_belief(State& state) {
     policy::observe(state.memory, state.model, std::span(observation).first(state.model.spec.size()));
     const std::uint32_t observed = instructions();
     policy::forward(state.network, std::span(observation).first(state.model.spec.size()), logits);
-    updates.take(updated - began);
+    (state.memory.belief().declaration() ? declarations : updates).take(updated - began);
     observations.take(observed - updated);
     decisions.take(instructions() - began);
     bool is_left = true;
@@ -139,7 +146,8 @@ void measure_belief(State& state) {
     }
   }
   tell("belief_update_most", updates.most);
-  tell("belief_update_mean", static_cast<std::uint32_t>(updates.sum / kLooks));
+  tell("belief_update_declared", declarations.most);
+  tell("belief_update_mean", static_cast<std::uint32_t>((updates.sum + declarations.sum) / kLooks));
   tell("observation_most", observations.most);
   tell("decision_most", decisions.most);
   tell("decision_mean", static_cast<std::uint32_t>(decisions.sum / kLooks));

@@ -1,23 +1,34 @@
 #include "firmware/policy/found/found_rule.hpp"
 
 #include <algorithm>
-
-#include "firmware/core/wide.hpp"
-#include "firmware/policy/likelihood/belief_grid.hpp"
+#include <utility>
 
 namespace earshot::policy {
 
-EARSHOT_WIDE float probability_within(const BeliefModel& model, std::span<const float> probabilities, NorthEast position) {
+CellWindow cells_near(const BeliefModel& model, NorthEast position) {
+  const double reach = model.step_length.value + 0.5 * std::max(cell_north(model), cell_east(model));
+  const auto along = [reach](double place, double cell, std::size_t count) {
+    const double first = std::clamp((place - reach) / cell - 0.5, 0.0, static_cast<double>(count));
+    const double end = std::clamp((place + reach) / cell + 1.5, 0.0, static_cast<double>(count));
+    return CellWindow::Side{.first = static_cast<std::uint16_t>(static_cast<int>(first)),
+                            .end = static_cast<std::uint16_t>(static_cast<int>(end))};
+  };
+  return {.north = along(position.north.value, cell_north(model), model.cells_north),
+          .east = along(position.east.value, cell_east(model), model.cells_east)};
+}
+
+float probability_within(const BeliefModel& model, std::span<const float> probabilities, NorthEast position) {
   const auto size_north = static_cast<float>(cell_north(model));
   const auto size_east = static_cast<float>(cell_east(model));
   const auto vehicle_north = static_cast<float>(position.north.value);
   const auto vehicle_east = static_cast<float>(position.east.value);
   const auto reach = static_cast<float>(model.step_length.value);
   const float per_size = 1.0F / std::max(size_north, size_east);
+  const CellWindow near = cells_near(model, position);
   float sum = 0.0F;
-  for (std::size_t n = 0; n < model.cells_north; ++n) {
+  for (std::size_t n = near.north.first; n < near.north.end; ++n) {
     const float north = (static_cast<float>(n) + 0.5F) * size_north - vehicle_north;
-    for (std::size_t e = 0; e < model.cells_east; ++e) {
+    for (std::size_t e = near.east.first; e < near.east.end; ++e) {
       const float east = (static_cast<float>(e) + 0.5F) * size_east - vehicle_east;
       const float covered = (reach - __builtin_sqrtf(north * north + east * east)) * per_size + 0.5F;
       sum += probabilities[n * model.cells_east + e] * std::clamp(covered, 0.0F, 1.0F);
@@ -26,25 +37,15 @@ EARSHOT_WIDE float probability_within(const BeliefModel& model, std::span<const 
   return sum;
 }
 
-std::optional<messages::FoundDeclaration> FoundRule::judge(const BeliefModel& model, const FoundEvidence& evidence) {
-  const std::uint32_t look = looks_++;
-  const Reception& heard = evidence.reception;
-  if (heard.too_faint || !(heard.snr >= evidence.least_snr)) return std::nullopt;
-  const float probability = probability_within(model, evidence.probabilities, evidence.position);
-  if (!(probability >= kNearProbability)) return std::nullopt;
+bool FoundRule::is_heard_near(const Reception& reception, Decibels least_snr) {
+  return !reception.too_faint && reception.snr >= least_snr;  // not where it is no number
+}
+
+std::uint32_t FoundRule::judge(const FoundEvidence& evidence) {
+  if (!is_heard_near(evidence.reception, evidence.least_snr) || !(evidence.probability >= kNearProbability)) return 0;
   ++near_looks_;
-  if (!(probability >= kFoundProbability) && near_looks_ < kNearLooks) return std::nullopt;
-  const auto likeliest = std::max_element(evidence.probabilities.begin(), evidence.probabilities.end());
-  const NorthEast way = way_to_cell(model, evidence.position, static_cast<std::size_t>(likeliest - evidence.probabilities.begin()));
-  messages::FoundDeclaration declaration{.probability = probability,
-                                         .snr = heard.snr,
-                                         .least_snr = evidence.least_snr,
-                                         .likeliest = evidence.position + way,
-                                         .closest_approach = length_of(way),
-                                         .look = look,
-                                         .near_looks = near_looks_};
-  near_looks_ = 0;
-  return declaration;
+  if (!(evidence.probability >= kFoundProbability) && near_looks_ < kNearLooks) return 0;
+  return std::exchange(near_looks_, 0U);
 }
 
 }  // namespace earshot::policy

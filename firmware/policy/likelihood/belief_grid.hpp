@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "firmware/core/geometry.hpp"
@@ -9,6 +10,21 @@
 namespace earshot::policy {
 
 // The cells of a belief seen from the vehicle: how far they lie, and over how many ranges each of them lies at once.
+
+/// Some neighbouring rows of a belief's cells, and some columns of them.
+struct CellWindow {
+  struct Side {
+    std::uint16_t first;
+    std::uint16_t end;  ///< behind the last
+  };
+  Side north;
+  Side east;
+};
+
+/// All of them.
+[[nodiscard]] constexpr CellWindow all_cells(const BeliefModel& model) {
+  return {.north = {0, model.cells_north}, .east = {0, model.cells_east}};
+}
 
 /// Sides of a cell, m.
 [[nodiscard]] double cell_north(const BeliefModel& model);

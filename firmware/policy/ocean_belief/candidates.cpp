@@ -64,7 +64,7 @@ Drift draw_next_drift(const HeldHypotheses& held, Pcg32& random) {
 }  // namespace
 
 bool HeldHypotheses::holds(const Hypothesis& hypothesis) const {
-  return std::find(hypotheses.begin(), hypotheses.end(), hypothesis) != hypotheses.end();
+  return std::ranges::find(hypotheses, hypothesis) != hypotheses.end();
 }
 
 float HeldHypotheses::drifting() const {
@@ -91,7 +91,7 @@ std::array<Hypothesis, kLanes> draw_candidates(const HeldHypotheses& held, const
       } else {
         h = draw_one(held, tables, trial == Trial::kMoving ? Motion::kMoving : Motion::kAtRest, random);
       }
-      if (!held.holds(h) && std::find(candidates.data(), &h, h) == &h) break;
+      if (!held.holds(h) && std::ranges::find(candidates.data(), &h, h) == &h) break;
     }
   }
   return candidates;

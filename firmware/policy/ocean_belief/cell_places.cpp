@@ -46,16 +46,15 @@ EARSHOT_WIDE void CellPlaces::find_ranges(const BeliefModel& model, NorthEast po
   const auto per_step = static_cast<float>(1.0 / range_step.value);
   const auto vehicle_north = static_cast<float>(position.north.value);
   const auto vehicle_east = static_cast<float>(position.east.value);
-  const auto furthest = static_cast<float>(last);
-  const int columns = model.cells_east;  // a copy: what is written below could otherwise be it
+  const auto furthest = static_cast<int>(last);
+  const std::size_t columns = model.cells_east;  // a copy: what is written below could otherwise be it
   const float* const column_places = &places_[model.cells_north];
   for (std::size_t n = 0; n < model.cells_north; ++n) {
     const float north = (places_[n] - vehicle_north) * per_step;
-    std::uint16_t* const row = &ranges[n * model.cells_east];
-    for (int e = 0; e < columns; ++e) {
+    std::uint16_t* const row = &ranges[n * columns];
+    for (std::size_t e = 0; e < columns; ++e) {
       const float east = (column_places[e] - vehicle_east) * per_step;
-      const float range = __builtin_sqrtf(north * north + east * east);
-      row[e] = static_cast<std::uint16_t>(static_cast<int>((range < furthest ? range : furthest) + 0.5F));
+      row[e] = static_cast<std::uint16_t>(std::min(static_cast<int>(__builtin_sqrtf(north * north + east * east) + 0.5F), furthest));
     }
   }
 }
@@ -64,14 +63,21 @@ NorthEast CellPlaces::place(const BeliefModel& model, std::size_t cell) const {
   return {Meters{double{places_[cell / model.cells_east]}}, Meters{double{places_[model.cells_north + cell % model.cells_east]}}};
 }
 
-void CellPlaces::find_cells(const BeliefModel& model, std::span<std::uint16_t> cells) const {
+void CellPlaces::find_axes(const BeliefModel& model, std::span<std::uint16_t> axes) const {
   const auto size_north = static_cast<float>(cell_north(model));
   const auto size_east = static_cast<float>(cell_east(model));
-  std::array<std::uint16_t, config::kMaxBeliefCells> columns;
-  for (std::size_t e = 0; e < model.cells_east; ++e) columns[e] = index_of(places_[model.cells_north + e], size_east, model.cells_east);
+  const std::size_t rows = model.cells_north;
+  const std::size_t columns = model.cells_east;
+  for (std::size_t n = 0; n < rows; ++n) axes[n] = static_cast<std::uint16_t>(index_of(places_[n], size_north, rows) * columns);
+  for (std::size_t e = 0; e < columns; ++e) axes[rows + e] = index_of(places_[rows + e], size_east, columns);
+}
+
+void CellPlaces::find_cells(const BeliefModel& model, std::span<std::uint16_t> cells) const {
+  std::array<std::uint16_t, kMostAxes> axes;
+  find_axes(model, axes);
+  std::size_t cell = 0;
   for (std::size_t n = 0; n < model.cells_north; ++n) {
-    const std::size_t first = std::size_t{index_of(places_[n], size_north, model.cells_north)} * model.cells_east;
-    for (std::size_t e = 0; e < model.cells_east; ++e) cells[n * model.cells_east + e] = static_cast<std::uint16_t>(first + columns[e]);
+    for (std::size_t e = 0; e < model.cells_east; ++e) cells[cell++] = static_cast<std::uint16_t>(axes[n] + axes[model.cells_north + e]);
   }
 }
 

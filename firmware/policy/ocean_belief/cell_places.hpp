@@ -15,6 +15,9 @@ namespace earshot::policy {
 /// an edge that it turns back at.
 class CellPlaces {
  public:
+  /// No grid that fits has more rows and columns together.
+  static constexpr std::size_t kMostAxes = config::kMaxBeliefCells + 1;
+
   /// After so many looks, from a corner that need not be the area's.
   void find(const BeliefModel& model, const Drift& drift, std::uint32_t looks, NorthEast corner);
 
@@ -32,10 +35,13 @@ class CellPlaces {
   /// In which cell of the area at that corner the centre of every cell lies; outside, in the nearest.
   /// @param cells  [north x east]; the result
   void find_cells(const BeliefModel& model, std::span<std::uint16_t> cells) const;
+  /// The same by rows and columns: the sum of a row's and a column's is the cell.
+  /// @param axes  of the rows the first cell of the row in which they lie, and behind them of the columns the column; the result
+  void find_axes(const BeliefModel& model, std::span<std::uint16_t> axes) const;
 
  private:
-  /// Places of the rows, m, and behind them those of the columns. No grid that fits has more of both together.
-  std::array<float, config::kMaxBeliefCells + 1> places_;
+  /// Places of the rows, m, and behind them those of the columns.
+  std::array<float, kMostAxes> places_;
 };
 
 }  // namespace earshot::policy

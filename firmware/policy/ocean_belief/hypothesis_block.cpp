@@ -5,6 +5,7 @@
 
 #include "firmware/core/crc32.hpp"
 #include "firmware/core/wide.hpp"
+#include "firmware/policy/ocean_belief/log_word.hpp"
 
 namespace earshot::policy {
 namespace {
@@ -18,106 +19,65 @@ static_assert(kNever < kForgotten && kForgotten + kNever >= -32'768);
 /// Of a cell whose probability is worth adding, one by one: a millionth of the likeliest cell's.
 constexpr int kLeastAdded = -20 * kOctave;
 
-using IntLanes = std::int32_t __attribute__((vector_size(4 * kLanes)));
-using VectorLanes = float __attribute__((vector_size(4 * kLanes)));
-
-LogLanes all(std::int16_t value) {
-  return LogLanes{} + value;
-}
-
-LogLanes every_bit_of(const Lanes& lanes) {
-  LogLanes bits;
-  for (std::size_t l = 0; l < kLanes; ++l) bits[l] = lanes[l] ? -1 : 0;
-  return bits;
-}
-
-LogLanes max(const LogLanes& a, const LogLanes& b) {
-  return a > b ? a : b;
-}
-
-/// from_log() of every lane.
-void from_log(const LogLanes& weight, VectorLanes& probability) {
-  const IntLanes w = __builtin_convertvector(weight, IntLanes);
-  const VectorLanes f = __builtin_convertvector(w & (kOctave - 1), VectorLanes) * (1.0F / static_cast<float>(kOctave));
-  const VectorLanes mantissa = kPowerOfTwo[0] + f * (kPowerOfTwo[1] + f * (kPowerOfTwo[2] + f * kPowerOfTwo[3]));
-  probability = reinterpret_cast<VectorLanes>(reinterpret_cast<IntLanes>(mantissa) + (w >> 9) * (1 << 23));
-}
-
-std::int16_t max(std::int16_t a, std::int16_t b) {
-  return std::max(a, b);
+/// Whether something holds for one lane of a word at least.
+template <class Holds>
+bool any_of_word(std::size_t word, Holds holds) {
+  bool any = false;
+  for (std::size_t l = word * kLanesInAWord; l < (word + 1) * kLanesInAWord; ++l) any = any || holds(l);
+  return any;
 }
 
 /// Lets every cell be reached from its neighbours along one line of `count` cells, `apart` from one another.
-/// @param cell_at  the weight of a cell, or its weights, to be written
-template <class Weight, class CellAt>
-void spread_along(std::size_t first, std::size_t count, std::size_t apart, const Weight& penalty, CellAt cell_at) {
-  Weight before = cell_at(first);
-  for (std::size_t i = 0; i < count; ++i) {
-    auto&& cell = cell_at(first + i * apart);
-    const Weight here = cell;
-    const Weight next = cell_at(first + std::min(i + 1, count - 1) * apart);
-    cell = max(here, static_cast<Weight>(max(before, next) + penalty));
+void spread_along(LogLanes* cells, std::size_t count, std::size_t apart, std::size_t word, const LogWord& penalty) {
+  LogWord before = word_of(*cells, word);
+  LogWord here = before;
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    LogLanes* const next_cell = cells + apart;
+    const LogWord next = word_of(*next_cell, word);
+    put(*cells, word, max(here, max(before, next) + penalty));
     before = here;
+    here = next;
+    cells = next_cell;
   }
-}
-
-/// The same for the rows and the columns of the grid.
-template <class Weight, class CellAt>
-void spread(const BeliefModel& model, const Weight& penalty, CellAt cell_at) {
-  for (std::size_t n = 0; n < model.cells_north; ++n) spread_along(n * model.cells_east, model.cells_east, 1, penalty, cell_at);
-  for (std::size_t e = 0; e < model.cells_east; ++e) spread_along(e, model.cells_north, model.cells_east, penalty, cell_at);
+  put(*cells, word, max(here, max(before, here) + penalty));
 }
 
 }  // namespace
 
 void HypothesisBlock::start(const BeliefModel& model, const std::array<Hypothesis, kLanes>& hypotheses, const PlacePrior& prior) {
   start(model, hypotheses);
-  for (std::size_t i = 0; i < cell_count(model); ++i) weights_[i] = all(prior.log_weights[i]);
+  for (std::size_t i = 0; i < cell_count(model); ++i) weights_[i] = LogLanes{} + prior.log_weights[i];
   scale_.fill(prior.scale);
 }
 
 void HypothesisBlock::start(const BeliefModel& model, const std::array<Hypothesis, kLanes>& hypotheses) {
   hypotheses_ = hypotheses;
-  std::fill_n(weights_.begin(), cell_count(model), all(0));
-  highest_ = all(0);
+  std::fill_n(weights_.begin(), cell_count(model), LogLanes{});
+  highest_ = LogLanes{};
   scale_.fill(0);
+  is_settled_.fill(true);
   has_sums_ = false;
 }
 
-EARSHOT_WIDE void HypothesisBlock::settle_together(const BeliefModel& model) {
-  const LogLanes highest = highest_;
-  const LogLanes forgotten = all(kForgotten);
-  for (std::size_t i = 0; i < cell_count(model); ++i) weights_[i] = max(weights_[i] - highest, forgotten);
-}
-
-void HypothesisBlock::settle_one(const BeliefModel& model, std::size_t lane) {
-  const int highest = highest_[lane];
-  for (std::size_t i = 0; i < cell_count(model); ++i)
-    weights_[i][lane] = static_cast<std::int16_t>(std::max(weights_[i][lane] - highest, int{kForgotten}));
-}
-
-void HypothesisBlock::settle(const BeliefModel& model) {
-  if constexpr (kHasVectors) {
-    settle_together(model);
-  } else {
-    for (std::size_t l = 0; l < kLanes; ++l) settle_one(model, l);
+EARSHOT_WIDE void HypothesisBlock::settle(const BeliefModel& model) {
+  const std::size_t cells = cell_count(model);
+  const LogWord forgotten = every_lane(kForgotten);
+  for (std::size_t word = 0; word < kWords; ++word) {
+    if (is_settled_[word]) continue;
+    is_settled_[word] = true;
+    const LogWord highest = word_of(highest_, word);
+    for (std::size_t i = 0; i < cells; ++i) put(weights_[i], word, max(word_of(weights_[i], word) - highest, forgotten));
   }
   for (std::size_t l = 0; l < kLanes; ++l) scale_[l] += highest_[l];
-  highest_ = all(0);
+  highest_ = LogLanes{};
 }
 
-EARSHOT_WIDE void HypothesisBlock::spread_together(const BeliefModel& model, std::uint8_t cells) {
-  LogLanes penalty;
-  for (std::size_t l = 0; l < kLanes; ++l) {
-    const Mobility& mobility = kMobilities[hypotheses_[l].mobility];
-    penalty[l] = cells < mobility.cells ? static_cast<std::int16_t>(-mobility.penalty) : kNever;
-  }
-  spread(model, penalty, [this](std::size_t i) -> LogLanes& { return weights_[i]; });
-}
-
-void HypothesisBlock::spread_one(const BeliefModel& model, std::size_t lane) {
-  const auto penalty = static_cast<std::int16_t>(-kMobilities[hypotheses_[lane].mobility].penalty);
-  spread(model, penalty, [this, lane](std::size_t i) -> std::int16_t& { return reinterpret_cast<std::int16_t*>(&weights_[i])[lane]; });
+EARSHOT_WIDE void HypothesisBlock::spread_word(const BeliefModel& model, std::size_t word, const LogLanes& penalties) {
+  const LogWord penalty = word_of(penalties, word);
+  const std::size_t rows = model.cells_north;
+  const std::size_t columns = model.cells_east;
+  for (std::size_t n = 0; n < rows; ++n) spread_along(&weights_[n * columns], columns, 1, word, penalty);
+  for (std::size_t e = 0; e < columns; ++e) spread_along(&weights_[e], rows, columns, word, penalty);
 }
 
 void HypothesisBlock::let_move(const BeliefModel& model) {
@@ -126,108 +86,98 @@ void HypothesisBlock::let_move(const BeliefModel& model) {
   if (most == 0) return;
   settle(model);
   const FloatLanes before = sums(model);
-  has_sums_ = false;
-  for (std::uint8_t cells = 0; cells < most; ++cells) {
-    if constexpr (kHasVectors) {
-      spread_together(model, cells);
-    } else {
-      for (std::size_t l = 0; l < kLanes; ++l) {
-        if (cells < kMobilities[hypotheses_[l].mobility].cells) spread_one(model, l);
-      }
+  for (std::size_t word = 0; word < kWords; ++word) {
+    bool has_moved = false;
+    for (std::uint8_t cells = 0; cells < most; ++cells) {
+      const auto moves = [&](std::size_t l) { return cells < kMobilities[hypotheses_[l].mobility].cells; };
+      if (!any_of_word(word, moves)) break;
+      LogLanes penalties;
+      for (std::size_t l = 0; l < kLanes; ++l)
+        penalties[l] = moves(l) ? static_cast<std::int16_t>(-kMobilities[hypotheses_[l].mobility].penalty) : kNever;
+      spread_word(model, word, penalties);
+      has_moved = true;
     }
+    if (has_moved) sum_word(model, word);
   }
-  const FloatLanes after = sums(model);  // nothing has been heard: they are as likely as before
-  for (std::size_t l = 0; l < kLanes; ++l) scale_[l] -= to_log(after[l]) - to_log(before[l]);
+  // Nothing has been heard: they are as likely as before.
+  for (std::size_t l = 0; l < kLanes; ++l) scale_[l] -= to_log(sums_[l]) - to_log(before[l]);
 }
 
-EARSHOT_WIDE void HypothesisBlock::weigh_together(const BeliefModel& model, const Lanes& lanes, std::span<const LogLanes> log_likelihoods,
-                                                  std::span<const std::uint16_t> ranges) {
+EARSHOT_WIDE void HypothesisBlock::weigh_word(const BeliefModel& model, std::size_t word, const Lanes& lanes,
+                                              std::span<const LogLanes> log_likelihoods, std::span<const std::uint16_t> ranges) {
+  LogLanes each_taken;
+  LogLanes each_least;
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    each_taken[l] = lanes[l] ? -1 : 0;
+    each_least[l] = lanes[l] ? kForgotten : kLowest;
+  }
   const std::size_t cells = cell_count(model);
-  const LogLanes taken = every_bit_of(lanes);
-  const LogLanes before = highest_ & taken;
-  const LogLanes least = (all(kForgotten) & taken) | (all(kLowest) & ~taken);
-  LogLanes highest = all(kLowest);
+  const LogWord taken = word_of(each_taken, word);
+  const LogWord least = word_of(each_least, word);
+  const LogWord before = word_of(highest_, word) & taken;
+  LogWord highest = every_lane(kLowest);
+#pragma GCC unroll 2
   for (std::size_t i = 0; i < cells; ++i) {
-    const LogLanes weight = max(weights_[i] - before, least) + (log_likelihoods[ranges[i]] & taken);
-    weights_[i] = weight;
+    const LogWord weight = max(word_of(weights_[i], word) - before, least) + (word_of(log_likelihoods[ranges[i]], word) & taken);
+    put(weights_[i], word, weight);
     highest = max(highest, weight);
   }
-  for (std::size_t l = 0; l < kLanes; ++l) scale_[l] += before[l];
-  highest_ = highest;
-}
-
-void HypothesisBlock::weigh_one(const BeliefModel& model, std::size_t lane, std::span<const LogLanes> log_likelihoods,
-                                std::span<const std::uint16_t> ranges) {
-  const std::size_t cells = cell_count(model);
-  const int before = highest_[lane];
-  int highest = kLowest;
-  for (std::size_t i = 0; i < cells; ++i) {
-    const int weight = std::max(weights_[i][lane] - before, int{kForgotten}) + log_likelihoods[ranges[i]][lane];
-    weights_[i][lane] = static_cast<std::int16_t>(weight);
-    highest = std::max(highest, weight);
-  }
-  scale_[lane] += before;
-  highest_[lane] = static_cast<std::int16_t>(highest);
+  put(highest_, word, highest);
+  is_settled_[word] = false;
 }
 
 void HypothesisBlock::weigh(const BeliefModel& model, const Lanes& lanes, std::span<const LogLanes> log_likelihoods,
                             std::span<const std::uint16_t> ranges) {
   has_sums_ = false;
-  if constexpr (kHasVectors) {
-    weigh_together(model, lanes, log_likelihoods, ranges);
-  } else {
-    for (std::size_t l = 0; l < kLanes; ++l) {
-      if (lanes[l]) weigh_one(model, l, log_likelihoods, ranges);
-    }
+  for (std::size_t l = 0; l < kLanes; ++l) scale_[l] += lanes[l] ? highest_[l] : 0;
+  for (std::size_t word = 0; word < kWords; ++word) {
+    if (any_of_word(word, [&](std::size_t l) { return lanes[l]; })) weigh_word(model, word, lanes, log_likelihoods, ranges);
   }
 }
 
 void HypothesisBlock::weigh_places(const BeliefModel& model, const Lanes& lanes, std::span<const std::int16_t> log_likelihoods) {
   settle(model);
   has_sums_ = false;
-  const LogLanes taken = every_bit_of(lanes);
-  LogLanes highest = all(kLowest);
-  for (std::size_t i = 0; i < cell_count(model); ++i) {
-    weights_[i] += all(log_likelihoods[i]) & taken;
-    highest = max(highest, weights_[i]);
+  LogLanes each_taken;
+  for (std::size_t l = 0; l < kLanes; ++l) each_taken[l] = lanes[l] ? -1 : 0;
+  const std::size_t cells = cell_count(model);
+  for (std::size_t word = 0; word < kWords; ++word) {
+    if (!any_of_word(word, [&](std::size_t l) { return lanes[l]; })) continue;
+    const LogWord taken = word_of(each_taken, word);
+    LogWord highest = every_lane(kLowest);
+    for (std::size_t i = 0; i < cells; ++i) {
+      const LogWord weight = word_of(weights_[i], word) + (every_lane(log_likelihoods[i]) & taken);
+      put(weights_[i], word, weight);
+      highest = max(highest, weight);
+    }
+    put(highest_, word, highest);
+    is_settled_[word] = false;
   }
-  highest_ = highest;
 }
 
-EARSHOT_WIDE FloatLanes HypothesisBlock::sum_together(const BeliefModel& model) const {
-  const LogLanes highest = highest_;
-  const LogLanes forgotten = all(kForgotten);
-  VectorLanes sums{};
-  for (std::size_t i = 0; i < cell_count(model); ++i) {
-    VectorLanes p;
-    from_log(max(weights_[i] - highest, forgotten), p);
-    sums += p;
+EARSHOT_WIDE void HypothesisBlock::sum_word(const BeliefModel& model, std::size_t word) const {
+  const std::size_t cells = cell_count(model);
+  const LogWord highest = word_of(highest_, word);
+  const LogWord forgotten = every_lane(kForgotten);
+  FloatWord sum{};
+#pragma GCC unroll 2
+  for (std::size_t i = 0; i < cells; ++i) {
+    FloatWord p;
+    from_log(max(word_of(weights_[i], word) - highest, forgotten), p);
+    sum += p;
   }
-  FloatLanes result;
-  for (std::size_t l = 0; l < kLanes; ++l) result[l] = sums[l];
-  return result;
-}
-
-float HypothesisBlock::sum_one(const BeliefModel& model, std::size_t lane) const {
-  const int highest = highest_[lane];
-  float sum = 0.0F;
-  for (std::size_t i = 0; i < cell_count(model); ++i) sum += policy::from_log(std::max(weights_[i][lane] - highest, int{kForgotten}));
-  return sum;
+  for (std::size_t l = 0; l < kLanesInAWord; ++l) sums_[word * kLanesInAWord + l] = lane_of(sum, l);
 }
 
 const FloatLanes& HypothesisBlock::sums(const BeliefModel& model) const {
   if (has_sums_) return sums_;
+  for (std::size_t word = 0; word < kWords; ++word) sum_word(model, word);
   has_sums_ = true;
-  if constexpr (kHasVectors) {
-    sums_ = sum_together(model);
-  } else {
-    for (std::size_t l = 0; l < kLanes; ++l) sums_[l] = sum_one(model, l);
-  }
   return sums_;
 }
 
 bool HypothesisBlock::holds(const Hypothesis& hypothesis) const {
-  return std::find(hypotheses_.begin(), hypotheses_.end(), hypothesis) != hypotheses_.end();
+  return std::ranges::find(hypotheses_, hypothesis) != hypotheses_.end();
 }
 
 std::array<int, kLanes> HypothesisBlock::log_evidence(const BeliefModel& model) const {
@@ -237,50 +187,51 @@ std::array<int, kLanes> HypothesisBlock::log_evidence(const BeliefModel& model) 
   return evidence;
 }
 
-EARSHOT_WIDE void HypothesisBlock::add_together(const BeliefModel& model, const FloatLanes& shares, std::span<float> marginal) const {
+EARSHOT_WIDE void HypothesisBlock::add_to(const BeliefModel& model, const FloatLanes& shares, const CellWindow& window,
+                                          std::span<float> marginal) const {
   const FloatLanes& per_weight = sums(model);
-  VectorLanes scale;
-  for (std::size_t l = 0; l < kLanes; ++l) scale[l] = shares[l] / per_weight[l];
-  const LogLanes highest = highest_;
-  const LogLanes forgotten = all(kForgotten);
-  for (std::size_t i = 0; i < cell_count(model); ++i) {
-    VectorLanes p;
-    from_log(max(weights_[i] - highest, forgotten), p);
-    p *= scale;
-    marginal[i] += ((p[0] + p[1]) + (p[2] + p[3])) + ((p[4] + p[5]) + (p[6] + p[7]));
+  FloatLanes each_scale;
+  for (std::size_t l = 0; l < kLanes; ++l) each_scale[l] = shares[l] / per_weight[l];
+  std::array<FloatWord, kWords> scales;
+  std::array<LogWord, kWords> highest;
+  std::array<bool, kWords> is_likely;
+  for (std::size_t word = 0; word < kWords; ++word) {
+    get(each_scale, word, scales[word]);
+    highest[word] = word_of(highest_, word);
+    is_likely[word] = any_of_word(word, [&](std::size_t l) { return shares[l] > 0.0F; });
   }
-}
-
-void HypothesisBlock::add_each(const BeliefModel& model, const FloatLanes& shares, std::span<float> marginal) const {
-  const FloatLanes& per_weight = sums(model);
-  FloatLanes scale;
-  std::array<std::uint8_t, kLanes> likely;
-  std::size_t count = 0;
-  for (std::size_t l = 0; l < kLanes; ++l) {
-    if (shares[l] > 0.0F) likely[count++] = static_cast<std::uint8_t>(l);
-    scale[l] = shares[l] / per_weight[l];
-  }
-  FloatLanes p{};
-  for (std::size_t i = 0; i < cell_count(model); ++i) {
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t l = likely[k];
-      p[l] = scale[l] * policy::from_log(std::max(weights_[i][l] - highest_[l], int{kForgotten}));
+  const std::size_t columns = model.cells_east;
+  const LogWord forgotten = every_lane(kForgotten);
+  for (std::size_t n = window.north.first; n < window.north.end; ++n) {
+    for (std::size_t i = n * columns + window.east.first; i < n * columns + window.east.end; ++i) {
+      std::array<FloatWord, kWords> p{};
+      for_each_word([&](std::size_t word) {
+        if (!is_likely[word]) return;
+        from_log(max(word_of(weights_[i], word) - highest[word], forgotten), p[word]);
+        p[word] *= scales[word];
+      });
+      const auto of = [&p](std::size_t lane) { return lane_of(p[lane / kLanesInAWord], lane % kLanesInAWord); };
+      marginal[i] += ((of(0) + of(1)) + (of(2) + of(3))) + ((of(4) + of(5)) + (of(6) + of(7)));
     }
-    marginal[i] += ((p[0] + p[1]) + (p[2] + p[3])) + ((p[4] + p[5]) + (p[6] + p[7]));
   }
 }
 
-void HypothesisBlock::add_to(const BeliefModel& model, const FloatLanes& shares, std::span<float> marginal) const {
-  kHasVectors ? add_together(model, shares, marginal) : add_each(model, shares, marginal);
-}
-
-void HypothesisBlock::add_to(const BeliefModel& model, std::size_t lane, float share, std::span<const std::uint16_t> cells,
-                             std::span<float> marginal) const {
+void HypothesisBlock::add_to(const BeliefModel& model, std::size_t lane, float share, std::span<const std::uint16_t> axes,
+                             const CellWindow& window, std::span<float> marginal) const {
   const float scale = share / sums(model)[lane];
   const int highest = highest_[lane];
-  for (std::size_t i = 0; i < cell_count(model); ++i) {
-    const int weight = weights_[i][lane] - highest;
-    if (weight >= kLeastAdded) marginal[cells[i]] += scale * from_log(weight);
+  const std::size_t columns = model.cells_east;
+  const std::span<const std::uint16_t> column_of = axes.subspan(model.cells_north);
+  const std::size_t width = window.east.end - std::size_t{window.east.first};
+  for (std::size_t n = 0; n < model.cells_north; ++n) {
+    if (axes[n] < window.north.first * columns || axes[n] >= window.north.end * columns) continue;
+    const LogLanes* const weights = &weights_[n * columns];
+    float* const row = &marginal[axes[n]];
+    for (std::size_t e = 0; e < columns; ++e) {
+      const int weight = weights[e][lane] - highest;
+      if (weight < kLeastAdded) continue;
+      if (column_of[e] - std::size_t{window.east.first} < width) row[column_of[e]] += scale * from_log(weight);
+    }
   }
 }
 
@@ -291,6 +242,7 @@ void HypothesisBlock::take_over(const BeliefModel& model, std::size_t lane, cons
   for (std::size_t i = 0; i < cell_count(model); ++i) weights_[i][lane] = from.weights_[i][from_lane];
   highest_[lane] = from.highest_[from_lane];
   scale_[lane] = from.scale_[from_lane];
+  is_settled_[lane / kLanesInAWord] = false;
 }
 
 std::uint32_t HypothesisBlock::fingerprint(const BeliefModel& model, std::uint32_t crc) const {

@@ -7,6 +7,7 @@
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/policy/belief_model.hpp"
+#include "firmware/policy/likelihood/belief_grid.hpp"
 #include "firmware/policy/ocean_belief/hypothesis.hpp"
 #include "firmware/policy/ocean_belief/log_weight.hpp"
 
@@ -57,13 +58,13 @@ class HypothesisBlock {
   [[nodiscard]] std::array<int, kLanes> log_evidence(const BeliefModel& model) const;
   /// The same of the likeliest place alone, which costs nothing; every place adds at most as much.
   [[nodiscard]] int log_of_likeliest(std::size_t lane) const { return scale_[lane] + highest_[lane]; }
-  /// Adds the probability of every cell, those of a hypothesis adding up to its share.
+  /// Adds the probability of every cell in a window, those of a hypothesis adding up to its share over all of them.
   /// @param marginal  [north x east]
-  void add_to(const BeliefModel& model, const FloatLanes& shares, std::span<float> marginal) const;
+  void add_to(const BeliefModel& model, const FloatLanes& shares, const CellWindow& window, std::span<float> marginal) const;
 
-  /// The same for one hypothesis, whose cells have gone elsewhere.
-  /// @param cells  [north x east]: in which each of them now is
-  void add_to(const BeliefModel& model, std::size_t lane, float share, std::span<const std::uint16_t> cells,
+  /// The same for one hypothesis, whose cells have gone elsewhere; the window is of where they have gone.
+  /// @param axes  in which of the cells they now are (CellPlaces::find_axes)
+  void add_to(const BeliefModel& model, std::size_t lane, float share, std::span<const std::uint16_t> axes, const CellWindow& window,
               std::span<float> marginal) const;
 
   /// Takes a hypothesis of another block in the place of one of its own.
@@ -72,30 +73,21 @@ class HypothesisBlock {
   [[nodiscard]] std::uint32_t fingerprint(const BeliefModel& model, std::uint32_t crc) const;
 
  private:
-  void weigh_together(const BeliefModel& model, const Lanes& lanes, std::span<const LogLanes> log_likelihoods,
-                      std::span<const std::uint16_t> ranges);
-  void weigh_one(const BeliefModel& model, std::size_t lane, std::span<const LogLanes> log_likelihoods,
-                 std::span<const std::uint16_t> ranges);
   [[nodiscard]] const FloatLanes& sums(const BeliefModel& model) const;
-  [[nodiscard]] FloatLanes sum_together(const BeliefModel& model) const;
-  [[nodiscard]] float sum_one(const BeliefModel& model, std::size_t lane) const;
-  void add_together(const BeliefModel& model, const FloatLanes& shares, std::span<float> marginal) const;
-  void add_each(const BeliefModel& model, const FloatLanes& shares, std::span<float> marginal) const;
-  // Each loop over the cells twice, with the same bits: of all eight together for registers that hold eight, of one for targets without
-  // such (kHasVectors). What one does not take stays bit for bit as it was.
+  void sum_word(const BeliefModel& model, std::size_t word) const;
   void settle(const BeliefModel& model);
-  void settle_together(const BeliefModel& model);
-  void settle_one(const BeliefModel& model, std::size_t lane);
-  void spread_together(const BeliefModel& model, std::uint8_t cells);
-  void spread_one(const BeliefModel& model, std::size_t lane);
+  void spread_word(const BeliefModel& model, std::size_t word, const LogLanes& penalties);
+  void weigh_word(const BeliefModel& model, std::size_t word, const Lanes& lanes, std::span<const LogLanes> log_likelihoods,
+                  std::span<const std::uint16_t> ranges);
 
   std::array<Hypothesis, kLanes> hypotheses_;
   std::array<LogLanes, config::kMaxBeliefCells>
-      weights_;                    ///< [north x east]; less the highest of a hypothesis they are at least kForgotten
-  LogLanes highest_;               ///< of each hypothesis
-  std::array<int, kLanes> scale_;  ///< what has been taken off every weight of a hypothesis
-  mutable FloatLanes sums_;        ///< of each hypothesis over the cells, the likeliest counted as one
-  mutable bool has_sums_;          ///< of the weights as they are
+      weights_;                          ///< [north x east]; less the highest of a hypothesis they are at least kForgotten
+  LogLanes highest_;                     ///< of each hypothesis
+  std::array<int, kLanes> scale_;        ///< what has been taken off every weight of a hypothesis
+  std::array<bool, kLanes> is_settled_;  ///< of each word (log_word.hpp): the highest weights are 0 and none is below kForgotten
+  mutable FloatLanes sums_;              ///< of each hypothesis over the cells, the likeliest counted as one
+  mutable bool has_sums_;                ///< of the weights as they are
 };
 
 }  // namespace earshot::policy

@@ -47,15 +47,27 @@ Decibels OceanBelief::least_snr_near(const BeliefModel& model, const OceanTables
 /// By where the source was at the last look. Where it is declared found, what follows is for a search that goes on nevertheless: the source
 /// is elsewhere.
 void OceanBelief::judge(const BeliefModel& model, const OceanTables& tables, NorthEast position, const Reception& reception) {
+  declaration_.reset();
+  const Decibels least_snr = least_snr_near(model, tables);
+  if (!FoundRule::is_heard_near(reception, least_snr)) return;
   const std::uint32_t index = heard_ - 1;
   const NorthEast corner = way_of(likeliest_current(), model, index);
-  find_marginal(model, corner, index);
-  declaration_ = found_rule_.judge(model, {.probabilities = std::span(marginal_).first(cell_count(model)),
-                                           .position = position - corner,
-                                           .reception = reception,
-                                           .least_snr = least_snr_near(model, tables)});
-  if (!declaration_) return;
-  declaration_->likeliest = declaration_->likeliest + corner;
+  const NorthEast from_corner = position - corner;
+  const std::span<const float> probabilities = std::span(marginal_).first(cell_count(model));
+  find_marginal(model, corner, index, cells_near(model, from_corner));
+  const float probability = probability_within(model, probabilities, from_corner);
+  const std::uint32_t near_looks = found_rule_.judge({.probability = probability, .reception = reception, .least_snr = least_snr});
+  if (near_looks == 0) return;
+  find_marginal(model, corner, index, all_cells(model));
+  const auto likeliest = std::max_element(probabilities.begin(), probabilities.end());
+  const NorthEast way = way_to_cell(model, from_corner, static_cast<std::size_t>(likeliest - probabilities.begin()));
+  declaration_ = messages::FoundDeclaration{.probability = probability,
+                                            .snr = reception.snr,
+                                            .least_snr = least_snr,
+                                            .likeliest = from_corner + way + corner,
+                                            .closest_approach = length_of(way),
+                                            .look = index,
+                                            .near_looks = near_looks};
   if (is_history_whole_) looks_[looks_.size() - 1].was_declared = true;  // those that have not heard it yet will
   for (HypothesisBlock& block : residents_) rule_out(model, tables, position, index, block);
   find_posteriors(model, tables);

@@ -24,8 +24,10 @@ EARSHOT_WIDE void LaneLikelihoods::tabulate(const BeliefModel& model, const Ocea
   std::array<std::int16_t, config::kMaxTableRanges> logs;
   for (std::size_t l = 0; l < kLanes; ++l) {
     const Hypothesis& h = hypotheses[l];
-    if (l > 0 && hears_the_same(h, hypotheses[l - 1])) {
-      for (std::size_t i = 0; i < count; ++i) lanes_[i][l] = lanes_[i][l - 1];
+    std::size_t alike = 0;
+    while (!hears_the_same(h, hypotheses[alike])) ++alike;
+    if (alike < l) {
+      for (std::size_t i = 0; i < count; ++i) lanes_[i][l] = lanes_[i][alike];
       continue;
     }
     const OceanTable& table = tables.tables[h.table];

@@ -111,7 +111,7 @@ void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, No
   judge(model, tables, position, reception);
   // Where the source is by the next look, from the corner of the area as the likeliest current has carried it.
   const NorthEast corner = way_of(likeliest_current(), model, heard_);
-  find_marginal(model, corner, heard_);
+  find_marginal(model, corner, heard_, all_cells(model));
   foresee(model, tables);
   const std::span<const float> probabilities = std::span(marginal_).first(cell_count(model));
   summary_ = summary_of(model, probabilities);
@@ -202,20 +202,23 @@ Drift OceanBelief::likeliest_current() const {
   Drift likeliest;
   for (std::size_t i = 0; i < kHypotheses; ++i) {
     const Drift current = current_of(hypothesis(i));
+    std::size_t first = 0;
+    while (!(current_of(hypothesis(first)) == current)) ++first;
+    if (first < i) continue;  // it has been summed up
     float sum = 0.0F;
-    for (std::size_t k = 0; k < kHypotheses; ++k) sum += current_of(hypothesis(k)) == current ? share(k) : 0.0F;
+    for (std::size_t k = i; k < kHypotheses; ++k) sum += current_of(hypothesis(k)) == current ? share(k) : 0.0F;
     if (sum > most) likeliest = current;
     most = std::max(most, sum);
   }
   return likeliest;
 }
 
-/// Sums up where the source is after so many looks, from a corner that has drifted.
-void OceanBelief::find_marginal(const BeliefModel& model, NorthEast corner, std::uint32_t looks) {
+/// Sums up where the source is after so many looks, from a corner that has drifted; nothing outside the window.
+void OceanBelief::find_marginal(const BeliefModel& model, NorthEast corner, std::uint32_t looks, const CellWindow& window) {
   const std::span<float> marginal = std::span(marginal_).first(cell_count(model));
   std::fill(marginal.begin(), marginal.end(), 0.0F);
   CellPlaces places;
-  std::array<std::uint16_t, config::kMaxBeliefCells> cells;
+  std::array<std::uint16_t, CellPlaces::kMostAxes> axes;
   for (std::size_t b = 0; b < residents_.size(); ++b) {
     FloatLanes at_rest{};
     float most_at_rest = 0.0F;
@@ -226,11 +229,11 @@ void OceanBelief::find_marginal(const BeliefModel& model, NorthEast corner, std:
         most_at_rest = std::max(most_at_rest, at_rest[l]);
       } else if (shares_[b][l] >= kLeastShare) {
         places.find(model, drift, looks, corner);
-        places.find_cells(model, cells);
-        residents_[b].add_to(model, l, shares_[b][l], cells, marginal);
+        places.find_axes(model, axes);
+        residents_[b].add_to(model, l, shares_[b][l], axes, window, marginal);
       }
     }
-    if (most_at_rest >= kLeastShare) residents_[b].add_to(model, at_rest, marginal);
+    if (most_at_rest >= kLeastShare) residents_[b].add_to(model, at_rest, window, marginal);
   }
 }
 
@@ -257,10 +260,10 @@ EARSHOT_WIDE void OceanBelief::foresee(const BeliefModel& model, const OceanTabl
 
 void OceanBelief::add_joint(const BeliefModel& model, std::size_t index, std::span<float> joint) const {
   CellPlaces places;
-  std::array<std::uint16_t, config::kMaxBeliefCells> cells;
+  std::array<std::uint16_t, CellPlaces::kMostAxes> axes;
   places.find(model, hypothesis(index).drift, heard_, {});
-  places.find_cells(model, cells);
-  residents_[index / kLanes].add_to(model, index % kLanes, share(index), cells, joint);
+  places.find_axes(model, axes);
+  residents_[index / kLanes].add_to(model, index % kLanes, share(index), axes, all_cells(model), joint);
 }
 
 std::uint32_t OceanBelief::fingerprint(const BeliefModel& model) const {

@@ -109,7 +109,7 @@ class OceanBelief {
   [[nodiscard]] int most_to_come(const BeliefModel& model, const OceanTables& tables, int to_measure) const;
   void take_the_likelier(const BeliefModel& model, const OceanTables& tables);
   [[nodiscard]] Drift likeliest_current() const;
-  void find_marginal(const BeliefModel& model, NorthEast corner, std::uint32_t looks);
+  void find_marginal(const BeliefModel& model, NorthEast corner, std::uint32_t looks, const CellWindow& window);
   void foresee(const BeliefModel& model, const OceanTables& tables);
   void find_regrets(const BeliefModel& model, NorthEast position);
 

@@ -37,7 +37,7 @@ class HypothesisBlockTest : public testing::Test {
     FloatLanes shares{};
     shares[lane] = 1.0F;
     std::vector<float> marginal(cell_count(model), 0.0F);
-    block.add_to(model, shares, marginal);
+    block.add_to(model, shares, all_cells(model), marginal);
     return marginal;
   }
 
@@ -150,10 +150,25 @@ TEST_F(HypothesisBlockTest, AddsCellsToWhereTheyHaveGone) {
   const BeliefModel model = bare_model(at(2'000, 3'000), 2, 3);
   block->start(model, {}, PlacePrior{});
   weigh_each(*block, model, {0, -512, -1'024, -1'536, 0, 0});  // 8, 4, 2; 1, 8, 8 of 31
-  std::vector<float> marginal(6, 1.0F);
-  block->add_to(model, 3, 0.5F, std::array<std::uint16_t, 6>{4, 5, 5, 1, 2, 2}, marginal);
-  const std::vector<double> expected{0, 1, 16, 0, 8, 6};
-  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(marginal[i], 1.0 + 0.5 * expected[i] / 31.0, 1e-4) << i;
+  const std::array<std::uint16_t, 5> axes{3, 0, 1, 2, 2};      // the southern row is now the northern one
+  const auto expect = [&](const CellWindow& window, const std::array<double, 6>& expected) {
+    std::vector<float> marginal(6, 1.0F);
+    block->add_to(model, 3, 0.5F, axes, window, marginal);
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(marginal[i], 1.0 + 0.5 * expected[i] / 31.0, 1e-4) << i;
+  };
+  expect(all_cells(model), {0, 1, 16, 0, 8, 6});
+  expect({.north = {0, 1}, .east = {0, 3}}, {0, 1, 16, 0, 0, 0});
+  expect({.north = {0, 2}, .east = {0, 2}}, {0, 1, 0, 0, 8, 0});
+  expect({.north = {1, 2}, .east = {2, 3}}, {0, 0, 0, 0, 0, 6});
+  expect({.north = {2, 2}, .east = {3, 3}}, {0, 0, 0, 0, 0, 0});
+}
+
+TEST_F(HypothesisBlockTest, AddsToNoCellOutsideTheWindow) {
+  const BeliefModel model = bare_model(at(3'000, 4'000), 3, 4);
+  block->start(model, {}, PlacePrior{});
+  std::vector<float> marginal(12, 0.0F);
+  block->add_to(model, {0.5F, 0.5F}, {.north = {1, 3}, .east = {2, 3}}, marginal);
+  for (std::size_t i = 0; i < 12; ++i) EXPECT_NEAR(marginal[i], i == 6 || i == 10 ? 1.0 / 12.0 : 0.0, 1e-5) << i;
 }
 
 TEST_F(HypothesisBlockTest, AddsHypothesesByTheirSharesToWhatIsThere) {
@@ -162,7 +177,7 @@ TEST_F(HypothesisBlockTest, AddsHypothesesByTheirSharesToWhatIsThere) {
   const std::array<LogLanes, 2> likelihoods{{{0, 0, -512}, {-512, 0, 0}}};
   block->weigh(model, kAllLanes, likelihoods, std::array<std::uint16_t, 2>{0, 1});
   std::vector<float> marginal{10.0F, 20.0F};
-  block->add_to(model, {0.25F, 0.5F, 0.125F, 0.125F}, marginal);
+  block->add_to(model, {0.25F, 0.5F, 0.125F, 0.125F}, all_cells(model), marginal);
   EXPECT_NEAR(marginal[0], 10.0 + 0.25 * 2 / 3 + 0.5 / 2 + 0.125 / 3 + 0.125 / 2, 1e-4);
   EXPECT_NEAR(marginal[1], 20.0 + 0.25 / 3 + 0.5 / 2 + 0.125 * 2 / 3 + 0.125 / 2, 1e-4);
 }

@@ -250,6 +250,7 @@ TEST_F(OceanBeliefByHand, DeclaresTheSourceFoundWhereItIsAndThenRulesThatOutInEv
     at_declaration = held();
     EXPECT_LT(range_between(place, source).value, 1'000.0);
     EXPECT_LT(range_between(belief->declaration()->likeliest, source).value, 500.0);
+    EXPECT_DOUBLE_EQ(belief->declaration()->closest_approach.value, range_between(belief->declaration()->likeliest, place).value);
     EXPECT_EQ(belief->declaration()->look, declared.size() - 1);
     EXPECT_EQ(belief->declaration()->snr, reception.snr);
     EXPECT_GT(range_between(belief->summary().likeliest, place).value, 750.0) << "of a search that goes on";
