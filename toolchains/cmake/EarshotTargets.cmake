@@ -94,6 +94,24 @@ function(earshot_record_calls TARGET)
   set_target_properties(${TARGET} PROPERTIES CXX_COMPILER_LAUNCHER "")
 endfunction()
 
+# earshot_headers_included_first(RESULT SOURCE...): headers, named as from this folder, that a source of the same name includes before anything else.
+function(earshot_headers_included_first RESULT)
+  set(headers)
+  foreach(source IN LISTS ARGN)
+    cmake_path(REPLACE_EXTENSION source LAST_ONLY .hpp OUTPUT_VARIABLE header)
+    cmake_path(ABSOLUTE_PATH source)
+    if(EXISTS ${source}) # not generated
+      file(STRINGS ${source} include REGEX "^#include" LIMIT_COUNT 1)
+      cmake_path(ABSOLUTE_PATH header OUTPUT_VARIABLE path)
+      cmake_path(RELATIVE_PATH path BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+      if(include STREQUAL "#include \"${path}\"")
+        list(APPEND headers ${header})
+      endif()
+    endif()
+  endforeach()
+  set(${RESULT} ${headers} PARENT_SCOPE)
+endfunction()
+
 # earshot_library(NAME [FIRMWARE] HEADERS ... [SOURCES ...] [DEPENDS ...])
 #   FIRMWARE  part of the fixed-memory core: its flags, and its objects are checked for heap, state, recursion and stack (tests/firmware/runtime)
 #   DEPENDS   public link dependencies
@@ -123,8 +141,16 @@ function(earshot_library NAME)
     target_include_directories(${NAME} INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
   endif()
   target_compile_features(${NAME} ${scope} cxx_std_20)
-  # A header set lets CMake compile every header alone (CMAKE_VERIFY_INTERFACE_HEADER_SETS in the dev preset).
-  target_sources(${NAME} ${scope} FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${ARG_HEADERS})
+  # A header that its source includes first is compiled by it as if alone. The others are a set of their own, each of which CMake compiles alone
+  # (CMAKE_VERIFY_INTERFACE_HEADER_SETS in the dev preset).
+  earshot_headers_included_first(first ${ARG_SOURCES})
+  set(alone ${ARG_HEADERS})
+  list(REMOVE_ITEM alone ${first})
+  set(with_source ${ARG_HEADERS})
+  list(REMOVE_ITEM with_source ${alone})
+  target_sources(${NAME} ${scope} FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${with_source})
+  target_sources(${NAME} ${scope} FILE_SET alone TYPE HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${alone})
+  set_target_properties(${NAME} PROPERTIES INTERFACE_HEADER_SETS_TO_VERIFY alone)
   if(ARG_FIRMWARE)
     set_property(GLOBAL APPEND PROPERTY EARSHOT_FIRMWARE_LIBRARIES ${NAME})
   endif()
@@ -135,7 +161,8 @@ function(earshot_library NAME)
     endif()
     install(TARGETS ${NAME} EXPORT Earshot
       ARCHIVE DESTINATION ${EARSHOT_INSTALL_LIBRARIES} COMPONENT dev
-      FILE_SET HEADERS DESTINATION ${EARSHOT_INSTALL_HEADERS} COMPONENT dev)
+      FILE_SET HEADERS DESTINATION ${EARSHOT_INSTALL_HEADERS} COMPONENT dev
+      FILE_SET alone DESTINATION ${EARSHOT_INSTALL_HEADERS} COMPONENT dev)
     file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
     foreach(header IN LISTS ARG_HEADERS)
       cmake_path(SET path NORMALIZE "${folder}/${header}")
