@@ -4,7 +4,7 @@
 
 #include "firmware/policy/likelihood/belief_grid.hpp"
 #include "firmware/policy/ocean_belief/lane_likelihoods.hpp"
-#include "firmware/policy/ocean_belief/log_weight.hpp"
+#include "firmware/policy/ocean_belief/log_weight/log_weight.hpp"
 #include "firmware/policy/ocean_belief/ocean_belief.hpp"
 
 namespace earshot::policy {

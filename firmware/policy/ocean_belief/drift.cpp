@@ -1,6 +1,6 @@
 #include "firmware/policy/ocean_belief/drift.hpp"
 
-#include "firmware/policy/ocean_belief/log_weight.hpp"
+#include "firmware/policy/ocean_belief/log_weight/log_weight.hpp"
 
 namespace earshot::policy {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "firmware/policy/ocean_belief/log_weight.hpp"
+#include "firmware/policy/ocean_belief/log_weight/log_weight.hpp"
 
 namespace earshot::policy {
 namespace {

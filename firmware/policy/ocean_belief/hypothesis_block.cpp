@@ -5,7 +5,7 @@
 
 #include "firmware/core/crc32.hpp"
 #include "firmware/core/wide.hpp"
-#include "firmware/policy/ocean_belief/log_word.hpp"
+#include "firmware/policy/ocean_belief/log_weight/log_word.hpp"
 
 namespace earshot::policy {
 namespace {

@@ -9,17 +9,10 @@
 #include "firmware/policy/belief_model.hpp"
 #include "firmware/policy/likelihood/belief_grid.hpp"
 #include "firmware/policy/ocean_belief/hypothesis.hpp"
-#include "firmware/policy/ocean_belief/log_weight.hpp"
+#include "firmware/policy/ocean_belief/log_weight/lanes.hpp"
+#include "firmware/policy/ocean_belief/log_weight/log_weight.hpp"
 
 namespace earshot::policy {
-
-/// Hypotheses side by side, as many as a vector unit takes at once: one value of each.
-inline constexpr std::size_t kLanes = 8;
-/// Their log weights, added and compared all at once; a number of them is an int16_t.
-using LogLanes = std::int16_t __attribute__((vector_size(2 * kLanes)));
-using FloatLanes = std::array<float, kLanes>;
-/// Some of them.
-using Lanes = std::array<bool, kLanes>;
 
 /// No place gets less likely than the likeliest by more than 2^-26, 4e-5 of all in 2500 cells: a belief that was wrong, or a source that
 /// moved, can come back.

@@ -5,7 +5,7 @@
 #include "firmware/policy/likelihood/belief_grid.hpp"
 #include "firmware/policy/ocean_belief/cell_places.hpp"
 #include "firmware/policy/ocean_belief/each_drift.hpp"
-#include "firmware/policy/ocean_belief/log_weight.hpp"
+#include "firmware/policy/ocean_belief/log_weight/log_weight.hpp"
 #include "firmware/policy/ocean_belief/ocean_belief.hpp"
 
 namespace earshot::policy {

@@ -3,7 +3,7 @@
 #include "firmware/core/wide.hpp"
 #include "firmware/policy/likelihood/belief_grid.hpp"
 #include "firmware/policy/likelihood/reception_likelihood.hpp"
-#include "firmware/policy/ocean_belief/log_weight.hpp"
+#include "firmware/policy/ocean_belief/log_weight/log_weight.hpp"
 
 namespace earshot::policy {
 namespace {

@@ -12,7 +12,7 @@
 #include "firmware/policy/ocean_belief/cell_places.hpp"
 #include "firmware/policy/ocean_belief/each_drift.hpp"
 #include "firmware/policy/ocean_belief/expected_border.hpp"
-#include "firmware/policy/ocean_belief/log_weight.hpp"
+#include "firmware/policy/ocean_belief/log_weight/log_weight.hpp"
 
 namespace earshot::policy {
 namespace {

@@ -1,4 +1,4 @@
-#include "firmware/policy/ocean_belief/log_weight.hpp"
+#include "firmware/policy/ocean_belief/log_weight/log_weight.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "firmware/policy/ocean_belief/hypothesis_block.hpp"
-#include "firmware/policy/ocean_belief/log_weight.hpp"
+#include "firmware/policy/ocean_belief/log_weight/lanes.hpp"
+#include "firmware/policy/ocean_belief/log_weight/log_weight.hpp"
 
 #if defined(__ARM_FEATURE_SIMD32) && !defined(__ARM_NEON)
 #include <arm_acle.h>

@@ -18,19 +18,20 @@ inline constexpr int kOctave = 512;
 inline constexpr std::array<float, 4> kPowerOfTwo{0.99992522F, 0.695833553F, 0.226067081F, 0.0780245902F};
 
 /// That cubic, of what of a weight is less than a factor of two. @param fraction  0 to 511
-[[nodiscard]] constexpr float power_of_fraction(std::size_t fraction) {
+[[nodiscard]] consteval float power_of_fraction(std::size_t fraction) {
   const float f = static_cast<float>(fraction) * (1.0F / static_cast<float>(kOctave));
   return kPowerOfTwo[0] + f * (kPowerOfTwo[1] + f * (kPowerOfTwo[2] + f * kPowerOfTwo[3]));
 }
 
 /// Its bits for each, less what the fraction adds to the weight where that is shifted to the exponent: 4 instructions take the place of 13
 /// on a Cortex-M7.
-inline constexpr auto kPowerBits = [] {
+inline constexpr auto kPowerBits = []() consteval {
   std::array<std::uint32_t, kOctave> bits{};
   for (std::size_t i = 0; i < bits.size(); ++i)
     bits[i] = std::bit_cast<std::uint32_t>(power_of_fraction(i)) - static_cast<std::uint32_t>(i << 14U);
   return bits;
-}();
+}
+();
 
 /// 2^(weight / 512).
 /// Error: at most 8e-5 of it.   @param weight  at least -60 000 and at most 60 000   Oracle: LogWeight.*
