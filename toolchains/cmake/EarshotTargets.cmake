@@ -54,8 +54,9 @@ add_library(earshot_flags INTERFACE)
 target_include_directories(earshot_flags INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
 target_compile_options(earshot_flags INTERFACE
   # Clang's -Wdouble-promotion minds a float that is stored in a double as well, which loses nothing.
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion> $<$<CXX_COMPILER_ID:Clang>:-Wno-shadow> -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
+  -Wall -Wextra -Wpedantic -Wconversion $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion> -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
   -Wimplicit-fallthrough -Werror
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<NOT:$<BOOL:${EARSHOT_TOGETHER}>>>:-Wshadow>  # compiled together, sources hide what others have
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 finds overlaps in std::string that are not there (GCC bug 105651)
   # What runs on a vehicle is built for the architecture's baseline (EARSHOT_BASELINE, set for firmware and sim/link): a package built here runs on any
   # of its computers. The rest is for the machine it is built on.
@@ -92,6 +93,14 @@ function(earshot_record_calls TARGET)
     return()
   endif()
   set_target_properties(${TARGET} PROPERTIES CXX_COMPILER_LAUNCHER "")
+endfunction()
+
+# earshot_compile_together(NAME): several sources at a time, where the preset says so (EARSHOT_TOGETHER): a quarter of the processor time for builds that are made
+# to be run once, on other machines. A source whose names others have, too, has SKIP_UNITY_BUILD_INCLUSION.
+function(earshot_compile_together NAME)
+  if(EARSHOT_TOGETHER)
+    set_target_properties(${NAME} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${EARSHOT_TOGETHER})
+  endif()
 endfunction()
 
 # earshot_headers_included_first(RESULT SOURCE...): headers, named as from this folder, that a source of the same name includes before anything else.
@@ -133,6 +142,7 @@ function(earshot_library NAME)
     target_include_directories(${NAME} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
     if(ARG_FIRMWARE)
       earshot_record_calls(${NAME})
+      earshot_compile_together(${NAME})
     endif()
   else()
     add_library(${NAME} INTERFACE)

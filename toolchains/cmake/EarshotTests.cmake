@@ -14,6 +14,7 @@ function(earshot_compile_as_test NAME)
   else()
     target_compile_options(${NAME} PRIVATE $<$<CONFIG:Dev>:-O1>)
   endif()
+  earshot_compile_together(${NAME})
   # GCC 12 takes what it inlines of a precompiled std::string for code of ours that writes beyond its end, and it does not; clang warns, too.
   target_compile_options(${NAME} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow>")
 endfunction()
