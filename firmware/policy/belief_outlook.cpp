@@ -185,7 +185,7 @@ class NearCells {
 };
 
 /// Linear between the samples of a table by range.
-float at_range(std::span<const float> table, float range_steps) {
+[[gnu::always_inline]] inline float at_range(std::span<const float> table, float range_steps) {
   const auto end = static_cast<float>(table.size() - 1);
   if (!(range_steps < end)) return table.back();
   const auto index = static_cast<std::size_t>(static_cast<int>(range_steps));

@@ -16,6 +16,7 @@ EARSHOT_WIDE messages::BeliefSummary summary_of(const BeliefModel& model, std::s
   std::array<double, 2> east{};
   double squares = 0.0;
   std::size_t best = 0;
+  float most = probabilities[0];
   for (std::size_t n = 0; n < rows; ++n) {
     float row = 0.0F;
     float row_east = 0.0F;
@@ -29,7 +30,8 @@ EARSHOT_WIDE messages::BeliefSummary summary_of(const BeliefModel& model, std::s
       row_east += p * column;
       row_east_squared += p * column * column;
       row_squares += p * p;
-      best = p > probabilities[best] ? i : best;
+      best = p > most ? i : best;
+      most = p > most ? p : most;
     }
     const auto place = static_cast<double>(n);
     const auto share = static_cast<double>(row);

@@ -11,6 +11,8 @@
 #include "firmware/core/random.hpp"
 #include "firmware/detector/hydrophone/settings.hpp"
 #include "firmware/detector/hydrophone/sound_detector.hpp"
+#include "firmware/policy/belief_outlook.hpp"
+#include "firmware/policy/belief_summary.hpp"
 #include "firmware/policy/frozen_policy.hpp"
 #include "firmware/policy/golden.hpp"
 #include "firmware/policy/network.hpp"
@@ -35,6 +37,7 @@ alignas(State) std::array<std::byte, sizeof(State)> room;
 /// A second of sound. On a vehicle it lies where its message came in, not on the stack.
 constexpr int kRate = 1000;
 std::array<float, kRate> samples;
+std::array<float, config::kMaxBeliefCells> places;
 
 void tell(const char* name, std::uint32_t value) {
   emulator::say(name);
@@ -103,8 +106,26 @@ struct Account {
   }
 };
 
+/// What an update costs however many hypotheses there are: what each action may bring, and what is told of all places.
+std::uint32_t cost_beyond_hypotheses(const State& state, NorthEast vehicle) {
+  const policy::BeliefModel& belief = state.model.belief;
+  const std::span<float> probabilities = std::span(places).first(policy::cell_count(belief));
+  for (std::size_t i = 0; i < probabilities.size(); ++i)
+    probabilities[i] = state.memory.belief().probability(belief, i / belief.cells_east, i % belief.cells_east);
+  std::array<float, config::kMaxTableRanges> by_range;
+  for (std::size_t r = 0; r < by_range.size(); ++r) by_range[r] = 1.0F / static_cast<float>(r + 1);
+  std::array<policy::ActionOutlook, config::kMaxActions> outlooks;
+  const std::uint32_t began = instructions();
+  const messages::BeliefSummary summary = policy::summary_of(belief, probabilities);
+  policy::find_outlooks(belief, probabilities, {by_range, by_range, state.tables.range_step}, vehicle,
+                        std::span(outlooks).first(belief.actions.size()));
+  const std::uint32_t cost = instructions() - began;
+  require(summary.effective_cells > 0.0F && outlooks[0].regret >= 0.0F, "no outlook");
+  return cost;
+}
+
 /// A search of forty looks, to and fro towards a source, and beside it until it is declared found and for a few more: what was heard is
-/// weighed, observed and answered, as in a decision.
+/// weighed, observed and answered, as in a decision. No bearing is heard.
 void measure_belief(State& state) {
   constexpr int kLooks = 40;
   constexpr NorthEast source{Meters{15'700.0}, Meters{8'700.0}};
@@ -113,6 +134,8 @@ void measure_belief(State& state) {
   Pcg32 random(2);
   Account updates;
   Account declarations;
+  Account of_four;  // hypotheses, with all that does not depend on how many there are; neither where the search begins nor where it finds
+  int declared = 0;
   Account observations;
   Account decisions;
   Account slices;
@@ -135,9 +158,14 @@ void measure_belief(State& state) {
     policy::observe(state.memory, state.model, std::span(observation).first(state.model.spec.size()));
     const std::uint32_t observed = instructions();
     policy::forward(state.network, std::span(observation).first(state.model.spec.size()), logits);
-    (state.memory.belief().declaration() ? declarations : updates).take(updated - began);
+    const bool is_found = state.memory.belief().declaration().has_value();
+    declared += is_found ? 1 : 0;
+    (is_found ? declarations : updates).take(updated - began);
+    const std::uint32_t decided = instructions();
+    const std::uint32_t beyond = cost_beyond_hypotheses(state, place);
+    if (look > 0 && !is_found) of_four.take(beyond + (updated - began - beyond) / (policy::OceanBelief::kHypotheses / 4));
     observations.take(observed - updated);
-    decisions.take(instructions() - began);
+    decisions.take(decided - began);
     bool is_left = true;
     while (is_left) {
       const std::uint32_t slice_began = instructions();
@@ -145,8 +173,11 @@ void measure_belief(State& state) {
       slices.take(instructions() - slice_began);
     }
   }
+  require(declared == 1, "the source is not declared found once");
   tell("belief_update_most", updates.most);
   tell("belief_update_declared", declarations.most);
+  tell("belief_update_of_four_most", of_four.most);
+  tell("belief_update_of_four_mean", static_cast<std::uint32_t>(of_four.sum / (kLooks - 2)));
   tell("belief_update_mean", static_cast<std::uint32_t>((updates.sum + declarations.sum) / kLooks));
   tell("observation_most", observations.most);
   tell("decision_most", decisions.most);

@@ -46,7 +46,7 @@ EARSHOT_WIDE void CellPlaces::find_ranges(const BeliefModel& model, NorthEast po
   const auto per_step = static_cast<float>(1.0 / range_step.value);
   const auto vehicle_north = static_cast<float>(position.north.value);
   const auto vehicle_east = static_cast<float>(position.east.value);
-  const auto furthest = static_cast<int>(last);
+  const auto furthest = static_cast<int>(last);  // as an int, which holds all ranges that a vehicle can be off: 2^31 range steps
   const std::size_t columns = model.cells_east;  // a copy: what is written below could otherwise be it
   const float* const column_places = &places_[model.cells_north];
   for (std::size_t n = 0; n < model.cells_north; ++n) {

@@ -250,6 +250,42 @@ TEST_F(HypothesisBlockTest, LeavesSourcesAtRestBitForBitBesideOnesThatMove) {
   for (const std::size_t l : {1U, 2U, 3U}) EXPECT_NE(places(*block, model, l), places(*resting, model, l));
 }
 
+/// The one taken over has weights of before its block settled, and must be settled where those around it are.
+TEST_F(HypothesisBlockTest, SettlesAHypothesisThatItHasTakenOverSinceItSettled) {
+  const BeliefModel model = small_model();
+  const auto other = std::make_unique<HypothesisBlock>();
+  block->start(model, kAllMotions, PlacePrior{});
+  other->start(model, {}, PlacePrior{});
+  weigh_each(*other, model, std::vector<int>(400, -700));
+  block->let_move(model);
+  block->take_over(model, 2, *other, 6);
+  block->let_move(model);
+  weigh_each(*block, model, std::vector<int>(400, 0));
+  EXPECT_EQ(block->log_of_likeliest(2), -700);
+  EXPECT_EQ(block->log_evidence(model)[2], std::lround(512.0 * std::log2(400.0)) - 700);
+}
+
+/// Two that rest beside one another are left alone, as one word or as part of one, when others move.
+TEST_F(HypothesisBlockTest, LetsThoseMoveThatDoAndNoneBesideThem) {
+  const BeliefModel model = small_model();
+  std::array<Hypothesis, kLanes> hypotheses{};
+  hypotheses[2].mobility = 1;
+  hypotheses[6].mobility = 2;
+  hypotheses[7].mobility = 3;
+  block->start(model, hypotheses, PlacePrior{});
+  std::vector<int> peak(400, -5'000);
+  peak[210] = 0;
+  weigh_each(*block, model, peak);
+  std::array<std::vector<float>, kLanes> before;
+  for (std::size_t l = 0; l < kLanes; ++l) before[l] = places(*block, model, l);
+  const auto evidence = block->log_evidence(model);
+  block->let_move(model);
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    EXPECT_EQ(places(*block, model, l) == before[l], hypotheses[l].mobility == 0) << l;
+    EXPECT_NEAR(block->log_evidence(model)[l], evidence[l], 1) << l;
+  }
+}
+
 TEST_F(HypothesisBlockTest, TakesAHypothesisOverWithAllThatItHasHeard) {
   const BeliefModel model = small_model();
   const auto other = std::make_unique<HypothesisBlock>();

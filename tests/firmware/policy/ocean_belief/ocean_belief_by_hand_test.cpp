@@ -253,6 +253,9 @@ TEST_F(OceanBeliefByHand, DeclaresTheSourceFoundWhereItIsAndThenRulesThatOutInEv
     EXPECT_DOUBLE_EQ(belief->declaration()->closest_approach.value, range_between(belief->declaration()->likeliest, place).value);
     EXPECT_EQ(belief->declaration()->look, declared.size() - 1);
     EXPECT_EQ(belief->declaration()->snr, reception.snr);
+    EXPECT_LE(belief->declaration()->least_snr, reception.snr);
+    EXPECT_GE(belief->declaration()->near_looks, 1U);
+    EXPECT_GE(belief->declaration()->probability, belief->declaration()->near_looks < kNearLooks ? kFoundProbability : kNearProbability);
     EXPECT_GT(range_between(belief->summary().likeliest, place).value, 750.0) << "of a search that goes on";
   }
   EXPECT_EQ(std::ranges::count(declared, true), 1) << "not again, where it was not";
