@@ -5,6 +5,7 @@
 
 #include "firmware/core/math.hpp"
 #include "firmware/core/wide.hpp"
+#include "firmware/policy/likelihood/belief_grid.hpp"
 
 namespace earshot::policy {
 namespace {
@@ -100,19 +101,6 @@ struct Grid {
               (static_cast<float>(column) + 0.5F + (south_east + north_east) / sum) * size_east};
     return sum;
   }
-
-  /// The cells along one axis whose centres can lie within `radius` of `place`: the first, and one past the last.
-  struct Slice {
-    std::size_t first;
-    std::size_t last;
-  };
-  [[nodiscard]] static Slice slice(float place, float radius, float size, std::size_t count) {
-    const auto index = [count](float cell) -> std::size_t {
-      if (!(cell > 0.0F)) return 0;
-      return cell < static_cast<float>(count) ? static_cast<std::size_t>(cell) : count;  // infinite for a fix beyond any area
-    };
-    return {index((place - radius) / size - 0.5F), index((place + radius) / size + 0.5F)};
-  }
 };
 
 /// The likely cells near the vehicle, side by side for a vector unit.
@@ -154,10 +142,10 @@ class NearCells {
   bool gather(const Grid& grid, Point vehicle, float radius, float least) {
     count_ = 0;
     probability_ = 0.0F;
-    const Grid::Slice north = Grid::slice(vehicle.north, radius, grid.size_north, grid.rows);
-    const Grid::Slice east = Grid::slice(vehicle.east, radius, grid.size_east, grid.columns);
-    for (std::size_t n = north.first; n < north.last; ++n) {
-      for (std::size_t e = east.first; e < east.last; ++e) {
+    const CellWindow::Side north = cells_along(vehicle.north, radius, grid.size_north, grid.rows);
+    const CellWindow::Side east = cells_along(vehicle.east, radius, grid.size_east, grid.columns);
+    for (std::size_t n = north.first; n < north.end; ++n) {
+      for (std::size_t e = east.first; e < east.end; ++e) {
         const float probability = grid.probabilities[n * grid.columns + e];
         if (probability < least) continue;
         if (count_ == kCapacity) return false;

@@ -6,15 +6,12 @@
 namespace earshot::policy {
 
 CellWindow cells_near(const BeliefModel& model, NorthEast position) {
-  const double reach = model.step_length.value + 0.5 * std::max(cell_north(model), cell_east(model));
-  const auto along = [reach](double place, double cell, std::size_t count) {
-    const double first = std::clamp((place - reach) / cell - 0.5, 0.0, static_cast<double>(count));
-    const double end = std::clamp((place + reach) / cell + 1.5, 0.0, static_cast<double>(count));
-    return CellWindow::Side{.first = static_cast<std::uint16_t>(static_cast<int>(first)),
-                            .end = static_cast<std::uint16_t>(static_cast<int>(end))};
-  };
-  return {.north = along(position.north.value, cell_north(model), model.cells_north),
-          .east = along(position.east.value, cell_east(model), model.cells_east)};
+  const auto size_north = static_cast<float>(cell_north(model));
+  const auto size_east = static_cast<float>(cell_east(model));
+  // Half a cell further no cell counts any more; another half, for what is rounded.
+  const float radius = static_cast<float>(model.step_length.value) + std::max(size_north, size_east);
+  return {.north = cells_along(static_cast<float>(position.north.value), radius, size_north, model.cells_north),
+          .east = cells_along(static_cast<float>(position.east.value), radius, size_east, model.cells_east)};
 }
 
 float probability_within(const BeliefModel& model, std::span<const float> probabilities, NorthEast position) {

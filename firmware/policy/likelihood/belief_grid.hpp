@@ -26,6 +26,10 @@ struct CellWindow {
   return {.north = {0, model.cells_north}, .east = {0, model.cells_east}};
 }
 
+/// The cells along one axis whose centres can lie within `radius` of `place`, m.
+/// @param size   of a cell, m   @param count  of the cells
+[[nodiscard]] CellWindow::Side cells_along(float place, float radius, float size, std::size_t count);
+
 /// Sides of a cell, m.
 [[nodiscard]] double cell_north(const BeliefModel& model);
 [[nodiscard]] double cell_east(const BeliefModel& model);

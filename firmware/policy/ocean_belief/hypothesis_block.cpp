@@ -27,6 +27,18 @@ bool any_of_word(std::size_t word, Holds holds) {
   return any;
 }
 
+/// The same of lanes that are named one by one.
+bool any_of_word(std::size_t word, const Lanes& lanes) {
+  return any_of_word(word, [&lanes](std::size_t l) { return lanes[l]; });
+}
+
+/// One log weight in these lanes, another elsewhere.
+LogLanes where(const Lanes& lanes, std::int16_t there, std::int16_t elsewhere) {
+  LogLanes each;
+  for (std::size_t l = 0; l < kLanes; ++l) each[l] = lanes[l] ? there : elsewhere;
+  return each;
+}
+
 /// Lets every cell be reached from its neighbours along one line of `count` cells, `apart` from one another.
 void spread_along(LogLanes* cells, std::size_t count, std::size_t apart, std::size_t word, const LogWord& penalty) {
   LogWord before = word_of(*cells, word);
@@ -105,15 +117,9 @@ void HypothesisBlock::let_move(const BeliefModel& model) {
 
 EARSHOT_WIDE void HypothesisBlock::weigh_word(const BeliefModel& model, std::size_t word, const Lanes& lanes,
                                               std::span<const LogLanes> log_likelihoods, std::span<const std::uint16_t> ranges) {
-  LogLanes each_taken;
-  LogLanes each_least;
-  for (std::size_t l = 0; l < kLanes; ++l) {
-    each_taken[l] = lanes[l] ? -1 : 0;
-    each_least[l] = lanes[l] ? kForgotten : kLowest;
-  }
   const std::size_t cells = cell_count(model);
-  const LogWord taken = word_of(each_taken, word);
-  const LogWord least = word_of(each_least, word);
+  const LogWord taken = word_of(where(lanes, -1, 0), word);
+  const LogWord least = word_of(where(lanes, kForgotten, kLowest), word);
   const LogWord before = word_of(highest_, word) & taken;
   LogWord highest = every_lane(kLowest);
 #pragma GCC unroll 2
@@ -131,18 +137,17 @@ void HypothesisBlock::weigh(const BeliefModel& model, const Lanes& lanes, std::s
   has_sums_ = false;
   for (std::size_t l = 0; l < kLanes; ++l) scale_[l] += lanes[l] ? highest_[l] : 0;
   for (std::size_t word = 0; word < kWords; ++word) {
-    if (any_of_word(word, [&](std::size_t l) { return lanes[l]; })) weigh_word(model, word, lanes, log_likelihoods, ranges);
+    if (any_of_word(word, lanes)) weigh_word(model, word, lanes, log_likelihoods, ranges);
   }
 }
 
 void HypothesisBlock::weigh_places(const BeliefModel& model, const Lanes& lanes, std::span<const std::int16_t> log_likelihoods) {
   settle(model);
   has_sums_ = false;
-  LogLanes each_taken;
-  for (std::size_t l = 0; l < kLanes; ++l) each_taken[l] = lanes[l] ? -1 : 0;
+  const LogLanes each_taken = where(lanes, -1, 0);
   const std::size_t cells = cell_count(model);
   for (std::size_t word = 0; word < kWords; ++word) {
-    if (!any_of_word(word, [&](std::size_t l) { return lanes[l]; })) continue;
+    if (!any_of_word(word, lanes)) continue;
     const LogWord taken = word_of(each_taken, word);
     LogWord highest = every_lane(kLowest);
     for (std::size_t i = 0; i < cells; ++i) {

@@ -8,10 +8,7 @@
 
 namespace earshot::policy {
 
-namespace {
-
-/// In one piece: to_logs() takes it into its loop.
-inline int log_of(float x) {
+int to_log(float x) {
   const auto bits = std::bit_cast<std::uint32_t>(x);
   const int exponent = static_cast<int>(bits >> 23U) - 127;
   const float m = std::bit_cast<float>((bits & 0x007FFFFFU) | 0x3F800000U) - 1.0F;
@@ -20,15 +17,9 @@ inline int log_of(float x) {
   return exponent * kOctave + static_cast<int>(log * static_cast<float>(kOctave) + 0.5F);
 }
 
-}  // namespace
-
-int to_log(float x) {
-  return log_of(x);
-}
-
-EARSHOT_WIDE void to_logs(std::span<const float> probabilities, std::int16_t least, std::span<std::int16_t> logs) {
+[[gnu::flatten]] EARSHOT_WIDE void to_logs(std::span<const float> probabilities, std::int16_t least, std::span<std::int16_t> logs) {
   for (std::size_t i = 0; i < probabilities.size(); ++i)
-    logs[i] = static_cast<std::int16_t>(std::clamp(log_of(probabilities[i]), int{least}, 0));
+    logs[i] = static_cast<std::int16_t>(std::clamp(to_log(probabilities[i]), int{least}, 0));
 }
 
 }  // namespace earshot::policy
