@@ -13,12 +13,12 @@ constexpr float kCovered = 1e-3F;
 }  // namespace
 
 CellWindow::Side cells_along(float place, float radius, float size, std::size_t count) {
-  const auto index = [count](float cell) {
-    if (!(cell > 0.0F)) return std::uint16_t{0};
-    return static_cast<std::uint16_t>(cell < static_cast<float>(count) ? static_cast<std::size_t>(cell)
-                                                                       : count);  // infinite beyond any area
+  const auto index = [count](float cell) -> std::size_t {
+    if (!(cell > 0.0F)) return 0;
+    return cell < static_cast<float>(count) ? static_cast<std::size_t>(cell) : count;  // infinite for a fix beyond any area
   };
-  return {.first = index((place - radius) / size - 0.5F), .end = index((place + radius) / size + 0.5F)};
+  return {.first = static_cast<std::uint16_t>(index((place - radius) / size - 0.5F)),
+          .end = static_cast<std::uint16_t>(index((place + radius) / size + 0.5F))};
 }
 
 double cell_north(const BeliefModel& model) {
