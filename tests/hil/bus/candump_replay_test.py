@@ -22,6 +22,7 @@ ROOT = Path(__file__).resolve().parents[3]
 SPEED = "20"  # seconds at sea in one of the host's
 EARSHOT, OPERATOR = 0x40, 0x29  # addresses
 SETPOINT = 65290
+ROUND = (-1, 0, 1)  # cells of a metre, about one of them
 
 
 def wait_for(what: Callable[[], bool], why: str) -> None:
@@ -137,10 +138,12 @@ class Replay(unittest.TestCase):
 
         replayed = list(fixes_in(self.folder / "again/journal.lcmlog"))
         self.assertGreater(len(replayed), 0.8 * len(recorded), self.said())
-        # A position to 1e-7 degree (0.011 m), as it was on the bus, whichever heading and depth it met.
-        places = {(round(fix[0], 3), round(fix[1], 3)) for fix in recorded}
-        known = sum((round(fix[0], 3), round(fix[1], 3)) in places for fix in replayed)
-        self.assertGreater(known, 0.8 * len(replayed))
+        # The vehicle says its place in two messages, which are rounded differently; after a halt of the machine the
+        # other may be the one that is taken. Said ten times a second or once, there is one within a metre of wherever
+        # a vehicle of 2 m/s was.
+        cells = {(round(fix[0]) + n, round(fix[1]) + e) for fix in recorded for n in ROUND for e in ROUND}
+        known = sum((round(fix[0]), round(fix[1])) in cells for fix in replayed)
+        self.assertGreater(known, 0.8 * len(replayed), self.said())
         states = [health["State"]["value"] for health in self.heard("again.log", 130950)]
         self.assertIn("SEARCH", states, self.said())
         moving = [s for s in self.heard("again.log", SETPOINT) if s["CommandedSpeed"]["value"] == 2.0]
