@@ -21,6 +21,7 @@ constexpr float kLeastNearProbability = 0.01F;
 struct Point {
   float north;
   float east;
+  friend bool operator==(const Point&, const Point&) = default;
 };
 
 float distance(Point a, Point b) {
@@ -62,6 +63,8 @@ struct Block {
   Point goal;         ///< c: the place outside the border nearest to s
   float extra_way;    ///< l - sqrt(l^2 - |s - c|^2), m: how much nearer to c than a step length the vehicle must come to find s
   float probability;  ///< b(s)
+  /// Whether the way to it goes straight to s.
+  [[nodiscard]] bool is_outside_border() const { return goal == source; }
 };
 
 Block block_at(const BorderFreeArea& inside, Point source, float probability, float step_length) {
@@ -103,7 +106,7 @@ struct Grid {
   }
 };
 
-/// The likely cells near the vehicle, side by side for a vector unit.
+/// The likely cells near the vehicle, from the south, side by side for a vector unit.
 class NearCells {
  public:
   NearCells(const Grid& grid, Point vehicle, float radius) : per_size_(1.0F / std::max(grid.size_north, grid.size_east)) {
@@ -117,8 +120,12 @@ class NearCells {
   /// @param place        y
   /// @param step_length  l
   [[nodiscard]] float probability_within(Point place, float step_length) const {
+    // Rows of cells that are further off than this add nothing.
+    const float reach = step_length + 1.0F / per_size_;
     std::array<float, kLanes> sums{};
     for (std::size_t i = 0; i < count_; i += kLanes) {
+      if (north_[i + kLanes - 1] < place.north - reach) continue;
+      if (north_[i] > place.north + reach) break;
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
         const float north = north_[i + lane] - place.north;
         const float east = east_[i + lane] - place.east;
@@ -157,14 +164,14 @@ class NearCells {
       }
     }
     for (; count_ % kLanes != 0; ++count_) {
-      north_[count_] = 0.0F;
+      north_[count_] = north_[count_ - 1];
       east_[count_] = 0.0F;
       probabilities_[count_] = 0.0F;
     }
     return true;
   }
 
-  std::array<float, kCapacity> north_;
+  std::array<float, kCapacity> north_;  ///< none less than the one before
   std::array<float, kCapacity> east_;
   std::array<float, kCapacity> probabilities_;
   std::size_t count_ = 0;
@@ -172,13 +179,26 @@ class NearCells {
   float per_size_;
 };
 
-/// Linear between the samples of a table by range.
-[[gnu::always_inline]] inline float at_range(std::span<const float> table, float range_steps) {
-  const auto end = static_cast<float>(table.size() - 1);
-  if (!(range_steps < end)) return table.back();
-  const auto index = static_cast<std::size_t>(static_cast<int>(range_steps));
-  return table[index] + (range_steps - static_cast<float>(static_cast<int>(range_steps))) * (table[index + 1] - table[index]);
-}
+/// Where a range lies in a table by range.
+class RangePlace {
+ public:
+  [[gnu::always_inline]] RangePlace(float range_steps, std::size_t count)
+      : is_in_(range_steps < static_cast<float>(count - 1)),
+        index_(is_in_ ? static_cast<int>(range_steps) : 0),
+        beyond_(range_steps - static_cast<float>(index_)) {}
+
+  /// Linear between the samples.
+  [[nodiscard, gnu::always_inline]] float value_of(std::span<const float> table) const {
+    if (!is_in_) return table.back();
+    const auto index = static_cast<std::size_t>(index_);
+    return table[index] + beyond_ * (table[index + 1] - table[index]);
+  }
+
+ private:
+  bool is_in_;  ///< before the last sample
+  int index_;
+  float beyond_;  ///< in steps of the table
+};
 
 /// Searches the paths of 1 to kReachSteps steps for the best place to find the source at.
 class ReachSearch {
@@ -194,22 +214,18 @@ class ReachSearch {
   /// order of its steps: of the paths a, b, c only those with a <= b <= c are searched. @param outlooks  [actions]
   void raise_reaches(Point start, std::span<ActionOutlook> outlooks) const {
     static_assert(kReachSteps == 3);
-    const std::size_t count = outlooks.size();
+    const std::size_t none = outlooks.size();  // no step: the path is shorter
     const float discount = model_.costs.reach_discount;
-    for (std::size_t a = 0; a < count; ++a) {
+    for (std::size_t a = 0; a < none; ++a) {
       const Point first_end = end_of_step(start, a);
-      const float first = discounted_reach(first_end, 1.0F);
-      raise(outlooks[a], first);
-      for (std::size_t b = a; b < count; ++b) {
-        const Point second_end = end_of_step(first_end, b);
-        const float second = discounted_reach(second_end, discount);
-        raise(outlooks[a], second);
-        raise(outlooks[b], second);
-        for (std::size_t c = b; c < count; ++c) {
-          const float third = discounted_reach(end_of_step(second_end, c), discount * discount);
-          raise(outlooks[a], third);
-          raise(outlooks[b], third);
-          raise(outlooks[c], third);
+      for (std::size_t b = a; b <= none; ++b) {
+        const Point second_end = b < none ? end_of_step(first_end, b) : first_end;
+        for (std::size_t c = b; c <= none; ++c) {
+          const float second = b < none ? discount : 1.0F;
+          const float reach = discounted_reach(c < none ? end_of_step(second_end, c) : second_end, c < none ? second * discount : second);
+          raise(outlooks[a], reach);
+          if (b < none) raise(outlooks[b], reach);
+          if (c < none) raise(outlooks[c], reach);
         }
       }
     }
@@ -252,19 +268,24 @@ class Expectations {
   [[nodiscard]] Point end(std::size_t action) const { return {north_[action], east_[action]}; }
 
   void add(const Block& block, const RangeOutlook& by_range) {
+    const std::size_t count = by_range.detected.size();
     std::array<float, config::kMaxActions> ranges;  // |s - x_a|
-    std::array<float, config::kMaxActions> ways;    // way(x_a, s)
-    for (std::size_t a = 0; a < count_; ++a) {
-      ranges[a] = distance(end(a), block.source);
-      const float way = distance(end(a), block.goal) + block.extra_way;
-      ways[a] = (way > ranges[a] ? way : ranges[a]) * per_range_step_;
-      ranges[a] *= per_range_step_;
-    }
-    for (std::size_t a = 0; a < count_; ++a) {
-      search_cost_[a] += block.probability * at_range(by_range.search_cost, ways[a]);
-      detected_[a] += block.probability * at_range(by_range.detected, ranges[a]);
-    }
+    for (std::size_t a = 0; a < count_; ++a) ranges[a] = distance(end(a), block.source);
     probability_ += block.probability;
+    if (block.is_outside_border()) {
+      for (std::size_t a = 0; a < count_; ++a) {
+        const RangePlace range(ranges[a] * per_range_step_, count);
+        search_cost_[a] += block.probability * range.value_of(by_range.search_cost);
+        detected_[a] += block.probability * range.value_of(by_range.detected);
+      }
+      return;
+    }
+    for (std::size_t a = 0; a < count_; ++a) {
+      const float straight = distance(end(a), block.goal) + block.extra_way;
+      const float way = straight > ranges[a] ? straight : ranges[a];  // way(x_a, s)
+      search_cost_[a] += block.probability * RangePlace(way * per_range_step_, count).value_of(by_range.search_cost);
+      detected_[a] += block.probability * RangePlace(ranges[a] * per_range_step_, count).value_of(by_range.detected);
+    }
   }
 
   [[nodiscard]] float search_cost(std::size_t action) const { return probability_ > 0.0F ? search_cost_[action] / probability_ : 0.0F; }

@@ -122,7 +122,7 @@ EARSHOT_WIDE void HypothesisBlock::weigh_word(const BeliefModel& model, std::siz
   const LogWord least = word_of(where(lanes, kForgotten, kLowest), word);
   const LogWord before = word_of(highest_, word) & taken;
   LogWord highest = every_lane(kLowest);
-#pragma GCC unroll 2
+#pragma GCC unroll 4
   for (std::size_t i = 0; i < cells; ++i) {
     const LogWord weight = max(word_of(weights_[i], word) - before, least) + (word_of(log_likelihoods[ranges[i]], word) & taken);
     put(weights_[i], word, weight);
@@ -199,19 +199,16 @@ EARSHOT_WIDE void HypothesisBlock::add_to(const BeliefModel& model, const FloatL
   for (std::size_t l = 0; l < kLanes; ++l) each_scale[l] = shares[l] / per_weight[l];
   std::array<FloatWord, kWords> scales;
   std::array<LogWord, kWords> highest;
-  std::array<bool, kWords> is_likely;
-  for (std::size_t word = 0; word < kWords; ++word) {
+  for_each_word([&](std::size_t word) {
     get(each_scale, word, scales[word]);
     highest[word] = word_of(highest_, word);
-    is_likely[word] = any_of_word(word, [&](std::size_t l) { return shares[l] > 0.0F; });
-  }
+  });
   const std::size_t columns = model.cells_east;
   const LogWord forgotten = every_lane(kForgotten);
   for (std::size_t n = window.north.first; n < window.north.end; ++n) {
     for (std::size_t i = n * columns + window.east.first; i < n * columns + window.east.end; ++i) {
-      std::array<FloatWord, kWords> p{};
+      std::array<FloatWord, kWords> p;
       for_each_word([&](std::size_t word) {
-        if (!is_likely[word]) return;
         from_log(max(word_of(weights_[i], word) - highest[word], forgotten), p[word]);
         p[word] *= scales[word];
       });
