@@ -124,6 +124,12 @@ std::uint32_t cost_beyond_hypotheses(const State& state, NorthEast vehicle) {
   return cost;
 }
 
+bool has_drifts(const policy::OceanBelief& belief) {
+  bool any = false;
+  for (std::size_t i = 0; i < policy::OceanBelief::kHypotheses; ++i) any = any || !belief.hypothesis(i).drift.is_none();
+  return any;
+}
+
 /// A search of forty looks, to and fro towards a source, and beside it until it is declared found and for a few more: what was heard is
 /// weighed, observed and answered, as in a decision. No bearing is heard.
 void measure_belief(State& state) {
@@ -134,7 +140,9 @@ void measure_belief(State& state) {
   Pcg32 random(2);
   Account updates;
   Account declarations;
-  Account of_four;  // hypotheses, with all that does not depend on how many there are; neither where the search begins nor where it finds
+  // Of four hypotheses, with all that does not depend on how many there are; neither where the search begins nor where it finds.
+  Account of_four;
+  Account of_four_at_rest;  // of looks at which none of those that are held drifts
   int declared = 0;
   Account observations;
   Account decisions;
@@ -163,7 +171,9 @@ void measure_belief(State& state) {
     (is_found ? declarations : updates).take(updated - began);
     const std::uint32_t decided = instructions();
     const std::uint32_t beyond = cost_beyond_hypotheses(state, place);
-    if (look > 0 && !is_found) of_four.take(beyond + (updated - began - beyond) / (policy::OceanBelief::kHypotheses / 4));
+    const std::uint32_t with_four = beyond + (updated - began - beyond) / (policy::OceanBelief::kHypotheses / 4);
+    if (look > 0 && !is_found) of_four.take(with_four);
+    if (look > 0 && !is_found && !has_drifts(state.memory.belief())) of_four_at_rest.take(with_four);
     observations.take(observed - updated);
     decisions.take(decided - began);
     bool is_left = true;
@@ -174,9 +184,11 @@ void measure_belief(State& state) {
     }
   }
   require(declared == 1, "the source is not declared found once");
+  require(of_four_at_rest.most > 0, "a hypothesis drifts at every look");
   tell("belief_update_most", updates.most);
   tell("belief_update_declared", declarations.most);
   tell("belief_update_of_four_most", of_four.most);
+  tell("belief_update_of_four_at_rest_most", of_four_at_rest.most);
   tell("belief_update_of_four_mean", static_cast<std::uint32_t>(of_four.sum / (kLooks - 2)));
   tell("belief_update_mean", static_cast<std::uint32_t>((updates.sum + declarations.sum) / kLooks));
   tell("observation_most", observations.most);
