@@ -8,6 +8,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
@@ -69,10 +70,15 @@ bool leads_to_socket(const std::filesystem::path& path) {
   return S_ISSOCK(found.st_mode);
 }
 
-/// Whether the line can be read, or written, in time.
+/// Whether the line can be read, or written, in time. A signal that this process handles meanwhile takes none of it.
 bool wait_for(int file, short event, std::chrono::milliseconds patience) {
+  const auto end = std::chrono::steady_clock::now() + patience;
   pollfd waiting{.fd = file, .events = event, .revents = 0};
-  return ::poll(&waiting, 1, static_cast<int>(patience.count())) > 0;
+  for (;;) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
+    const int ready = ::poll(&waiting, 1, static_cast<int>(std::max<std::int64_t>(left.count(), 0)));
+    if (ready >= 0 || errno != EINTR) return ready > 0;
+  }
 }
 
 }  // namespace

@@ -4,13 +4,16 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <sys/un.h>
 #include <unistd.h>
 
 #include <array>
+#include <csignal>
 #include <fstream>
 #include <numeric>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "firmware/host/file/bad_input.hpp"
@@ -118,6 +121,45 @@ TEST(SerialLine, GivesUpWritingToWhoReadsNothing) {
   SerialLine line(terminal.name());
   const std::vector<std::uint8_t> much(1'000'000, 7);
   EXPECT_THROW(line.write(much, milliseconds(20)), std::runtime_error);
+}
+
+/// Signals that are handled come every 5 ms as long as it lives.
+class Signals {
+ public:
+  Signals() {
+    struct sigaction action {};
+    action.sa_handler = [](int) {};
+    ::sigaction(SIGALRM, &action, &before_);
+    every(5'000);
+  }
+  ~Signals() {
+    every(0);
+    ::sigaction(SIGALRM, &before_, nullptr);
+  }
+  Signals(const Signals&) = delete;
+  Signals& operator=(const Signals&) = delete;
+
+ private:
+  static void every(suseconds_t microseconds) {
+    const itimerval time{.it_interval = {.tv_sec = 0, .tv_usec = microseconds}, .it_value = {.tv_sec = 0, .tv_usec = microseconds}};
+    ::setitimer(ITIMER_REAL, &time, nullptr);
+  }
+  struct sigaction before_ {};
+};
+
+TEST(SerialLine, WaitsOnThroughSignalsForWhatComesInTime) {
+  const Terminal terminal;
+  SerialLine line(terminal.name());
+  const Signals signals;
+  std::array<std::uint8_t, 8> room{};
+  std::jthread later([&terminal] {
+    std::this_thread::sleep_for(milliseconds(60));
+    EXPECT_EQ(::write(terminal.number(), "x", 1), 1);
+  });
+  EXPECT_EQ(line.read(room, milliseconds(60'000)), 1U);
+  EXPECT_EQ(line.read(room, milliseconds(30)), 0U) << "signals do not make it wait for ever";
+  const std::vector<std::uint8_t> much(1'000'000, 7);
+  EXPECT_THROW(line.write(much, milliseconds(30)), std::runtime_error);
 }
 
 TEST(SerialLine, RefusesWhatIsNoLineNamingIt) {
