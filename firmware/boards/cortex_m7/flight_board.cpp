@@ -166,14 +166,21 @@ __attribute__((noinline)) void FlightBoard::say(const messages::Input& input) {
 }
 
 void FlightBoard::keep_piece(std::span<const std::uint8_t> piece, std::span<std::uint8_t> place, Incoming& file) {
-  if (piece.size() < wire::kPieceHeadBytes) return;
+  if (piece.size() < wire::kPieceHeadBytes) {
+    ++frames_refused_;
+    return;
+  }
   const auto offset = static_cast<std::size_t>(load_big_endian(piece.first(4)));
   const auto size = static_cast<std::size_t>(load_big_endian(piece.subspan(4, 4)));
   const std::span<const std::uint8_t> bytes = piece.subspan(wire::kPieceHeadBytes);
-  if (size > place.size() || offset > size || bytes.size() > size - offset) return;
-  std::copy(bytes.begin(), bytes.end(), place.begin() + static_cast<std::ptrdiff_t>(offset));
+  if (offset > size || bytes.size() > size - offset) {
+    ++frames_refused_;
+    return;
+  }
   if (offset == 0) file = {};
   file.size = size;
+  if (size > place.size()) return;  // the mission that needs it is refused
+  std::copy(bytes.begin(), bytes.end(), place.begin() + static_cast<std::ptrdiff_t>(offset));
   file.known += bytes.size();
 }
 
@@ -187,6 +194,7 @@ void FlightBoard::arm(Time time, std::span<const std::uint8_t> bytes) {
 __attribute__((noinline)) Status FlightBoard::configure(std::span<const std::uint8_t> bytes) {
   Ordered ordered;
   if (const Status status = read(bytes, ordered); status != Status::kOk) return status;
+  if (policy_.size > place_of_policy().size() || tables_.size > place_of_tables().size()) return Status::kFull;
   const std::span<const std::uint8_t> policy = place_of_policy().first(policy_.size);
   const std::span<const std::uint8_t> tables = place_of_tables().first(tables_.size);
   const bool is_whole = policy_.known == policy_.size && tables_.known == tables_.size && crc32(policy) == ordered.policy_crc32 &&

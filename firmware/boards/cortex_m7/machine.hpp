@@ -7,7 +7,7 @@
 namespace earshot::machine {
 
 // All that the application asks of its computer. A board is a file that defines these functions, and a linker script: mps2_an500/ is one,
-// and README.md says what another takes.
+// and porting.md says what another takes.
 
 /// Clocks and the serial line; called once, before anything else here.
 void begin();

@@ -34,6 +34,8 @@ __attribute__((naked, noreturn, used)) void reset_handler() {
       "orr r1, r1, #0xF00000\n"
       "str r1, [r0]        \n"
       "dsb                 \n"
+      "ldr r0, =end_of_stack\n"  // a boot loader may have left a stack of its own
+      "msr msp, r0         \n"
       "isb                 \n"
       "bl make_ready       \n"
       "bl main             \n"

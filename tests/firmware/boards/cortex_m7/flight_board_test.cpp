@@ -169,6 +169,19 @@ TEST_F(FlightBoardTest, WritesNoPieceBehindItsStore) {
   EXPECT_EQ(machine::fake().store, before);
 }
 
+TEST_F(FlightBoardTest, RefusesAMissionWhosePolicyOrTablesItsStoreDoesNotHold) {
+  for (const std::string_view channel : {wire::kPolicyPieceChannel, wire::kTablesPieceChannel}) {
+    send_file(wire::kPolicyPieceChannel, policy_);
+    send_file(wire::kTablesPieceChannel, tables_);
+    send({}, channel, {0, 0, 0, 0, 0, 2, 0, 1, 7});  // half of the store is 0x20000 bytes
+    send_mission();
+    ASSERT_EQ(event(), int{board_t::REFUSED});
+    EXPECT_EQ(last_.status, static_cast<int>(Status::kFull));
+  }
+  send_file(wire::kTablesPieceChannel, tables_);
+  arm();
+}
+
 /// What turns of a runtime in this process say, as their records.
 std::vector<Said> said_by(const runtime::Outputs& outputs, Time now) {
   std::vector<Said> all;
@@ -231,9 +244,11 @@ TEST_F(FlightBoardTest, CountsWhatIsTornOnTheLine) {
   torn.erase(torn.begin() + 3);
   board_->take(torn);
   send({}, "EARSHOT_NOBODY_KNOWS", {1});
+  send({}, wire::kPolicyPieceChannel, Bytes(wire::kPieceHeadBytes - 1));
+  send({}, wire::kTablesPieceChannel, {0, 0, 0, 2, 0, 0, 0, 1});  // from behind the end of a file of one byte
   board_->begin();
   ASSERT_EQ(event(), int{board_t::STARTED});
-  EXPECT_EQ(last_.frames_refused, 2);
+  EXPECT_EQ(last_.frames_refused, 4);
 }
 
 detector::SoundSettings hearing() {
