@@ -347,7 +347,12 @@ int fly_search(Options o) {
                   .folder = folder.unfinished(),
                   .board = std::nullopt};
   std::optional<fly::EmulatedBoard> board;
-  if (o.board) meeting.board = board.emplace(fly::program_of_board(*o.board), meeting.run).line();
+  if (o.board) {
+    const fs::path program = fly::program_of_board(*o.board);
+    meeting.board = board.emplace(program, meeting.run).line();
+    if (program::talk() != program::Talk::kQuiet)
+      std::cerr << "earshot fly: an emulated Cortex-M7 decides: " << host::printable(program.string()) << "\n";
+  }
   ChildProcess runtime("earshotd", runtime_arguments(o, meeting));
   ChildProcess simulator("earshot-sim", simulator_arguments(o, meeting));
   wait_for_both(simulator, runtime);
