@@ -39,9 +39,7 @@ std::string why(std::int8_t status) {
     case Status::kCorrupt:
       return "it does not repeat what the policy's freezer computed, or a piece of it was lost on the line";
     case Status::kMalformed:
-      return "its policy or ocean tables have more cells, oceans or ranges than this board holds (firmware/boards/cortex_m7/README.md), or "
-             "are "
-             "of another version";
+      return "its policy or ocean tables hold more than this board (firmware/boards/cortex_m7/README.md), or are of another version";
     case Status::kOutOfRange:
       return "the mission does not fit its policy, or its ocean tables, with the capacities of this board";
     case Status::kFull:
