@@ -220,8 +220,8 @@ class ReachSearch {
       const Point first_end = end_of_step(start, a);
       for (std::size_t b = a; b <= none; ++b) {
         const Point second_end = b < none ? end_of_step(first_end, b) : first_end;
+        const float second = b < none ? discount : 1.0F;
         for (std::size_t c = b; c <= none; ++c) {
-          const float second = b < none ? discount : 1.0F;
           const float reach = discounted_reach(c < none ? end_of_step(second_end, c) : second_end, c < none ? second * discount : second);
           raise(outlooks[a], reach);
           if (b < none) raise(outlooks[b], reach);
