@@ -56,7 +56,7 @@ target_compile_options(earshot_flags INTERFACE
   # Clang's -Wdouble-promotion minds a float that is stored in a double as well, which loses nothing.
   -Wall -Wextra -Wpedantic -Wconversion $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion> -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
   -Wimplicit-fallthrough -Werror
-  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<NOT:$<BOOL:${EARSHOT_TOGETHER}>>>:-Wshadow>  # compiled together, sources hide what others have
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>>:-Wshadow>  # compiled together, sources hide what others have
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 finds overlaps in std::string that are not there (GCC bug 105651)
   # What runs on a vehicle is built for the architecture's baseline (EARSHOT_BASELINE, set for firmware and sim/link): a package built here runs on any
   # of its computers. The rest is for the machine it is built on.
@@ -95,11 +95,13 @@ function(earshot_record_calls TARGET)
   set_target_properties(${TARGET} PROPERTIES CXX_COMPILER_LAUNCHER "")
 endfunction()
 
-# earshot_compile_together(NAME): several sources at a time, where the preset says so (EARSHOT_TOGETHER): a quarter of the processor time for builds that are made
-# to be run once, on other machines. A source whose names others have, too, has SKIP_UNITY_BUILD_INCLUSION.
-function(earshot_compile_together NAME)
-  if(EARSHOT_TOGETHER)
-    set_target_properties(${NAME} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${EARSHOT_TOGETHER})
+# earshot_compile_together(NAME COUNT): so many sources at a time, where COUNT is one. The same headers are read less often: a third to a half of the processor
+# time. A source whose names others have, too, has SKIP_UNITY_BUILD_INCLUSION.
+#   EARSHOT_TOGETHER        of the core's libraries, in builds that are made to be run once, on other machines
+#   EARSHOT_TESTS_TOGETHER  of tests
+function(earshot_compile_together NAME COUNT)
+  if(COUNT)
+    set_target_properties(${NAME} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${COUNT})
   endif()
 endfunction()
 
@@ -142,7 +144,7 @@ function(earshot_library NAME)
     target_include_directories(${NAME} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
     if(ARG_FIRMWARE)
       earshot_record_calls(${NAME})
-      earshot_compile_together(${NAME})
+      earshot_compile_together(${NAME} "${EARSHOT_TOGETHER}")
     endif()
   else()
     add_library(${NAME} INTERFACE)

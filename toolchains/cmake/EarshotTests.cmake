@@ -1,4 +1,4 @@
-# How the sources of a test are compiled, on every machine: earshot_compile_as_test, earshot_test_headers. (earshot_test itself: tests/CMakeLists.txt, and
+# How the sources of a test are compiled, on every machine: earshot_compile_as_test, earshot_test_headers, earshot_sources_of. (earshot_test itself: tests/CMakeLists.txt, and
 # tests/cortex_m7/CMakeLists.txt for a machine without an operating system.)
 
 # earshot_compile_as_test(NAME): a fifth of a test's compiling would be optimising what it expects; what it tests is built as ever.
@@ -14,7 +14,7 @@ function(earshot_compile_as_test NAME)
   else()
     target_compile_options(${NAME} PRIVATE $<$<CONFIG:Dev>:-O1>)
   endif()
-  earshot_compile_together(${NAME})
+  earshot_compile_together(${NAME} "${EARSHOT_TESTS_TOGETHER}")
   # GCC 12 takes what it inlines of a precompiled std::string for code of ours that writes beyond its end, and it does not; clang warns, too.
   target_compile_options(${NAME} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow>")
 endfunction()
@@ -29,4 +29,24 @@ function(earshot_test_headers GTEST)
   earshot_compile_as_test(test_headers)
   target_compile_options(test_headers PRIVATE "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")  # for ccache: the same bytes whenever they are made
   target_precompile_headers(test_headers PRIVATE ${ARGN})
+endfunction()
+
+# earshot_sources_of(RESULT LIBRARY...): the sources of libraries, to be compiled again in this folder with other flags, their own ones after them.
+function(earshot_sources_of RESULT)
+  set(sources "")
+  foreach(library IN LISTS ARGN)
+    get_target_property(of_library ${library} SOURCES)
+    list(FILTER of_library INCLUDE REGEX "\\.cpp$")
+    get_target_property(folder ${library} SOURCE_DIR)
+    foreach(source IN LISTS of_library)
+      foreach(property COMPILE_OPTIONS SKIP_UNITY_BUILD_INCLUSION)
+        get_source_file_property(own ${folder}/${source} TARGET_DIRECTORY ${library} ${property})
+        if(own)
+          set_source_files_properties(${folder}/${source} PROPERTIES ${property} "${own}")
+        endif()
+      endforeach()
+      list(APPEND sources ${folder}/${source})
+    endforeach()
+  endforeach()
+  set(${RESULT} ${sources} PARENT_SCOPE)
 endfunction()

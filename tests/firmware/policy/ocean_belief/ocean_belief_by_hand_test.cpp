@@ -6,10 +6,12 @@
 #include <cstdint>
 #include <cstdlib>
 #include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "firmware/policy/ocean_belief/ocean_belief.hpp"
+#include "tests/firmware/emulated.hpp"
 #include "tests/firmware/policy/ocean_belief/ocean_belief_rig.hpp"
 
 namespace earshot::policy {
@@ -177,7 +179,8 @@ TEST_F(OceanBeliefByHand, IsTheMixtureByHandOfThoseThatDriftToo) {
 TEST_F(OceanBeliefByHand, TakesBearingsInUnderThoseThatDrift) {
   add_table(tables, 1.0F, kFourPerKilometre);
   for (const Drift& drift : {kSwims, kCurrent}) {
-    for (const std::vector<std::size_t>& with_bearing : {std::vector<std::size_t>{19}, std::vector<std::size_t>{2, 9, 15}}) {
+    const std::array<std::vector<std::size_t>, 2> some_and_one{{{2, 9, 15}, {19}}};
+    for (const std::vector<std::size_t>& with_bearing : std::span(some_and_one).first<tests::times(2, 1)>()) {
       Looks looks = south_of(drift);
       for (const std::size_t i : with_bearing) {
         const NorthEast way = drifted(drift, static_cast<int>(i), 16 * 20 + 16) - looks[i].first;
@@ -206,7 +209,8 @@ TEST_F(OceanBeliefByHand, DeclaresASourceFoundThatDriftsAndThenRulesOutWhereItWo
   add_table(tables, 1.0F, kFourPerKilometre);
   for (const Drift& drift : {kSwims, kCurrent}) {
     int declared_before_the_last = 0;
-    for (const NorthEast past : {at(-300, 900), at(-100, 300), at(300, 500), at(0, -700)}) {
+    const std::array passes{at(-100, 300), at(-300, 900), at(300, 500), at(0, -700)};
+    for (const NorthEast past : std::span(passes).first<tests::times(4, 1)>()) {
       const Looks looks = past_one_that(drift, past);
       belief->start(model, tables);
       Declared declared;
