@@ -90,6 +90,7 @@ class Project:
             f"-DCMAKE_CXX_FLAGS=-w -I{self.include}",
             "-DCMAKE_CXX_FLAGS_DEV=-O2",
             "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
+            "-DEARSHOT_APART=ON",
             "-DCMAKE_SUPPRESS_REGENERATION=ON",  # some tests are made of sources' text while CMake runs
         ]
         if shutil.which("ccache"):

@@ -99,8 +99,9 @@ endfunction()
 # time. A source whose names others have, too, has SKIP_UNITY_BUILD_INCLUSION.
 #   EARSHOT_TOGETHER        of the core's libraries, in builds that are made to be run once, on other machines
 #   EARSHOT_TESTS_TOGETHER  of tests
+#   EARSHOT_APART           each alone all the same: tests/mutation reads in the build which sources a program has
 function(earshot_compile_together NAME COUNT)
-  if(COUNT)
+  if(COUNT AND NOT EARSHOT_APART)
     set_target_properties(${NAME} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${COUNT})
   endif()
 endfunction()
