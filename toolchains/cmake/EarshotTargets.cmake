@@ -98,7 +98,7 @@ endfunction()
 # earshot_compile_together(NAME COUNT): so many sources at a time, where COUNT is one. The same headers are read less often: a third to a half of the processor
 # time. A source whose names others have, too, has SKIP_UNITY_BUILD_INCLUSION.
 #   EARSHOT_TOGETHER        of the core's libraries, in builds that are made to be run once, on other machines
-#   EARSHOT_TESTS_TOGETHER  of tests
+#   EARSHOT_TESTS_TOGETHER  of tests; as many as of those, where it is not set
 #   EARSHOT_APART           each alone all the same: tests/mutation reads in the build which sources a program has
 function(earshot_compile_together NAME COUNT)
   if(COUNT AND NOT EARSHOT_APART)

@@ -1,8 +1,15 @@
 # How the sources of a test are compiled, on every machine: earshot_compile_as_test, earshot_test_headers, earshot_sources_of. (earshot_test itself: tests/CMakeLists.txt, and
 # tests/cortex_m7/CMakeLists.txt for a machine without an operating system.)
 
-# earshot_compile_as_test(NAME): a fifth of a test's compiling would be optimising what it expects; what it tests is built as ever.
+# Tests are compiled as many at a time as the core is, where a preset does not say how many.
+if(NOT DEFINED EARSHOT_TESTS_TOGETHER)
+  set(EARSHOT_TESTS_TOGETHER "${EARSHOT_TOGETHER}")
+endif()
+
+# earshot_compile_as_test(NAME [APART]): a fifth of a test's compiling would be optimising what it expects; what it tests is built as ever.
+#   APART  its sources one by one: they give different things the same name
 function(earshot_compile_as_test NAME)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "APART" "" "")
   target_link_libraries(${NAME} PRIVATE earshot_flags)
   if(CMAKE_CROSSCOMPILING)
     target_compile_definitions(${NAME} PRIVATE EARSHOT_EMULATED)  # tests/firmware/emulated.hpp
@@ -14,7 +21,9 @@ function(earshot_compile_as_test NAME)
   else()
     target_compile_options(${NAME} PRIVATE $<$<CONFIG:Dev>:-O1>)
   endif()
-  earshot_compile_together(${NAME} "${EARSHOT_TESTS_TOGETHER}")
+  if(NOT ARG_APART)
+    earshot_compile_together(${NAME} "${EARSHOT_TESTS_TOGETHER}")
+  endif()
   # GCC 12 takes what it inlines of a precompiled std::string for code of ours that writes beyond its end, and it does not; clang warns, too.
   target_compile_options(${NAME} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow>")
 endfunction()
