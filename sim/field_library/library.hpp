@@ -6,7 +6,7 @@
 
 #include "sim/field_library/plan.hpp"
 #include "sim/parallel/ranks.hpp"
-#include "sim/pe/solver.hpp"
+#include "sim/pe/options.hpp"
 
 namespace earshot::field_library {
 

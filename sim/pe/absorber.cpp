@@ -9,7 +9,6 @@ namespace earshot::pe {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double kPi = std::numbers::pi;
 
 constexpr double kGrowth = 1.5;         // 12 nepers lost in a round trip, by the infinite product; 1e-4 is left with both ends cut
 constexpr double kShortestPhase = 0.5;  // of a vertical wave over the first element
@@ -18,15 +17,15 @@ constexpr double kTurn = 0.03;          // radians that a wave turns by, against
 
 /// Vertical wavenumber of the most grazing wave that matters.
 double most_grazing(const ocean::SedimentLayer& half_space, Hertz frequency, Meters max_range) {
-  const double k = 2.0 * kPi * frequency.value / half_space.sound_speed.value;
-  const double loss_tangent = half_space.attenuation_db_per_wavelength / (40.0 * kPi * std::numbers::log10e);
+  const double k = 2.0 * std::numbers::pi * frequency.value / half_space.sound_speed.value;
+  const double loss_tangent = half_space.attenuation_db_per_wavelength / (40.0 * std::numbers::pi * std::numbers::log10e);
   return std::min(k, std::max(k * std::sqrt(2.0 * loss_tangent), std::sqrt(2.0 * kTurn * k / max_range.value)));
 }
 
 }  // namespace
 
 Complex Absorber::length_m(std::size_t element) const {
-  return std::polar(shortest_m * std::pow(growth, static_cast<double>(element)), 0.25 * kPi);
+  return std::polar(shortest_m * std::pow(growth, static_cast<double>(element)), 0.25 * std::numbers::pi);
 }
 
 double Absorber::reflection(Complex vertical_wavenumber_per_m) const {
@@ -52,7 +51,7 @@ Absorber choose_absorber(const ocean::Section& section, Hertz frequency, Meters 
     fastest = std::max(fastest, half_space.sound_speed.value);
     grazing = std::min(grazing, most_grazing(half_space, frequency, max_range));
   }
-  Absorber absorber{.shortest_m = kShortestPhase * slowest / (2.0 * kPi * frequency.value), .growth = kGrowth, .elements = 1};
+  Absorber absorber{.shortest_m = kShortestPhase * slowest / (2.0 * std::numbers::pi * frequency.value), .growth = kGrowth, .elements = 1};
   const auto is_enough = [&] {
     if (wavelengths) return absorber.thickness_m() >= *wavelengths * fastest / frequency.value;
     return std::abs(absorber.length_m(absorber.elements - 1)) >= kLongestPhase / grazing;
@@ -66,7 +65,7 @@ double largest_reflection(const Absorber& absorber, const ocean::Section& sectio
   double largest = 0.0;
   for (const ocean::SedimentStation& station : section.sediment) {
     const ocean::SedimentLayer& half_space = station.layers.back();
-    const double k = 2.0 * kPi * frequency.value / half_space.sound_speed.value;
+    const double k = 2.0 * std::numbers::pi * frequency.value / half_space.sound_speed.value;
     const double grazing = most_grazing(half_space, frequency, max_range);
     for (int i = 0; i <= kAngles; ++i)
       largest = std::max(largest, absorber.reflection(grazing * std::pow(k / grazing, static_cast<double>(i) / kAngles)));

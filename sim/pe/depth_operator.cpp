@@ -11,11 +11,10 @@ namespace earshot::pe {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double kPi = std::numbers::pi;
 
 /// k = (omega / c) (1 + i alpha / (40 pi log10 e)), alpha in dB per wavelength: Jensen et al., Eq. 1.47.
 Complex wavenumber(double angular_frequency, double sound_speed_mps, double attenuation_db_per_wavelength) {
-  const double loss_tangent = attenuation_db_per_wavelength / (40.0 * kPi * std::numbers::log10e);
+  const double loss_tangent = attenuation_db_per_wavelength / (40.0 * std::numbers::pi * std::numbers::log10e);
   return angular_frequency / sound_speed_mps * Complex(1.0, loss_tangent);
 }
 
@@ -31,7 +30,7 @@ constexpr double kThinnest = 1e-6;  // of an element: thinner slices of a medium
 }  // namespace
 
 DepthOperator::DepthOperator(const ocean::Section& section, Hertz frequency, const DepthGrid& grid)
-    : section_(section), angular_frequency_(2.0 * kPi * frequency.value), grid_(grid), water_potential_(grid.intervals + 1) {
+    : section_(section), angular_frequency_(2.0 * std::numbers::pi * frequency.value), grid_(grid), water_potential_(grid.intervals + 1) {
   for (const ocean::WaterStation& station : section_.water)
     sound_speed_.push_back(water_samples(station.profile, Meters{grid_.step_m}, grid_.intervals));
   for (Tridiagonal* matrix : {&mass_, &g_}) {

@@ -9,7 +9,6 @@ namespace earshot::pe {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double kPi = std::numbers::pi;
 
 constexpr double kVerticalWeight = 0.05;
 constexpr double kEvanescentWeight = 0.002;
@@ -27,7 +26,7 @@ struct Point {
 };
 
 double weight_at(double angle, double trapped_angle) {
-  return std::pow(kVerticalWeight, std::max(0.0, (angle - trapped_angle) / (0.5 * kPi - trapped_angle)));
+  return std::pow(kVerticalWeight, std::max(0.0, (angle - trapped_angle) / (0.5 * std::numbers::pi - trapped_angle)));
 }
 
 std::vector<Point> points_of(const Spectrum& spectrum, double phase) {
@@ -35,7 +34,7 @@ std::vector<Point> points_of(const Spectrum& spectrum, double phase) {
   const double trapped_angle = std::acos(std::sqrt((1.0 + spectrum.trapped) / scale));
   std::vector<Point> points{{spectrum.highest + kBeyond, 1.0}, {spectrum.highest + 0.5 * kBeyond, 1.0}};
   for (int i = 0; i < kAngles; ++i) {
-    const double angle = 0.5 * kPi * (i + 0.5) / kAngles;
+    const double angle = 0.5 * std::numbers::pi * (i + 0.5) / kAngles;
     points.push_back({scale * std::cos(angle) * std::cos(angle) - 1.0, weight_at(angle, trapped_angle)});
   }
   const double nearest = 1e-3;

@@ -19,7 +19,6 @@ namespace earshot::pe {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double kPi = std::numbers::pi;
 
 void require(bool allowed, const std::string& what, double value, const std::string& range) {
   if (allowed) return;
@@ -79,9 +78,9 @@ Stepping choose_stepping(const Options& options, const GridChoice& choice, doubl
 /// Highest eigenvalue of Numerov's second difference is 6 / h^2: the most evanescent wave the grid holds.
 Spectrum spectrum_of(const ocean::Section& section, const DepthGrid& grid, Hertz frequency) {
   const double phase = grid.reference_wavenumber_per_m * grid.step_m;
-  const double slowest = 2.0 * kPi * frequency.value / grid.reference_wavenumber_per_m;
+  const double slowest = 2.0 * std::numbers::pi * frequency.value / grid.reference_wavenumber_per_m;
   const double ratio = slowest / sound_speed_bounds(section).highest_mps;
-  constexpr double kLeastAngle = 15.0 / 180.0 * kPi;  // to the horizontal, of what is to be most accurate
+  constexpr double kLeastAngle = 15.0 / 180.0 * std::numbers::pi;  // to the horizontal, of what is to be most accurate
   return {.lowest = -1.0 - 6.0 / (phase * phase),
           .trapped = std::min(ratio * ratio - 1.0, -std::sin(kLeastAngle) * std::sin(kLeastAngle)),
           .highest = 0.0};
@@ -146,8 +145,9 @@ class March {
     operator_.move_to(0.5 * stepping.step_m);
     sweep_.take(operator_, {1, grid.intervals - 1}, meeting_row());
     const double speed_mps = ocean::sound_speed(section, Meters{}, source.depth).value;
-    const std::vector<Complex> u = make_starter(
-        starter, operator_, {.depth_m = source.depth.value, .wavenumber_per_m = 2.0 * kPi * source.frequency.value / speed_mps});
+    const std::vector<Complex> u =
+        make_starter(starter, operator_,
+                     {.depth_m = source.depth.value, .wavenumber_per_m = 2.0 * std::numbers::pi * source.frequency.value / speed_mps});
     for (std::size_t node = 0; node < u.size(); ++node) sweep_.set_field(node, u[node]);
     place_taps(true);
   }
@@ -166,7 +166,7 @@ class March {
     const double k0 = operator_.grid().reference_wavenumber_per_m;
     for (Eigen::Index row = 0; row < rows_.rows() && first_row + row < field.pressure.rows(); ++row) {
       const double range = static_cast<double>(first_row + row + 1) * field.range_step.value;
-      const Complex spreading = std::polar(std::sqrt(2.0 * kPi / (k0 * range)), 0.25 * kPi);
+      const Complex spreading = std::polar(std::sqrt(2.0 * std::numbers::pi / (k0 * range)), 0.25 * std::numbers::pi);
       field.pressure.row(first_row + row) = spreading * rows_.row(row).array();
     }
   }
@@ -232,7 +232,7 @@ Field solve(const ocean::Section& section, const PointSource& source, const Opti
     require(inside(depth, 0.0, grid.deepest_medium_m), "receiver depth in m", depth, allowed.str());
   }
 
-  const Stepping stepping = choose_stepping(options, choice, 2.0 * kPi / grid.reference_wavenumber_per_m);
+  const Stepping stepping = choose_stepping(options, choice, 2.0 * std::numbers::pi / grid.reference_wavenumber_per_m);
   const std::size_t terms = options.terms == 0 ? choice.terms : options.terms;
   const Propagator propagator = propagator_of(section, grid, source.frequency, stepping, terms);
   if (!is_automatic(choice, terms, stepping.step_m)) require_serves(propagator, terms, stepping.step_m, max_range);

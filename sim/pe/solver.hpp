@@ -3,27 +3,14 @@
 #include <Eigen/Core>
 #include <complex>
 #include <cstddef>
-#include <functional>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "firmware/core/units.hpp"
 #include "sim/ocean/section.hpp"
-#include "sim/pe/starter.hpp"
+#include "sim/pe/options.hpp"
 
 namespace earshot::pe {
-
-/// What is left empty (or 0) is chosen from frequency, environment and accuracy: grid_choice.hpp.
-struct Options {
-  std::optional<Meters> depth_step = {};
-  std::optional<Meters> range_step = {};            ///< of the march; output_step is a multiple of it, or it of output_step
-  std::size_t terms = 0;                            ///< poles of the propagator, 2 to 16; a multiple of 4 fills the vector lanes
-  std::optional<double> absorber_wavelengths = {};  ///< thickness of the absorber: absorber.hpp
-  std::optional<Meters> output_step = {};           ///< between rows of the field; empty: range_step if given, else a sixth of a wavelength
-  Decibels accuracy{0.02};                          ///< of transmission loss, mean over ranges
-  Starter starter = Starter::kSelf;
-};
 
 /// Complex pressure of a source of unit amplitude at 1 m, without its common phase factor exp(i k0 r).
 struct Field {
@@ -37,9 +24,6 @@ struct PointSource {
   Hertz frequency;
   Meters depth;
 };
-
-/// Called now and then with the share of the work that is done, 0 to 1.
-using Progress = std::function<void(double fraction)>;
 
 /// Sound of a point source against range and depth by the parabolic equation, as far as `max_range` and one row at least.
 ///

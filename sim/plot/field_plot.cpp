@@ -34,8 +34,7 @@ std::string surface(const sonar::SonarField& field) {
   std::ostringstream data;
   for (std::size_t i = 0; i < field.range_m.size(); i += range_stride) {
     for (std::size_t j = 0; j < field.depth_m.size(); j += depth_stride) {
-      data << field.range_m[i] / 1000.0 << ' ' << field.depth_m[j] << ' '
-           << value(static_cast<double>(field.snr_db(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)))) << '\n';
+      data << field.range_m[i] / 1000.0 << ' ' << field.depth_m[j] << ' ' << value(static_cast<double>(field.snr_db(i, j))) << '\n';
     }
   }
   return data.str();

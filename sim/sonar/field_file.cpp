@@ -1,7 +1,6 @@
 #include "sim/sonar/field_file.hpp"
 
 #include <numbers>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -43,8 +42,7 @@ void write_field(const std::filesystem::path& path, const SonarField& field, con
   write_scalar(file, "bearing", "bearing of the radial from the source, clockwise from grid north", "degree",
                bearing.value * 180.0 / std::numbers::pi);
   write_sea_floor(file, field);
-  const DecibelArray& loss = field.transmission_loss_db;
-  write_transmission_loss(file, {"range", "depth"}, "source_depth bearing", std::span(loss.data(), static_cast<std::size_t>(loss.size())));
+  write_transmission_loss(file, {"range", "depth"}, "source_depth bearing", field.transmission_loss_db);
   file.commit();
 }
 

@@ -3,7 +3,7 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
 #include "sim/ocean/environment.hpp"
-#include "sim/pe/solver.hpp"
+#include "sim/pe/options.hpp"
 #include "sim/sonar/radial.hpp"
 
 namespace earshot::sonar {

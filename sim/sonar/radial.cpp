@@ -1,5 +1,6 @@
 #include "sim/sonar/radial.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -9,6 +10,7 @@
 
 #include "sim/ocean/charts/charts.hpp"
 #include "sim/ocean/section_along.hpp"
+#include "sim/pe/solver.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
 namespace earshot::sonar {

@@ -11,7 +11,7 @@
 #include "sim/ocean/band.hpp"
 #include "sim/ocean/environment.hpp"
 #include "sim/ocean/section.hpp"
-#include "sim/pe/solver.hpp"
+#include "sim/pe/options.hpp"
 
 namespace earshot::sonar {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <span>
 #include <sstream>
 #include <stdexcept>
 
@@ -17,27 +16,23 @@ Decibels transmission_loss(double squared_pressure) {
   return Decibels{std::min(-kDecibelsPerDoubling * std::log2(squared_pressure), kMaxTransmissionLoss.value)};
 }
 
-float SonarField::snr_db(Eigen::Index range, Eigen::Index depth) const {
-  const float loss_db = transmission_loss_db(range, depth);
+float SonarField::snr_db(std::size_t range, std::size_t depth) const {
+  const float loss_db = at(range, depth);
   if (std::isnan(loss_db)) return loss_db;  // no water
   return static_cast<float>(signal_to_noise(source_level, Decibels{static_cast<double>(loss_db)}, noise_level).value);
 }
 
 SonarField compute_sonar_field(const ocean::Environment& environment, Radians bearing, const RadialPlan& plan,
                                const pe::Progress& progress) {
-  const auto rows = static_cast<Eigen::Index>(plan.ranges);
   SonarField result{.range_m = {},
                     .depth_m = plan.depth_m,
                     .source_level = environment.source.level,
                     .noise_level = environment.noise_level,
-                    .transmission_loss_db = DecibelArray(rows, static_cast<Eigen::Index>(plan.depth_m.size())),
+                    .transmission_loss_db = std::vector<float>(plan.ranges * plan.depth_m.size()),
                     .sea_floor_depth_m = std::vector<float>(plan.ranges)};
   for (std::size_t i = 0; i < plan.ranges; ++i) result.range_m.push_back(static_cast<double>(i + 1) * plan.range_step.value);
-  DecibelArray& loss = result.transmission_loss_db;
   compute_radial(environment, environment.source.position, bearing, plan,
-                 {.transmission_loss_db = std::span(loss.data(), static_cast<std::size_t>(loss.size())),
-                  .sea_floor_depth_m = result.sea_floor_depth_m},
-                 progress);
+                 {.transmission_loss_db = result.transmission_loss_db, .sea_floor_depth_m = result.sea_floor_depth_m}, progress);
   return result;
 }
 
@@ -69,8 +64,8 @@ SnrCurve compute_snr_curve(const ocean::Environment& environment, Meters receive
   const SonarField field = compute_sonar_field(environment, Radians{}, plan);
   const auto silence = static_cast<float>(signal_to_noise(environment.source.level, kMaxTransmissionLoss, environment.noise_level).value);
   std::vector<float> snr_db{0.0F};
-  for (Eigen::Index row = 0; row < field.transmission_loss_db.rows(); ++row) {
-    const float snr = field.snr_db(row, 0);
+  for (std::size_t i = 0; i < field.range_m.size(); ++i) {
+    const float snr = field.snr_db(i, 0);
     snr_db.push_back(std::isnan(snr) ? silence : snr);
   }
   snr_db.front() = snr_db[1];

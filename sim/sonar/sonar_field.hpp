@@ -1,11 +1,11 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
 #include "firmware/core/units.hpp"
 #include "sim/ocean/environment.hpp"
-#include "sim/pe/solver.hpp"
+#include "sim/pe/options.hpp"
 #include "sim/sonar/radial.hpp"
 #include "sim/sonar/snr_curve.hpp"
 
@@ -16,19 +16,18 @@ namespace earshot::sonar {
 
 inline constexpr Decibels kMaxTransmissionLoss{300.0};
 
-using DecibelArray = Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
 /// What a hydrophone hears of the environment's source on one radial, against range and depth; NaN where there is no water.
 struct SonarField {
   std::vector<double> range_m;                ///< increasing, > 0
   std::vector<double> depth_m;                ///< positive down
   Decibels source_level;                      ///< dB re 1 uPa @ 1 m
   Decibels noise_level;                       ///< in the detector's band, dB re 1 uPa
-  DecibelArray transmission_loss_db;          ///< [n_range x n_depth], dB re 1 m
+  std::vector<float> transmission_loss_db;    ///< [n_range x n_depth], dB re 1 m
   std::vector<float> sea_floor_depth_m = {};  ///< [n_range]; 0 on land
 
+  [[nodiscard]] float at(std::size_t range, std::size_t depth) const { return transmission_loss_db[range * depth_m.size() + depth]; }
   /// SL - TL - N at one range and depth; NaN where there is no water.
-  [[nodiscard]] float snr_db(Eigen::Index range, Eigen::Index depth) const;
+  [[nodiscard]] float snr_db(std::size_t range, std::size_t depth) const;
 };
 
 /// The radial of `bearing` (clockwise from north) from the environment's source. Throws as compute_radial does.

@@ -20,14 +20,12 @@ namespace {
 
 /// 3 ranges by 2 depths; the loss counts up along depth first.
 SonarField small_field() {
-  SonarField field{.range_m = {10.0, 20.0, 30.0},
-                   .depth_m = {5.0, 50.0},
-                   .source_level = Decibels{190.0},
-                   .noise_level = Decibels{90.0},
-                   .transmission_loss_db = DecibelArray(3, 2),
-                   .sea_floor_depth_m = {60.0F, 60.0F, 60.0F}};
-  field.transmission_loss_db << 1, 2, 3, 4, 5, 6;
-  return field;
+  return {.range_m = {10.0, 20.0, 30.0},
+          .depth_m = {5.0, 50.0},
+          .source_level = Decibels{190.0},
+          .noise_level = Decibels{90.0},
+          .transmission_loss_db = {1, 2, 3, 4, 5, 6},
+          .sea_floor_depth_m = {60.0F, 60.0F, 60.0F}};
 }
 
 class FieldFile : public testing::Test {
@@ -92,7 +90,7 @@ TEST_F(FieldFile, NamesItsConventionsUnitsAndProvenance) {
 /// Losses no two of which differ by a multiple of 1/256 dB, and one place without water.
 SonarField odd_field() {
   SonarField field = small_field();
-  field.transmission_loss_db << 60.0019F, 71.37F, 83.1234567F, 300.0F, 99.99871F, std::numeric_limits<float>::quiet_NaN();
+  field.transmission_loss_db = {60.0019F, 71.37F, 83.1234567F, 300.0F, 99.99871F, std::numeric_limits<float>::quiet_NaN()};
   return field;
 }
 
@@ -103,7 +101,7 @@ TEST_F(FieldFile, HoldsTheLossWithinHalfOf1To256Decibel) {
   ASSERT_EQ(loss.size(), 6U);
   for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_EQ(256.0 * loss[i], std::floor(256.0 * loss[i])) << i;
-    EXPECT_LE(std::abs(loss[i] - double{field.transmission_loss_db(static_cast<Eigen::Index>(i))}), 1.0 / 512.0) << i;
+    EXPECT_LE(std::abs(loss[i] - double{field.transmission_loss_db[i]}), 1.0 / 512.0) << i;
   }
   EXPECT_TRUE(std::isnan(loss[5]));
 }
