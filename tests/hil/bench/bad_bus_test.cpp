@@ -8,6 +8,7 @@
 #include <set>
 
 #include "firmware/wire/n2k/table/messages.hpp"
+#include "tests/hil/seconds.hpp"
 
 namespace earshot::hil {
 namespace {
@@ -29,10 +30,6 @@ Frames frames_of(std::uint32_t identifier, std::size_t count) {
 
 std::vector<Affliction> only(FrameFault fault, Duration seconds = {}) {
   return {{.fault = fault, .frames = {}, .seconds = seconds}};
-}
-
-Time at_s(std::int64_t seconds) {
-  return Time{} + Duration::seconds(seconds);
 }
 
 /// Of one frame, at once.

@@ -5,6 +5,7 @@
 
 #include "firmware/host/file/bad_input.hpp"
 #include "hil/bench/case.hpp"
+#include "tests/hil/seconds.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::hil {
@@ -13,10 +14,6 @@ namespace {
 const std::string kWords = "given = \"a search\"\nwhen = \"nothing fails\"\nthen = \"it finds the source\"\n";
 const std::filesystem::path kMissions = std::filesystem::path(EARSHOT_SOURCE_DIR) / "hil/missions";
 const std::string kExpect = "[expect]\nend = \"found\"\n";
-
-constexpr Time at_s(std::int64_t seconds) {
-  return Time{} + Duration::seconds(seconds);
-}
 
 class CaseFileTest : public testing::Test {
  protected:

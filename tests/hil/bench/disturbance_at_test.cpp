@@ -1,4 +1,5 @@
 #include "hil/bench/disturbance_at.hpp"
+#include "tests/hil/seconds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +7,6 @@ namespace earshot::hil {
 namespace {
 
 constexpr Duration kTick = Duration::seconds(1);
-
-constexpr Time at_s(std::int64_t seconds) {
-  return Time{} + Duration::seconds(seconds);
-}
 
 Disturbance of(Fault fault, double amount = 0.0, double direction_deg = 0.0) {
   return disturbance_at({{.fault = fault, .from = at_s(10), .amount = amount, .direction_deg = direction_deg}}, at_s(10), kTick);

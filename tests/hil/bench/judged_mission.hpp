@@ -7,14 +7,11 @@
 #include "firmware/config/mission.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/messages/safety_event.hpp"
+#include "tests/hil/seconds.hpp"
 
 namespace earshot::hil {
 
 using Words = std::vector<std::string>;
-
-constexpr Time at_s(std::int64_t seconds) {
-  return Time{} + Duration::seconds(seconds);
-}
 
 /// A square of 10 km, 2 m/s, 300 m deep and no deeper than 320 m.
 inline config::Mission mission() {

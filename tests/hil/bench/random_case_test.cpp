@@ -7,14 +7,11 @@
 #include <set>
 #include <string>
 
+#include "tests/hil/seconds.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::hil {
 namespace {
-
-constexpr Time at_s(std::int64_t seconds) {
-  return Time{} + Duration::seconds(seconds);
-}
 
 Case case_of(std::vector<TimedFault> faults) {
   return {.name = "some",

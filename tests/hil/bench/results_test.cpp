@@ -1,4 +1,5 @@
 #include "hil/bench/results.hpp"
+#include "tests/hil/seconds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +10,6 @@ namespace earshot::hil {
 namespace {
 
 using nlohmann::json;
-
-constexpr Time at_s(std::int64_t seconds) {
-  return Time{} + Duration::seconds(seconds);
-}
 
 class ResultsTest : public testing::Test {
  protected:

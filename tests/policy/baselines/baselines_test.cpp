@@ -12,6 +12,7 @@
 #include "policy/evaluate/evaluation.hpp"
 #include "sim/search/actions/compass_directions.hpp"
 #include "sim/search/told_ocean.hpp"
+#include "tests/sim/search/place.hpp"
 
 namespace earshot::baselines {
 namespace {
@@ -21,10 +22,6 @@ constexpr std::size_t kNorthEast = 1;
 constexpr std::size_t kEast = 2;
 constexpr std::size_t kSouth = 4;
 constexpr std::size_t kWest = 6;
-
-constexpr NorthEast at(double north_m, double east_m) {
-  return {Meters{north_m}, Meters{east_m}};
-}
 
 /// 30 dB at the source, two less per kilometre: DT = 10 dB is reached 10 km away.
 sonar::SnrCurve two_decibels_per_kilometer() {

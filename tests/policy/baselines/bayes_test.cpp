@@ -11,13 +11,10 @@
 #include "policy/evaluate/evaluation.hpp"
 #include "sim/search/actions/compass_directions.hpp"
 #include "sim/search/told_ocean.hpp"
+#include "tests/sim/search/place.hpp"
 
 namespace earshot::baselines {
 namespace {
-
-constexpr NorthEast at(double north_m, double east_m) {
-  return {Meters{north_m}, Meters{east_m}};
-}
 
 /// A searcher that is told of one ocean, and of the same one as ocean tables.
 struct Told {

@@ -8,13 +8,10 @@
 #include "policy/baselines/moves.hpp"
 #include "sim/search/actions/compass_directions.hpp"
 #include "sim/search/told_ocean.hpp"
+#include "tests/sim/search/place.hpp"
 
 namespace earshot::baselines {
 namespace {
-
-constexpr NorthEast at(double north_m, double east_m) {
-  return {Meters{north_m}, Meters{east_m}};
-}
 
 /// 60 dB at the source, four less per kilometre: a source that is 3 dB louder than believed seems less than a kilometre nearer.
 sonar::SnrCurve four_decibels_per_kilometer() {

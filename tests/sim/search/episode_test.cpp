@@ -9,13 +9,11 @@
 
 #include "sim/search/belief_model.hpp"
 #include "sim/search/told_ocean.hpp"
+#include "tests/sim/search/place.hpp"
 
 namespace earshot::search {
 namespace {
 
-constexpr NorthEast at(double north_m, double east_m) {
-  return {Meters{north_m}, Meters{east_m}};
-}
 constexpr std::size_t kNorth = 0;
 constexpr std::size_t kEast = 2;
 constexpr std::size_t kSouth = 4;

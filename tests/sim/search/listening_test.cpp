@@ -7,15 +7,13 @@
 #include <vector>
 
 #include "sim/search/episode.hpp"
+#include "tests/sim/search/place.hpp"
 
 namespace earshot::search {
 namespace {
 
 using config::Listening;
 
-constexpr NorthEast at(double north_m, double east_m) {
-  return {Meters{north_m}, Meters{east_m}};
-}
 constexpr std::size_t kNorth = 0;
 constexpr std::size_t kEast = 2;
 const policy::ObservationModel kSeesNothing;

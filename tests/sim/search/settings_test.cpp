@@ -1,4 +1,5 @@
 #include "sim/search/settings.hpp"
+#include "tests/sim/search/place.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +9,6 @@
 namespace earshot::search {
 namespace {
 
-constexpr NorthEast at(double north_m, double east_m) {
-  return {Meters{north_m}, Meters{east_m}};
-}
 TEST(SearchSettingsCheck, AcceptsThePapersProblem) {
   EXPECT_EQ(check({}), Status::kOk);
   const SearchSettings paper;

@@ -9,13 +9,10 @@
 
 #include "firmware/policy/ocean_belief/ocean_belief.hpp"
 #include "sim/search/belief_model.hpp"
+#include "tests/sim/search/place.hpp"
 
 namespace earshot::search {
 namespace {
-
-constexpr NorthEast at(double north_m, double east_m) {
-  return {Meters{north_m}, Meters{east_m}};
-}
 
 std::unique_ptr<policy::OceanTables> told(const SearchSettings& settings, const sonar::SnrCurve& curve) {
   auto tables = std::make_unique<policy::OceanTables>();

@@ -151,6 +151,7 @@ TEST_F(OceanBeliefByHand, IsTheMixtureByHandOfTheHypothesesThatItHolds) {
 constexpr auto kFourPerKilometre = [](double km) { return 45.0 - 4.0 * km; };
 constexpr Drift kSwims{.north = 9, .east = -5};
 constexpr Drift kCurrent{.north = 4, .east = 4, .is_current = true};
+constexpr std::array kDrifts{kCurrent, kSwims};
 
 /// Looks to and fro, south of a source that drifts.
 Looks south_of(const Drift& drift) {
@@ -165,7 +166,7 @@ Looks south_of(const Drift& drift) {
 /// Of a source that swims, and of one that a current takes beyond the edge.
 TEST_F(OceanBeliefByHand, IsTheMixtureByHandOfThoseThatDriftToo) {
   add_table(tables, 1.0F, kFourPerKilometre);
-  for (const Drift& drift : {kSwims, kCurrent}) {
+  for (const Drift& drift : kDrifts) {
     const Looks looks = south_of(drift);
     const Declared declared = fly(looks);
     EXPECT_EQ(std::ranges::count(declared, true), 0) << "it never gets near";
@@ -178,7 +179,7 @@ TEST_F(OceanBeliefByHand, IsTheMixtureByHandOfThoseThatDriftToo) {
 /// Of where it is then, whether a hypothesis was held when a bearing came or drawn later; beyond the edge too.
 TEST_F(OceanBeliefByHand, TakesBearingsInUnderThoseThatDrift) {
   add_table(tables, 1.0F, kFourPerKilometre);
-  for (const Drift& drift : {kSwims, kCurrent}) {
+  for (const Drift& drift : std::span(kDrifts).first<tests::times(2, 1)>()) {
     const std::array<std::vector<std::size_t>, 2> some_and_one{{{2, 9, 15}, {19}}};
     for (const std::vector<std::size_t>& with_bearing : std::span(some_and_one).first<tests::times(2, 1)>()) {
       Looks looks = south_of(drift);
@@ -207,7 +208,7 @@ Looks past_one_that(const Drift& drift, NorthEast past) {
 
 TEST_F(OceanBeliefByHand, DeclaresASourceFoundThatDriftsAndThenRulesOutWhereItWouldHaveBeenThen) {
   add_table(tables, 1.0F, kFourPerKilometre);
-  for (const Drift& drift : {kSwims, kCurrent}) {
+  for (const Drift& drift : std::span(kDrifts).first<tests::times(2, 1)>()) {
     int declared_before_the_last = 0;
     const std::array passes{at(-100, 300), at(-300, 900), at(300, 500), at(0, -700)};
     for (const NorthEast past : std::span(passes).first<tests::times(4, 1)>()) {

@@ -12,13 +12,10 @@
 #include "firmware/wire/n2k/setpoint.hpp"
 #include "firmware/wire/n2k/table/messages.hpp"
 #include "tests/hil/nodes/listening.hpp"
+#include "tests/hil/seconds.hpp"
 
 namespace earshot::hil {
 namespace {
-
-constexpr Time at_s(std::int64_t seconds) {
-  return Time{} + Duration::seconds(seconds);
-}
 
 class IntrudersTest : public testing::Test {
  protected:

@@ -9,13 +9,10 @@
 #include "earshot/nav_state_t.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
+#include "tests/hil/seconds.hpp"
 
 namespace earshot::hil {
 namespace {
-
-constexpr Time at_s(std::int64_t seconds) {
-  return Time{} + Duration::seconds(seconds);
-}
 
 LcmMessage fix(double north_m) {
   nav_state_t fix{};

@@ -8,13 +8,10 @@
 #include "earshot/operator_command_t.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
+#include "tests/hil/seconds.hpp"
 
 namespace earshot::hil {
 namespace {
-
-constexpr Time at_s(std::int64_t seconds) {
-  return Time{} + Duration::seconds(seconds);
-}
 
 template <class Type>
 Type read(const LcmMessage& message) {

@@ -9,13 +9,10 @@
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
+#include "tests/hil/seconds.hpp"
 
 namespace earshot::hil {
 namespace {
-
-constexpr Time at_s(std::int64_t seconds) {
-  return Time{} + Duration::seconds(seconds);
-}
 
 template <class Type>
 Type said_on(std::string_view channel, const LcmMessages& said) {

@@ -1,13 +1,11 @@
 #include "sim/search/reward/step_reward.hpp"
+#include "tests/sim/search/place.hpp"
 
 #include <gtest/gtest.h>
 
 namespace earshot::search {
 namespace {
 
-constexpr NorthEast at(double north_m, double east_m) {
-  return {Meters{north_m}, Meters{east_m}};
-}
 constexpr Decibels kHeard{10.0};  // the threshold itself counts as detected
 constexpr Decibels kUnheard{9.99};
 

@@ -8,16 +8,13 @@
 
 #include "sim/search/episode.hpp"
 #include "sim/search/scenario/surroundings.hpp"
+#include "tests/sim/search/place.hpp"
 
 namespace earshot::search {
 namespace {
 
 const policy::OceanTables kNoOceans;
 constexpr double kDegree = std::numbers::pi / 180.0;
-
-constexpr NorthEast at(double north_m, double east_m) {
-  return {Meters{north_m}, Meters{east_m}};
-}
 
 /// 30 dB at the source, one less per kilometre.
 sonar::SnrCurve one_decibel_per_kilometer() {

@@ -9,13 +9,11 @@
 #include <vector>
 
 #include "sim/search/episode.hpp"
+#include "tests/sim/search/place.hpp"
 
 namespace earshot::search {
 namespace {
 
-constexpr NorthEast at(double north_m, double east_m) {
-  return {Meters{north_m}, Meters{east_m}};
-}
 const policy::OceanTables kNoOceans;
 constexpr NorthEast kVehicle = at(22'000, 10'000);
 

@@ -11,14 +11,11 @@
 #include "firmware/host/toml/table_reader.hpp"
 #include "sim/field_library/store.hpp"
 #include "sim/ocean/file/environment_file.hpp"
+#include "tests/sim/search/place.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::search {
 namespace {
-
-constexpr NorthEast at(double north_m, double east_m) {
-  return {Meters{north_m}, Meters{east_m}};
-}
 
 /// 50 dB of loss to the north, one more per kilometre; 80 dB to east, south and west.
 SnrFan fan_at(NorthEast centre, double level_db) {

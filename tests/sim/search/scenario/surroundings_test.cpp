@@ -10,13 +10,11 @@
 #include <vector>
 
 #include "sim/search/episode.hpp"
+#include "tests/sim/search/place.hpp"
 
 namespace earshot::search {
 namespace {
 
-constexpr NorthEast at(double north_m, double east_m) {
-  return {Meters{north_m}, Meters{east_m}};
-}
 constexpr std::size_t kNorth = 0;
 const policy::ObservationModel kSeesNothing;
 const policy::OceanTables kNoOceans;
