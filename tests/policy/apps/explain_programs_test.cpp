@@ -36,9 +36,10 @@ TEST_F(ExplainPrograms, ExplainWritesAReportInEachFormatAndTheReportOfTheFlight)
 }
 
 TEST_F(ExplainPrograms, ExplainDrawsMapsForASourceAndAlongAFlight) {
-  ASSERT_EQ(run("explain map flight/journal.policy --source 10000,10000 --arrows 3 -o own.png"), 0) << content("err");
-  ASSERT_EQ(run("explain map flight/journal.policy --source 10000,10000 --arrows 3" + kOcean + " -o paper.svg"), 0) << content("err");
-  ASSERT_EQ(run("explain map flight/journal.policy --flight flight --step 3 --arrows 3 -o belief.png"), 0) << content("err");
+  ASSERT_EQ(run("explain map flight/journal.policy --source 10000,10000 --arrows 6 --starts 3 -o own.png"), 0) << content("err");
+  ASSERT_EQ(run("explain map flight/journal.policy --source 10000,10000 --arrows 6 --starts 3" + kOcean + " -o paper.svg"), 0)
+      << content("err");
+  ASSERT_EQ(run("explain map flight/journal.policy --flight flight --step 3 --arrows 6 -o belief.png"), 0) << content("err");
   EXPECT_EQ(content("own.png").substr(1, 3), "PNG");
   EXPECT_NE(content("paper.svg").find("What journal.policy does"), std::string::npos);
   EXPECT_NE(content("paper.svg").find(" of 9 starts"), std::string::npos) << "3 x 3 paths of a policy with a belief";
@@ -46,8 +47,8 @@ TEST_F(ExplainPrograms, ExplainDrawsMapsForASourceAndAlongAFlight) {
 }
 
 TEST_F(ExplainPrograms, ExplainSearchesByTheTablesThatItIsGiven) {
-  ASSERT_EQ(run("explain map flight/journal.policy --source 10000,10000 --arrows 3 -o shipped.svg"), 0) << content("err");
-  ASSERT_EQ(run("explain map flight/journal.policy --source 10000,10000 --arrows 3 --tables flight/journal.tables -o own.svg"), 0)
+  ASSERT_EQ(run("explain map flight/journal.policy --source 10000,10000 --starts 3 -o shipped.svg"), 0) << content("err");
+  ASSERT_EQ(run("explain map flight/journal.policy --source 10000,10000 --starts 3 --tables flight/journal.tables -o own.svg"), 0)
       << content("err");
   EXPECT_NE(content("own.svg").find("heard in the likeliest ocean of the tables"), std::string::npos);
   EXPECT_NE(content("own.svg"), content("shipped.svg"));
@@ -78,7 +79,7 @@ TEST_F(ExplainPrograms, RefuseWhatTheyCannotExplainWithOneLine) {
 }
 
 TEST_F(ExplainPrograms, TakePlacesInMetresOrWithAUnitAndAskWhetherKilometresWereMeant) {
-  const std::string map = "explain map flight/journal.policy --arrows 2 -o ";
+  const std::string map = "explain map flight/journal.policy --starts 2 -o ";
   refuses(map + "a.svg --source 10,10",
           {"--source 10,10: metres are meant: did you mean 10000,10000 (or 10km,10km)? If not, write 10m,10m"});
   refuses(map + "a.svg --source 99.5,-3", {"did you mean 99500,-3000"});
@@ -95,7 +96,7 @@ TEST_F(ExplainPrograms, TakePlacesInMetresOrWithAUnitAndAskWhetherKilometresWere
 
 TEST_F(ExplainPrograms, SayNothingWithQuietAndMoreWithVerbose) {
   for (const std::string words : {"explain decision flight --step 2 -o decision.html",
-                                  "explain map flight/journal.policy --source 10000,10000 --arrows 2 -o a.svg", "report flight"}) {
+                                  "explain map flight/journal.policy --source 10000,10000 --starts 2 -o a.svg", "report flight"}) {
     ASSERT_EQ(run(words + " --quiet"), 0) << content("err");
     EXPECT_EQ(content("out") + content("err"), "") << words;
     ASSERT_EQ(run(words), 0) << content("err");
