@@ -131,7 +131,7 @@ TEST_F(Programs, EvaluateListensOverTheWindowThatItIsTold) {
 
 TEST_F(Programs, EvaluateWritesTheSameBytesFromTwoRanks) {
   if (std::string(EARSHOT_MPIEXEC).empty()) GTEST_SKIP() << "built without MPI";
-  const std::string words = "evaluate --policies shipped,bayes,random --episodes 31 --world " + kSource + "/policy/worlds/noisy_4db.toml";
+  const std::string words = "evaluate --policies shipped,bayes,random --episodes 7 --world " + kSource + "/policy/worlds/noisy_4db.toml";
   // As root runs it in containers; --oversubscribe where there is one core.
   const std::string launcher = std::string(EARSHOT_MPIEXEC) + " --allow-run-as-root --oversubscribe -n 2";
   ASSERT_EQ(run(words + " --json one.json --csv one.csv"), 0) << content(folder / "err");
@@ -140,7 +140,7 @@ TEST_F(Programs, EvaluateWritesTheSameBytesFromTwoRanks) {
   EXPECT_EQ(content(folder / "one.csv"), content(folder / "two.csv"));
   EXPECT_NE(run("evaluate --policies swordfish", launcher), 0);
   // Only rank 0 writes; that it cannot must end the others too.
-  EXPECT_NE(run("evaluate --policies random --episodes 31 --json nowhere/two.json", launcher), 0);
+  EXPECT_NE(run("evaluate --policies random --episodes 7 --json nowhere/two.json", launcher), 0);
 }
 
 TEST_F(Programs, EvaluateNamesTheShippedPolicyWhenItIsMissingRatherThanTakeAnother) {
