@@ -1,7 +1,8 @@
 #include "hil/bench/disturbance_at.hpp"
-#include "tests/hil/seconds.hpp"
 
 #include <gtest/gtest.h>
+
+#include "tests/hil/seconds.hpp"
 
 namespace earshot::hil {
 namespace {

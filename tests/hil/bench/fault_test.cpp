@@ -1,10 +1,11 @@
 #include "hil/bench/fault.hpp"
-#include "tests/hil/seconds.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 #include <vector>
+
+#include "tests/hil/seconds.hpp"
 
 namespace earshot::hil {
 namespace {

@@ -1,10 +1,11 @@
 #include "hil/bench/results.hpp"
-#include "tests/hil/seconds.hpp"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <string>
+
+#include "tests/hil/seconds.hpp"
 
 namespace earshot::hil {
 namespace {

@@ -1,10 +1,11 @@
 #include "sim/search/settings.hpp"
-#include "tests/sim/search/place.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+
+#include "tests/sim/search/place.hpp"
 
 namespace earshot::search {
 namespace {

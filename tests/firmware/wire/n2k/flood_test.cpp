@@ -1,5 +1,5 @@
-// More fast packets at once than there are slots for, in the profile that this is compiled for: tests/firmware/wire/CMakeLists.txt does so
-// for a vehicle computer's and for a microcontroller's.
+// More fast packets at once than there are slots for, in the profile that this is compiled for: tests/firmware/wire/n2k/CMakeLists.txt does
+// so for a vehicle computer's and for a microcontroller's.
 
 #include <gtest/gtest.h>
 

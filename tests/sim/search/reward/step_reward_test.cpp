@@ -1,7 +1,8 @@
 #include "sim/search/reward/step_reward.hpp"
-#include "tests/sim/search/place.hpp"
 
 #include <gtest/gtest.h>
+
+#include "tests/sim/search/place.hpp"
 
 namespace earshot::search {
 namespace {
