@@ -5,6 +5,7 @@
 #include <unistd.h>
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -43,11 +44,21 @@ class Flight : public testing::Test {
     return {"--policy", folder_ / "walk.policy", "--public-key", folder_ / "walk.pub"};
   }
 
+  /// The mission flies so many steps, not 100, for where more show nothing: a flight's every second passes between three processes.
+  void shorten_to(int steps) {
+    std::string mission = support::read_text(kMission);
+    const std::string hundred = "max_steps = 100";
+    ASSERT_NE(mission.find(hundred), std::string::npos);
+    mission.replace(mission.find(hundred), hundred.size(), "max_steps = " + std::to_string(steps));
+    mission_ = folder_ / "mission.toml";
+    std::ofstream(mission_) << mission;
+  }
+
   /// A flight by earshot-fly with a policy that walks at random.
   [[nodiscard]] std::unique_ptr<support::Process> fly(const std::string& out, std::vector<std::string> more,
                                                       const fs::path& environment = kEnvironment) const {
     std::vector<std::string> a = policy_arguments();
-    a.insert(a.end(), {"--environment", environment, "--mission", kMission, "--out", folder_ / out, "--no-report"});
+    a.insert(a.end(), {"--environment", environment, "--mission", mission_, "--out", folder_ / out, "--no-report"});
     a.insert(a.end(), more.begin(), more.end());
     return std::make_unique<support::Process>(kBin / "earshot-fly", a, folder_ / (out + ".txt"));
   }
@@ -105,6 +116,7 @@ class Flight : public testing::Test {
   }
 
   support::TemporaryFolder folder_;
+  fs::path mission_ = kMission;
   const link::RunSlot slot_;
   std::unique_ptr<support::Process> runtime_;
   std::unique_ptr<support::Process> simulator_;

@@ -21,6 +21,7 @@ namespace earshot {
 namespace {
 
 TEST_F(Flight, GivenOneSeedTwoFlightsGoTheSameWayByteForByte) {
+  shorten_to(25);
   for (const char* out : {"first", "second"}) {
     const auto flight = fly(out, {"--seed", "7"});
     ASSERT_EQ(flight->wait(120s), 0) << flight->output();
@@ -32,6 +33,7 @@ TEST_F(Flight, GivenOneSeedTwoFlightsGoTheSameWayByteForByte) {
 }
 
 TEST_F(Flight, GivenAJournalThatSurvivesAPowerCutAsAtSeaTheFlightGoesTheSameWayAndTheJournalIsTheSame) {
+  shorten_to(25);
   const auto left_to_the_kernel = fly("process", {"--seed", "1"});
   ASSERT_EQ(left_to_the_kernel->wait(120s), 0) << left_to_the_kernel->output();
   const auto as_at_sea = fly("power-cut", {"--seed", "1", "--journal-survives", "power-cut"});
@@ -41,6 +43,7 @@ TEST_F(Flight, GivenAJournalThatSurvivesAPowerCutAsAtSeaTheFlightGoesTheSameWayA
 }
 
 TEST_F(Flight, GivenTwoSeedsTheyStartElsewhere) {
+  shorten_to(1);
   for (const char* seed : {"7", "8"}) {
     const auto flight = fly(seed, {"--seed", seed});
     ASSERT_EQ(flight->wait(120s), 0) << flight->output();
@@ -143,6 +146,7 @@ TEST_F(Flight, GivenAnotherFlightsNavigationOnItsBusItRefusesItAndSaysSoInHealth
 }
 
 TEST_F(Flight, GivenTwoFlightsAtOnceNeitherHearsTheOther) {
+  shorten_to(25);
   const auto alone = fly("alone", {"--seed", "5"});
   ASSERT_EQ(alone->wait(120s), 0) << alone->output();
   const auto one = fly("one", {"--seed", "5"});

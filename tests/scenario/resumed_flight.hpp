@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdint>
-#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,11 +20,7 @@ class ResumedFlight : public Flight {
 
   void SetUp() override {
     Flight::SetUp();
-    std::string mission = support::read_text(kMission);
-    const std::string steps = "max_steps = 100";
-    ASSERT_NE(mission.find(steps), std::string::npos);
-    mission.replace(mission.find(steps), steps.size(), "max_steps = " + std::to_string(steps_));
-    std::ofstream(folder_ / "mission.toml") << mission;
+    shorten_to(steps_);
   }
 
   void fly_whole() {
@@ -53,17 +48,16 @@ class ResumedFlight : public Flight {
 
   void start_runtime(const std::string& out, std::vector<std::string> more = {"--resume"}) {
     std::vector<std::string> a = policy_arguments();
-    a.insert(a.end(), {folder_ / "mission.toml", "--out", folder_ / out, "--simulation", std::to_string(slot_.domain()), "--lcm-url",
-                       slot_.lcm_url()});
+    a.insert(a.end(), {mission_, "--out", folder_ / out, "--simulation", std::to_string(slot_.domain()), "--lcm-url", slot_.lcm_url()});
     a.insert(a.end(), more.begin(), more.end());
     runtime_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / ("earshotd-" + std::to_string(++starts_) + ".txt"));
   }
   void start_simulator(const std::string& out) {
     simulator_ = std::make_unique<support::Process>(
         kBin / "earshot-sim",
-        std::vector<std::string>{"--environment", kEnvironment, "--mission", folder_ / "mission.toml", "--out", folder_ / (out + "-sim"),
-                                 "--domain", std::to_string(slot_.domain()), "--lcm-url", slot_.lcm_url(), "--ignore-source",
-                                 "--wait-for-runtime", "20"},
+        std::vector<std::string>{"--environment", kEnvironment, "--mission", mission_, "--out", folder_ / (out + "-sim"), "--domain",
+                                 std::to_string(slot_.domain()), "--lcm-url", slot_.lcm_url(), "--ignore-source", "--wait-for-runtime",
+                                 "20"},
         folder_ / (out + "-sim.txt"));
   }
 

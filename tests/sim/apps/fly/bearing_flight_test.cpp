@@ -21,6 +21,11 @@ namespace {
 
 class BearingFlight : public Flight {
  protected:
+  void SetUp() override {
+    Flight::SetUp();
+    shorten_to(25);
+  }
+
   /// The ocean that ships, with an array in it.
   [[nodiscard]] fs::path environment(const std::string& conditions) const {
     const fs::path path = folder_ / "array.toml";
