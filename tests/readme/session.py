@@ -1,6 +1,6 @@
 """Runs the commands of one Markdown file as a reader would.
 
-One after the other, in one shell, from the root of a copy of the tree.
+One after the other, in one shell, from the root of a clone of the tree. Whatever they started has ended then.
 """
 
 from __future__ import annotations
@@ -95,6 +95,7 @@ def failure_of(commands: list[Command], folder: Path, environment: dict[str, str
     os.close(write_end)
     try:
         printed, _ = shell.communicate(timeout=limit_s)
+        _kill_session(shell.pid)  # what runs on behind them
         why = f"status {shell.returncode}"
     except subprocess.TimeoutExpired:
         _kill_session(shell.pid)

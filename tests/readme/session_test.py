@@ -30,6 +30,13 @@ def command(text: str, *marks: str) -> Command:
     return Command(file=Path("README.md"), line=1, text=text, language="sh", marks=frozenset(marks))
 
 
+def runs(process: int) -> bool:
+    try:
+        return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+    except FileNotFoundError:
+        return False
+
+
 class Session(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -60,6 +67,15 @@ class Session(unittest.TestCase):
         failure = self.failure_of(command("set -m; sleep 1000 & sleep 1000"), limit_s=1.0)
         self.assertIn("not done within 1 s", failure)
         self.assertLess(time.monotonic() - begin, 60.0)
+
+    def test_ends_what_runs_on_behind_commands_that_succeeded(self):
+        begin = time.monotonic()
+        self.assertIsNone(self.failure_of(command("sleep 1000 >/dev/null 2>&1 & echo $! >number")))
+        self.assertLess(time.monotonic() - begin, 60.0)
+        number = int((self.folder / "number").read_text())
+        while runs(number) and time.monotonic() - begin < 60.0:
+            time.sleep(0.01)
+        self.assertFalse(runs(number))
 
 
 if __name__ == "__main__":

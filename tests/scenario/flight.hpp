@@ -67,11 +67,11 @@ class Flight : public testing::Test {
   void start_both() {
     const std::string domain = std::to_string(slot_.domain());
     std::vector<std::string> a = policy_arguments();
-    a.insert(a.end(), {kMission, "--out", folder_.path(), "--simulation", domain, "--lcm-url", slot_.lcm_url()});
+    a.insert(a.end(), {mission_, "--out", folder_.path(), "--simulation", domain, "--lcm-url", slot_.lcm_url()});
     runtime_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / "earshotd.txt");
     simulator_ = std::make_unique<support::Process>(
         kBin / "earshot-sim",
-        std::vector<std::string>{"--environment", kEnvironment, "--mission", kMission, "--out", folder_.path(), "--domain", domain,
+        std::vector<std::string>{"--environment", kEnvironment, "--mission", mission_, "--out", folder_.path(), "--domain", domain,
                                  "--lcm-url", slot_.lcm_url(), "--ignore-source", "--speed", "500"},
         folder_ / "earshot-sim.txt");
   }

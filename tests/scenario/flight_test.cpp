@@ -26,6 +26,7 @@ TEST_F(Flight, GivenOneSeedTwoFlightsGoTheSameWayByteForByte) {
     const auto flight = fly(out, {"--seed", "7"});
     ASSERT_EQ(flight->wait(120s), 0) << flight->output();
   }
+  EXPECT_EQ(summary("first").at("steps"), 25);
   const std::string track = support::read_text(folder_ / "first/track.csv");
   EXPECT_GT(track.size(), 1000);
   EXPECT_TRUE(track == support::read_text(folder_ / "second/track.csv"));
@@ -33,7 +34,6 @@ TEST_F(Flight, GivenOneSeedTwoFlightsGoTheSameWayByteForByte) {
 }
 
 TEST_F(Flight, GivenAJournalThatSurvivesAPowerCutAsAtSeaTheFlightGoesTheSameWayAndTheJournalIsTheSame) {
-  shorten_to(25);
   const auto left_to_the_kernel = fly("process", {"--seed", "1"});
   ASSERT_EQ(left_to_the_kernel->wait(120s), 0) << left_to_the_kernel->output();
   const auto as_at_sea = fly("power-cut", {"--seed", "1", "--journal-survives", "power-cut"});
@@ -146,13 +146,17 @@ TEST_F(Flight, GivenAnotherFlightsNavigationOnItsBusItRefusesItAndSaysSoInHealth
 }
 
 TEST_F(Flight, GivenTwoFlightsAtOnceNeitherHearsTheOther) {
-  shorten_to(25);
-  const auto alone = fly("alone", {"--seed", "5"});
-  ASSERT_EQ(alone->wait(120s), 0) << alone->output();
-  const auto one = fly("one", {"--seed", "5"});
   const auto other = fly("other", {"--seed", "6"});
+  ASSERT_TRUE(is_under_way("other")) << other->output();
+  shorten_to(25);
+  const auto one = fly("one", {"--seed", "5"});
+  ASSERT_TRUE(is_under_way("one")) << one->output();
+  EXPECT_FALSE(fs::exists(folder_ / "other/summary.json"));
   EXPECT_EQ(one->wait(120s), 0) << one->output();
   EXPECT_EQ(other->wait(120s), 0) << other->output();
+  const auto alone = fly("alone", {"--seed", "5"});
+  ASSERT_EQ(alone->wait(120s), 0) << alone->output();
+  EXPECT_EQ(summary("alone").at("steps"), 25);
   EXPECT_TRUE(support::read_text(folder_ / "alone/track.csv") == support::read_text(folder_ / "one/track.csv"));
 }
 
