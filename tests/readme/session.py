@@ -1,6 +1,6 @@
 """Runs the commands of one Markdown file as a reader would.
 
-One after the other, in one shell, from the root of a clone of the tree. Whatever they started has ended then.
+One after the other, in one shell, from the root of a copy of the tree. What they started in its session has ended then.
 """
 
 from __future__ import annotations
@@ -76,6 +76,19 @@ def _kill_session(leader: int) -> None:
             pass
 
 
+def _available(read_end: int) -> str:
+    """What the shell wrote, which has ended; not until all have who hold the pipe."""
+    os.set_blocking(read_end, False)
+    written = b""
+    try:
+        while some := os.read(read_end, 65536):
+            written += some
+    except BlockingIOError:
+        pass
+    os.close(read_end)
+    return written.decode()
+
+
 def failure_of(commands: list[Command], folder: Path, environment: dict[str, str], limit_s: float) -> str | None:
     """Runs them until one fails. Returns FILE:LINE: the command and the end of what it printed, or None if none did."""
     read_end, write_end = os.pipe()
@@ -99,10 +112,12 @@ def failure_of(commands: list[Command], folder: Path, environment: dict[str, str
         why = f"status {shell.returncode}"
     except subprocess.TimeoutExpired:
         _kill_session(shell.pid)
-        printed, _ = shell.communicate()
+        try:
+            printed, _ = shell.communicate(timeout=10.0)
+        except subprocess.TimeoutExpired:
+            printed = "(a session of its own that was started holds the output)"
         why = f"not done within {limit_s:.0f} s"
-    with os.fdopen(read_end) as statuses:
-        done = statuses.read().split()
+    done = _available(read_end).split()
     if shell.returncode == 0 and len(done) == len(commands):
         return None
     failed = commands[min(len(commands) - 1, sum(status == "0" for status in done))]

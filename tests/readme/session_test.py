@@ -77,6 +77,12 @@ class Session(unittest.TestCase):
             time.sleep(0.01)
         self.assertFalse(runs(number))
 
+    def test_ends_at_the_limit_though_a_session_of_its_own_holds_the_output(self):
+        begin = time.monotonic()
+        failure = self.failure_of(command("setsid sleep 70 & sleep 100"), limit_s=1.0)
+        self.assertIn("not done within 1 s", failure)
+        self.assertLess(time.monotonic() - begin, 60.0)
+
 
 if __name__ == "__main__":
     unittest.main()
