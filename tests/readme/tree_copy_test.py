@@ -22,7 +22,11 @@ def git(folder: Path, *words: str) -> None:
 
 
 def files_in(folder: Path) -> dict[str, str]:
-    return {str(file.relative_to(folder)): file.read_text() for file in folder.rglob("*") if not file.is_dir()}
+    return {
+        str(file.relative_to(folder)): file.read_text() if file.is_file() else "no file"
+        for file in folder.rglob("*")
+        if not file.is_dir()
+    }
 
 
 class OfATree(unittest.TestCase):
@@ -52,8 +56,8 @@ class OfATree(unittest.TestCase):
         git(self.folder, "init", "-q", "inner")
         (self.folder / "inner/file").write_text("left")
         os.mkfifo(self.folder / "pipe")
-        with socket.socket(socket.AF_UNIX) as left:
-            left.bind(str(self.folder / "socket"))
+        with socket.socket(socket.AF_UNIX) as listener:
+            listener.bind(str(self.folder / "socket"))
         (self.folder / "sim").chmod(0o555)
         copy.clean()
         self.assertEqual(files_in(self.folder), FILES)
