@@ -16,7 +16,7 @@ def copy_tree(tree: Path, files: list[str], folder: Path) -> None:
 
 
 class TreeCopy:
-    """Git knows what it was, from a repository that stands elsewhere: no command finds that, or moves where it works."""
+    """Git knows what it was, from a repository that stands elsewhere: no command finds or moves it."""
 
     def __init__(self, tree: Path, files: list[str], folder: Path, repository: Path) -> None:
         """In a folder, with a repository in another; both are made where they are not."""

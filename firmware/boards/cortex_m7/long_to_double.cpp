@@ -1,6 +1,7 @@
 // 64-bit integers as doubles, in place of libgcc's, which computes in software and brings its addition along: 0.9 KB.
 //
-// The names are the run-time ABI's for Arm (RTABI32, 4.1.2, integer to floating-point conversions), by which the compiler calls them; arguments and result go in core registers.
+// The names are the run-time ABI's for Arm (RTABI32, 4.1.2, integer to floating-point conversions), by which the compiler calls them;
+// arguments and result go in core registers.
 #include <cstdint>
 
 #if __ARM_FP & 8  // the processor computes in double

@@ -1,5 +1,5 @@
-// Times are counted in 64-bit integers and computed with in double: the conversion must round to the nearest, to even where two are as near (IEEE 754), also
-// where a board brings its own (firmware/boards/cortex_m7/long_to_double.cpp).
+// Times are counted in 64-bit integers and computed with in double: the conversion must round to the nearest, to even where two are as near
+// (IEEE 754), also where a board brings its own (firmware/boards/cortex_m7/long_to_double.cpp).
 
 #include <gtest/gtest.h>
 
