@@ -8,21 +8,16 @@ import subprocess
 from pathlib import Path
 
 
-def copy_tree(tree: Path, files: list[str], folder: Path) -> None:
-    """Of the files of a tree, named from its root."""
-    for name in files:
-        (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy2(tree / name, folder / name, follow_symlinks=False)
-
-
 class TreeCopy:
     """Git knows what it was, from a repository that stands elsewhere: no command finds or moves it."""
 
     def __init__(self, tree: Path, files: list[str], folder: Path, repository: Path) -> None:
-        """In a folder, with a repository in another; both are made where they are not."""
+        """Of the files of a tree, named from its root. A clone, never cleaned, has its repository in the folder's .git."""
         self.folder, self._repository = folder, repository
         folder.mkdir(parents=True, exist_ok=True)
-        copy_tree(tree, files, folder)
+        for name in files:
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(tree / name, folder / name, follow_symlinks=False)
         self._git("init", "--quiet", "--template=")
         self._git("add", "--all", "--force")
         self._git("-c", "user.name=reader", "-c", "user.email=reader@localhost", "commit", "--quiet", "-m", "as it is")
