@@ -12,7 +12,7 @@ class TreeCopy:
     """Git knows what it was, from a repository that stands elsewhere: no command finds or moves it."""
 
     def __init__(self, tree: Path, files: list[str], folder: Path, repository: Path) -> None:
-        """Of the files of a tree, named from its root. A clone, never cleaned, has its repository in the folder's .git."""
+        """Of the files of a tree, named from its root. A clone's repository is its .git; it is never cleaned."""
         self.folder, self._repository = folder, repository
         folder.mkdir(parents=True, exist_ok=True)
         for name in files:
