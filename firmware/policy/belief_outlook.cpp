@@ -190,8 +190,8 @@ class RangePlace {
   /// Linear between the samples.
   [[nodiscard, gnu::always_inline]] float value_of(std::span<const float> table) const {
     if (!is_in_) return table.back();
-    const auto index = static_cast<std::size_t>(index_);
-    return table[index] + beyond_ * (table[index + 1] - table[index]);
+    const float* const before = table.data() + index_;
+    return before[0] + beyond_ * (before[1] - before[0]);
   }
 
  private:

@@ -22,16 +22,18 @@ EARSHOT_WIDE messages::BeliefSummary summary_of(const BeliefModel& model, std::s
     float row_east = 0.0F;
     float row_east_squared = 0.0F;
     float row_squares = 0.0F;
-    for (std::size_t e = 0; e < columns; ++e) {
-      const std::size_t i = n * columns + e;
+    float column = 0.0F;
+    for (std::size_t i = n * columns; i < (n + 1) * columns; ++i) {
       const float p = probabilities[i];
-      const auto column = static_cast<float>(static_cast<int>(e));
       row += p;
       row_east += p * column;
       row_east_squared += p * column * column;
       row_squares += p * p;
-      best = p > most ? i : best;
-      most = p > most ? p : most;
+      if (p > most) [[unlikely]] {
+        best = i;
+        most = p;
+      }
+      column += 1.0F;
     }
     const auto place = static_cast<double>(n);
     const auto share = static_cast<double>(row);

@@ -103,7 +103,8 @@ void Infotaxis::tabulate_outcomes() {
       const auto width = static_cast<float>(z == 0 ? 1.0 : kBin_db);
       const std::span<const policy::LogLanes> by_range = likelihoods_.by_range(tables_);
       for (std::size_t l = 0; l < kLanes; ++l) {
-        for (std::size_t r = 0; r < ranges; ++r) outcomes_[(first + l) * ranges + r][z] = width * policy::from_log(by_range[r][l]);
+        for (std::size_t r = 0; r < ranges; ++r)
+          outcomes_[(first + l) * ranges + r][z] = width * policy::from_log(by_range[r][l] + policy::kLeastLogLikelihood);
       }
     }
   }

@@ -8,6 +8,9 @@
 namespace earshot::policy {
 namespace {
 
+/// Columns of which ranges are found side by side: what they have in common with every row is found once.
+constexpr std::size_t kColumnsAtOnce = 32;
+
 /// Where a place beyond an edge is, had it turned back there, and at the other edge, as often as it met one. @param width  > 0
 float turned_back(float place, float width) {
   const float turns = place / (2.0F * width);
@@ -48,13 +51,19 @@ EARSHOT_WIDE void CellPlaces::find_ranges(const BeliefModel& model, NorthEast po
   const auto vehicle_east = static_cast<float>(position.east.value);
   const auto furthest = static_cast<int>(last);  // as an int, which holds all ranges that a vehicle can be off: 2^31 range steps
   const std::size_t columns = model.cells_east;  // a copy: what is written below could otherwise be it
-  const float* const column_places = &places_[model.cells_north];
-  for (std::size_t n = 0; n < model.cells_north; ++n) {
-    const float north = (places_[n] - vehicle_north) * per_step;
-    std::uint16_t* const row = &ranges[n * columns];
-    for (std::size_t e = 0; e < columns; ++e) {
+  std::array<float, kColumnsAtOnce> squares;     // of how far east the columns lie
+  for (std::size_t first = 0; first < columns; first += kColumnsAtOnce) {
+    const std::size_t count = std::min(kColumnsAtOnce, columns - first);
+    const float* const column_places = &places_[model.cells_north + first];
+    for (std::size_t e = 0; e < count; ++e) {
       const float east = (column_places[e] - vehicle_east) * per_step;
-      row[e] = static_cast<std::uint16_t>(std::min(static_cast<int>(__builtin_sqrtf(north * north + east * east) + 0.5F), furthest));
+      squares[e] = east * east;
+    }
+    for (std::size_t n = 0; n < model.cells_north; ++n) {
+      const float north = (places_[n] - vehicle_north) * per_step;
+      std::uint16_t* const row = &ranges[n * columns + first];
+      for (std::size_t e = 0; e < count; ++e)
+        row[e] = static_cast<std::uint16_t>(std::min(static_cast<int>(__builtin_sqrtf(north * north + squares[e]) + 0.5F), furthest));
     }
   }
 }

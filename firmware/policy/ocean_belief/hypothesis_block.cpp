@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 
 #include "firmware/core/crc32.hpp"
 #include "firmware/core/wide.hpp"
@@ -12,9 +13,17 @@ namespace {
 
 /// Below anything that a cell can hold: of a neighbour from which nothing comes.
 constexpr std::int16_t kNever = -18'000;
-/// No weight is below it.
-constexpr std::int16_t kLowest = -32'768;
-static_assert(kNever < kForgotten && kForgotten + kNever >= -32'768);
+static_assert(kNever < kForgotten && kForgotten + kNever >= std::numeric_limits<std::int16_t>::min());
+
+/// What minus_saturated() is to take off the weights of a word: their highest, and so much more that what is forgotten ends at the least
+/// that sixteen bits hold. They are then less the highest, at least kForgotten, and lowered by -kLeastLogLikelihood.
+LogWord to_take_off(const LogWord& highest) {
+  static_assert(kForgotten + kLeastLogLikelihood == std::numeric_limits<std::int16_t>::min());
+  return highest - every_lane(kLeastLogLikelihood);
+}
+/// By so much a probability is greater than that of the lowered weight: a power of two, which leaves all its bits as they are.
+constexpr auto kPerLowered = static_cast<float>(std::uint64_t{1} << unsigned{-kLeastLogLikelihood / kOctave});
+static_assert(kLeastLogLikelihood % kOctave == 0);
 
 /// Of a cell whose probability is worth adding, one by one: a millionth of the likeliest cell's.
 constexpr int kLeastAdded = -20 * kOctave;
@@ -32,11 +41,11 @@ bool any_of_word(std::size_t word, const Lanes& lanes) {
   return any_of_word(word, [&lanes](std::size_t l) { return lanes[l]; });
 }
 
-/// One log weight in these lanes, another elsewhere.
-LogLanes where(const Lanes& lanes, std::int16_t there, std::int16_t elsewhere) {
-  LogLanes each;
-  for (std::size_t l = 0; l < kLanes; ++l) each[l] = lanes[l] ? there : elsewhere;
-  return each;
+/// Every bit of these lanes.
+LogLanes bits_of(const Lanes& lanes) {
+  LogLanes bits;
+  for (std::size_t l = 0; l < kLanes; ++l) bits[l] = lanes[l] ? -1 : 0;
+  return bits;
 }
 
 /// Lets every cell be reached from its neighbours along one line of `count` cells, `apart` from one another.
@@ -118,13 +127,12 @@ void HypothesisBlock::let_move(const BeliefModel& model) {
 EARSHOT_WIDE void HypothesisBlock::weigh_word(const BeliefModel& model, std::size_t word, const Lanes& lanes,
                                               std::span<const LogLanes> log_likelihoods, std::span<const std::uint16_t> ranges) {
   const std::size_t cells = cell_count(model);
-  const LogWord taken = word_of(where(lanes, -1, 0), word);
-  const LogWord least = word_of(where(lanes, kForgotten, kLowest), word);
-  const LogWord before = word_of(highest_, word) & taken;
-  LogWord highest = every_lane(kLowest);
+  const LogWord taken = word_of(bits_of(lanes), word);
+  const LogWord off = to_take_off(word_of(highest_, word)) & taken;
+  LogWord highest = every_lane(std::numeric_limits<std::int16_t>::min());
 #pragma GCC unroll 4
   for (std::size_t i = 0; i < cells; ++i) {
-    const LogWord weight = max(word_of(weights_[i], word) - before, least) + (word_of(log_likelihoods[ranges[i]], word) & taken);
+    const LogWord weight = minus_saturated(word_of(weights_[i], word), off) + (word_of(log_likelihoods[ranges[i]], word) & taken);
     put(weights_[i], word, weight);
     highest = max(highest, weight);
   }
@@ -144,12 +152,12 @@ void HypothesisBlock::weigh(const BeliefModel& model, const Lanes& lanes, std::s
 void HypothesisBlock::weigh_places(const BeliefModel& model, const Lanes& lanes, std::span<const std::int16_t> log_likelihoods) {
   settle(model);
   has_sums_ = false;
-  const LogLanes each_taken = where(lanes, -1, 0);
+  const LogLanes each_taken = bits_of(lanes);
   const std::size_t cells = cell_count(model);
   for (std::size_t word = 0; word < kWords; ++word) {
     if (!any_of_word(word, lanes)) continue;
     const LogWord taken = word_of(each_taken, word);
-    LogWord highest = every_lane(kLowest);
+    LogWord highest = every_lane(std::numeric_limits<std::int16_t>::min());
     for (std::size_t i = 0; i < cells; ++i) {
       const LogWord weight = word_of(weights_[i], word) + (every_lane(log_likelihoods[i]) & taken);
       put(weights_[i], word, weight);
@@ -162,16 +170,15 @@ void HypothesisBlock::weigh_places(const BeliefModel& model, const Lanes& lanes,
 
 EARSHOT_WIDE void HypothesisBlock::sum_word(const BeliefModel& model, std::size_t word) const {
   const std::size_t cells = cell_count(model);
-  const LogWord highest = word_of(highest_, word);
-  const LogWord forgotten = every_lane(kForgotten);
+  const LogWord off = to_take_off(word_of(highest_, word));
   FloatWord sum{};
-#pragma GCC unroll 2
+#pragma GCC unroll 4
   for (std::size_t i = 0; i < cells; ++i) {
     FloatWord p;
-    from_log(max(word_of(weights_[i], word) - highest, forgotten), p);
+    from_log(minus_saturated(word_of(weights_[i], word), off), p);
     sum += p;
   }
-  for (std::size_t l = 0; l < kLanesInAWord; ++l) sums_[word * kLanesInAWord + l] = lane_of(sum, l);
+  for (std::size_t l = 0; l < kLanesInAWord; ++l) sums_[word * kLanesInAWord + l] = lane_of(sum, l) * kPerLowered;
 }
 
 const FloatLanes& HypothesisBlock::sums(const BeliefModel& model) const {
@@ -196,20 +203,19 @@ EARSHOT_WIDE void HypothesisBlock::add_to(const BeliefModel& model, const FloatL
                                           std::span<float> marginal) const {
   const FloatLanes& per_weight = sums(model);
   FloatLanes each_scale;
-  for (std::size_t l = 0; l < kLanes; ++l) each_scale[l] = shares[l] / per_weight[l];
+  for (std::size_t l = 0; l < kLanes; ++l) each_scale[l] = shares[l] / per_weight[l] * kPerLowered;
   std::array<FloatWord, kWords> scales;
-  std::array<LogWord, kWords> highest;
+  std::array<LogWord, kWords> off;
   for_each_word([&](std::size_t word) {
     get(each_scale, word, scales[word]);
-    highest[word] = word_of(highest_, word);
+    off[word] = to_take_off(word_of(highest_, word));
   });
   const std::size_t columns = model.cells_east;
-  const LogWord forgotten = every_lane(kForgotten);
   for (std::size_t n = window.north.first; n < window.north.end; ++n) {
     for (std::size_t i = n * columns + window.east.first; i < n * columns + window.east.end; ++i) {
       std::array<FloatWord, kWords> p;
       for_each_word([&](std::size_t word) {
-        from_log(max(word_of(weights_[i], word) - highest[word], forgotten), p[word]);
+        from_log(minus_saturated(word_of(weights_[i], word), off[word]), p[word]);
         p[word] *= scales[word];
       });
       const auto of = [&p](std::size_t lane) { return lane_of(p[lane / kLanesInAWord], lane % kLanesInAWord); };

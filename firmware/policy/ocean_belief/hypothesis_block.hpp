@@ -35,7 +35,7 @@ class HypothesisBlock {
   /// The source may have moved since the last look, where a hypothesis says so.
   void let_move(const BeliefModel& model);
   /// Multiplies every cell by its likelihood under those hypotheses that have the cells at these ranges.
-  /// @param log_likelihoods  [ranges]: of what was heard, were the source at each; kLeastLogLikelihood to 0
+  /// @param log_likelihoods  [ranges]: of what was heard, were the source at each, less kLeastLogLikelihood; at least 0
   /// @param ranges           [north x east]: of the cells
   void weigh(const BeliefModel& model, const Lanes& lanes, std::span<const LogLanes> log_likelihoods,
              std::span<const std::uint16_t> ranges);

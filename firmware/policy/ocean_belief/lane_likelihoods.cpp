@@ -36,7 +36,7 @@ EARSHOT_WIDE void LaneLikelihoods::tabulate(const BeliefModel& model, const Ocea
                    std::span(exact).first(count));
     smooth(std::span(exact).first(count), half_cell(model, tables.range_step, count), std::span(seen).first(count));
     to_logs(std::span(seen).first(count), kLeastLogLikelihood, std::span(logs).first(count));
-    for (std::size_t i = 0; i < count; ++i) lanes_[i][l] = static_cast<std::int16_t>(tempered(logs[i]));
+    for (std::size_t i = 0; i < count; ++i) lanes_[i][l] = static_cast<std::int16_t>(tempered(logs[i]) - kLeastLogLikelihood);
   }
 }
 

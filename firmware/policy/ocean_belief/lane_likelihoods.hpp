@@ -20,7 +20,8 @@ inline constexpr int kTrust_256ths = 208;
   return log_likelihood * kTrust_256ths / 256;
 }
 
-/// Likelihoods of what was heard, were the source at each range, under the hypotheses of a block: log weights, tempered.
+/// Likelihoods of what was heard, were the source at each range, under the hypotheses of a block: log weights, tempered, less
+/// kLeastLogLikelihood.
 class LaneLikelihoods {
  public:
   /// Of a look.

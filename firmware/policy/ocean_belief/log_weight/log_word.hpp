@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "firmware/policy/ocean_belief/log_weight/lanes.hpp"
@@ -55,6 +56,10 @@ inline LogWord operator+(LogWord a, LogWord b) {
 inline LogWord operator-(LogWord a, LogWord b) {
   return {static_cast<std::uint32_t>(__ssub16(static_cast<int16x2_t>(a.pair), static_cast<int16x2_t>(b.pair)))};
 }
+/// a - b of each lane, but no less than sixteen bits hold. @param b  at least 0
+inline LogWord minus_saturated(LogWord a, LogWord b) {
+  return {static_cast<std::uint32_t>(__qsub16(static_cast<int16x2_t>(a.pair), static_cast<int16x2_t>(b.pair)))};
+}
 inline LogWord operator&(LogWord a, LogWord b) {
   return {a.pair & b.pair};
 }
@@ -100,6 +105,10 @@ inline LogWord every_lane(std::int16_t value) {
 }
 inline LogWord max(const LogWord& a, const LogWord& b) {
   return a > b ? a : b;
+}
+/// a - b of each lane, but no less than sixteen bits hold. @param b  at least 0
+inline LogWord minus_saturated(const LogWord& a, const LogWord& b) {
+  return max(a, b + std::numeric_limits<std::int16_t>::min()) - b;
 }
 /// from_log() of every lane.
 inline void from_log(const LogWord& weights, FloatWord& probabilities) {

@@ -40,6 +40,20 @@ TEST_F(CellPlacesTest, AreTheCentresWhereNothingDrifts) {
   EXPECT_EQ(ranges, (std::array<std::uint16_t, 6>{8, 14, 14, 9, 14, 14}));
 }
 
+/// More columns than are ever taken side by side, each of a kilometre.
+TEST_F(CellPlacesTest, AreAsManyAsTheGridHasColumns) {
+  constexpr std::size_t kColumns = 75;
+  const BeliefModel model = bare_model(at(4'000, 75'000), 2, kColumns);
+  places->find(model, {}, 0, {});
+  std::array<std::uint16_t, 2 * kColumns> ranges;
+  places->find_ranges(model, at(1'000, -500), kRangeStep, 1'000, ranges);
+  for (std::size_t e = 0; e < kColumns; ++e) {
+    const double km = static_cast<double>(e + 1);
+    EXPECT_EQ(ranges[e], 2 * (e + 1));
+    EXPECT_EQ(ranges[kColumns + e], std::lround(2.0 * std::hypot(2.0, km))) << e;
+  }
+}
+
 /// 10 looks of 300 m to the north and 500 m to the west: the area goes with it.
 TEST_F(CellPlacesTest, GoBeyondTheEdgesWithACurrent) {
   places->find(oblong(), {.north = 3, .east = -5, .is_current = true}, 10, {});
