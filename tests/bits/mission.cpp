@@ -8,6 +8,7 @@
 #include "firmware/policy/golden.hpp"
 #include "tests/bits/eight_directions.hpp"
 #include "tests/bits/recorded.hpp"
+#include "tests/firmware/place.hpp"
 
 namespace earshot::bits {
 namespace {
@@ -15,10 +16,6 @@ namespace {
 constexpr double kSide_m = 7'500.0;  // 25 cells of a step
 constexpr double kStep_m = 300.0;
 constexpr std::uint16_t kCells = 25;  // so many a microcontroller has room for
-
-constexpr NorthEast at(double north, double east) {
-  return {.north = Meters{north}, .east = Meters{east}};
-}
 
 config::Mission mission() {
   config::Mission mission;

@@ -11,6 +11,7 @@
 #include "firmware/policy/check/policy_check.hpp"
 #include "firmware/policy/observation.hpp"
 #include "firmware/safety/check.hpp"
+#include "tests/firmware/place.hpp"
 
 namespace earshot::campaign {
 namespace {
@@ -27,10 +28,6 @@ class Draw {
  private:
   Pcg32 random_;
 };
-
-NorthEast at(double north, double east) {
-  return {.north = Meters{north}, .east = Meters{east}};
-}
 
 Polygon around(const Rectangle& area, double margin_m) {
   const Rectangle r = area.moved_in(Meters{-margin_m});

@@ -4,12 +4,10 @@
 
 #include <limits>
 
+#include "tests/firmware/place.hpp"
+
 namespace earshot {
 namespace {
-
-NorthEast at(double north, double east) {
-  return {.north = Meters{north}, .east = Meters{east}};
-}
 
 TEST(LengthOf, IsTheHypotenuse) {
   EXPECT_EQ(length_of(at(3000, -4000)), Meters{5000});

@@ -6,12 +6,10 @@
 #include <limits>
 #include <vector>
 
+#include "tests/firmware/place.hpp"
+
 namespace earshot {
 namespace {
-
-NorthEast at(double north, double east) {
-  return {.north = Meters{north}, .east = Meters{east}};
-}
 
 using Polygon = std::vector<NorthEast>;
 

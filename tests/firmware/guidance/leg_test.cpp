@@ -4,15 +4,13 @@
 
 #include <cmath>
 
+#include "tests/firmware/place.hpp"
+
 namespace earshot::guidance {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kRounding = 1e-12;  // a few roundings of angles near 1, and of metres near 1000 divided by the look-ahead
-
-NorthEast at(double north, double east) {
-  return {.north = Meters{north}, .east = Meters{east}};
-}
 
 TEST(Leg, MeasuresAlongAndAcrossItself) {
   const Leg leg(at(100, 200), at(400, 600));  // a 3-4-5 triangle, 500 m towards 53 degrees

@@ -6,12 +6,10 @@
 #include <set>
 #include <vector>
 
+#include "tests/firmware/place.hpp"
+
 namespace earshot::guidance {
 namespace {
-
-constexpr NorthEast at(double north_m, double east_m) {
-  return {Meters{north_m}, Meters{east_m}};
-}
 
 std::vector<NorthEast> corners_of(const ParallelTracks& tracks) {
   std::vector<NorthEast> corners;

@@ -9,13 +9,10 @@
 #include <vector>
 
 #include "firmware/core/random.hpp"
+#include "tests/firmware/place.hpp"
 
 namespace earshot::guidance {
 namespace {
-
-constexpr NorthEast at(double north_m, double east_m) {
-  return {Meters{north_m}, Meters{east_m}};
-}
 
 constexpr std::uint32_t kCornersOfTheSquare = 26;
 const SweepPlan kSquare{.area = {at(0, 0), at(25'000, 25'000)}, .margin = Meters{1'000.0}, .step_length = Meters{1'000.0}};

@@ -6,12 +6,9 @@
 #include <cstdint>
 
 #include "firmware/policy/belief_model.hpp"
+#include "tests/firmware/place.hpp"
 
 namespace earshot::policy {
-
-inline NorthEast at(double north, double east) {
-  return {.north = Meters{north}, .east = Meters{east}};
-}
 
 inline constexpr std::size_t kNorth = 0;
 inline constexpr std::size_t kEast = 1;

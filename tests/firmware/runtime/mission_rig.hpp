@@ -12,6 +12,7 @@
 #include "firmware/core/random.hpp"
 #include "firmware/policy/check/policy_check.hpp"
 #include "firmware/runtime/runtime.hpp"
+#include "tests/firmware/place.hpp"
 #include "tests/firmware/policy/format/unsigned_file.hpp"
 #include "tests/support/three_oceans.hpp"
 
@@ -20,10 +21,6 @@ namespace earshot::runtime {
 using messages::EndReason;
 using messages::MissionState;
 using messages::Order;
-
-inline NorthEast at(double north, double east) {
-  return {.north = Meters{north}, .east = Meters{east}};
-}
 
 inline constexpr std::size_t kNorthward = 0;
 inline constexpr std::size_t kEastward = 1;

@@ -6,16 +6,13 @@
 #include <limits>
 
 #include "firmware/core/random.hpp"
+#include "tests/firmware/place.hpp"
 
 namespace earshot::safety {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-NorthEast at(double north, double east) {
-  return {.north = Meters{north}, .east = Meters{east}};
-}
 
 config::Mission mission() {
   return {.operating_area = {.south_west = at(0, 0), .north_east = at(10000, 20000)},

@@ -4,12 +4,9 @@
 
 #include "firmware/config/mission.hpp"
 #include "firmware/safety/situation.hpp"
+#include "tests/firmware/place.hpp"
 
 namespace earshot::safety {
-
-inline NorthEast at(double north, double east) {
-  return {.north = Meters{north}, .east = Meters{east}};
-}
 
 inline config::Polygon polygon(std::initializer_list<NorthEast> corners) {
   config::Polygon polygon;

@@ -5,13 +5,10 @@
 #include <cmath>
 
 #include "firmware/core/math.hpp"
+#include "tests/firmware/place.hpp"
 
 namespace earshot::safety {
 namespace {
-
-NorthEast at(double north, double east) {
-  return {.north = Meters{north}, .east = Meters{east}};
-}
 
 messages::Navigation fix(std::int64_t second, NorthEast place, double depth_m = 0.0, double heading = 0.0) {
   return {.time = Time{} + Duration::seconds(second),

@@ -8,7 +8,7 @@
 #include "policy/baselines/moves.hpp"
 #include "sim/search/actions/compass_directions.hpp"
 #include "sim/search/told_ocean.hpp"
-#include "tests/sim/search/place.hpp"
+#include "tests/firmware/place.hpp"
 
 namespace earshot::baselines {
 namespace {

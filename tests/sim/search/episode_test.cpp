@@ -9,7 +9,7 @@
 
 #include "sim/search/belief_model.hpp"
 #include "sim/search/told_ocean.hpp"
-#include "tests/sim/search/place.hpp"
+#include "tests/firmware/place.hpp"
 
 namespace earshot::search {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/sim/search/place.hpp"
+#include "tests/firmware/place.hpp"
 
 namespace earshot::search {
 namespace {

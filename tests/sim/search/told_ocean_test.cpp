@@ -9,7 +9,7 @@
 
 #include "firmware/policy/ocean_belief/ocean_belief.hpp"
 #include "sim/search/belief_model.hpp"
-#include "tests/sim/search/place.hpp"
+#include "tests/firmware/place.hpp"
 
 namespace earshot::search {
 namespace {

@@ -54,7 +54,7 @@ class AtSea : public testing::Test {
   /// It creeps northwards, a millimetre a second: one that stood still were a fault of its navigation.
   [[nodiscard]] messages::Navigation fix() const {
     return {.time = host_.utc(),
-            .position = runtime::at(7000 + 1e-9 * static_cast<double>((host_.utc() - kUtc).us), 12000),
+            .position = at(7000 + 1e-9 * static_cast<double>((host_.utc() - kUtc).us), 12000),
             .depth = Meters{300},
             .heading = Radians{0},
             .speed = MetersPerSecond{2}};

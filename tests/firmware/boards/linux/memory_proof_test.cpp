@@ -88,7 +88,7 @@ class VehiclePort final : public Port {
  public:
   VehiclePort(std::uint8_t index, std::atomic<bool>& stop)
       : Port(index, {Role::kNavigation, Role::kSnr, Role::kOperator, Role::kAutopilot}), stop_(stop) {
-    fix_.position = runtime::at(7000, 12000);
+    fix_.position = at(7000, 12000);
   }
 
   void collect(Clock& clock, InputSink& sink) override {
@@ -96,7 +96,7 @@ class VehiclePort final : public Port {
     const Time now = clock.now();
     const double sailed_m = fix_.speed.value;
     fix_.time = now;
-    fix_.position = fix_.position + runtime::at(sailed_m * std::cos(fix_.heading.value), sailed_m * std::sin(fix_.heading.value));
+    fix_.position = fix_.position + at(sailed_m * std::cos(fix_.heading.value), sailed_m * std::sin(fix_.heading.value));
     sink.take(index(), fix_);
     sink.take(index(), messages::SnrMeasurement{.time = now, .snr = Decibels{12}});
     if (++turns_ == 3) sink.take(index(), runtime::command_of(Order::kStart, now));

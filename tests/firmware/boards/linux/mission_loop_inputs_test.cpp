@@ -58,8 +58,8 @@ class TheLoop : public AtSea {
     return decision ? *decision : none;
   }
 
-  const NorthEast start_ = runtime::at(7000, 12000);
-  const NorthEast after_one_step_ = runtime::at(8000, 12000);
+  const NorthEast start_ = at(7000, 12000);
+  const NorthEast after_one_step_ = at(8000, 12000);
 };
 
 TEST_F(TheLoop, DecidesByTheSnrOfItsOwnTurnAndOfNoOther) {
@@ -137,7 +137,7 @@ TEST_F(TheLoop, GoesOnWhileLooksAreMissingForAsLongAsTheyMayAndNoLonger) {
 }
 
 TEST_F(TheLoop, TakesOfTwoEstimatesOfOneDateTheOneThatComesLast) {
-  const NorthEast better = runtime::at(7010, 12020);
+  const NorthEast better = at(7010, 12020);
   for (int second = 0; second < 5; ++second) {
     bring_fix(second + 0.9, start_);
     bring_fix(second + 0.9, better);
@@ -177,14 +177,14 @@ TEST_F(TheLoop, CountsWhatItRefusesByItsKind) {
 
 TEST_F(TheLoop, CountsEveryWaypointThatItsSafetyLayerMoves) {
   for (int second = 0; second < 5; ++second) {
-    bring_fix(second + 0.9, runtime::at(18'900, 12'000));  // a step to the north ends 100 m short of the edge, where 500 m are to be kept
+    bring_fix(second + 0.9, at(18'900, 12'000));  // a step to the north ends 100 m short of the edge, where 500 m are to be kept
     bring(second + 0.9, Decibels{12});
   }
   order(seconds(1.5), Order::kStart);
   stop_at(5);
   (void)fly();
   EXPECT_TRUE(decision_at(2).overridden);
-  EXPECT_EQ(decision_at(2).waypoint, runtime::at(19'500, 12'000));
+  EXPECT_EQ(decision_at(2).waypoint, at(19'500, 12'000));
   EXPECT_EQ(port_->health(at_second(4)).counters.setpoints_limited, 1U);
 }
 

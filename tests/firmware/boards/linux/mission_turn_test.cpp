@@ -66,7 +66,7 @@ class MissionTurnTest : public testing::Test {
   double told_after(double speed_mps) {
     clock_.time = clock_.time + Duration::seconds(1);
     turn_.take(0, messages::Navigation{.time = clock_.time,
-                                       .position = runtime::at(7000, 12000),
+                                       .position = at(7000, 12000),
                                        .depth = Meters{300},
                                        .heading = Radians{0},
                                        .speed = MetersPerSecond{speed_mps}});

@@ -69,7 +69,7 @@ class WriteAhead : public testing::Test {
     clock_.time = clock_.time + Duration::seconds(1);
     north_m_ += 2.0;
     turn_.take(0, messages::Navigation{.time = clock_.time,
-                                       .position = runtime::at(north_m_, 12000),
+                                       .position = at(north_m_, 12000),
                                        .depth = Meters{300},
                                        .heading = Radians{0},
                                        .speed = MetersPerSecond{2}});

@@ -16,7 +16,6 @@ namespace {
 
 using config::Listening;
 using messages::Order;
-using runtime::at;
 
 constexpr int kSearches = 200;
 constexpr std::size_t kSteps = 12;  // of 100 s: a song and its pause

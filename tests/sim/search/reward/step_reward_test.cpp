@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/sim/search/place.hpp"
+#include "tests/firmware/place.hpp"
 
 namespace earshot::search {
 namespace {

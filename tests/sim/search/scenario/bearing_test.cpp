@@ -8,7 +8,7 @@
 
 #include "sim/search/episode.hpp"
 #include "sim/search/scenario/surroundings.hpp"
-#include "tests/sim/search/place.hpp"
+#include "tests/firmware/place.hpp"
 
 namespace earshot::search {
 namespace {

@@ -11,7 +11,7 @@
 #include "firmware/host/toml/table_reader.hpp"
 #include "sim/field_library/store.hpp"
 #include "sim/ocean/file/environment_file.hpp"
-#include "tests/sim/search/place.hpp"
+#include "tests/firmware/place.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::search {

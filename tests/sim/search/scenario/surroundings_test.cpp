@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "sim/search/episode.hpp"
-#include "tests/sim/search/place.hpp"
+#include "tests/firmware/place.hpp"
 
 namespace earshot::search {
 namespace {

@@ -120,8 +120,8 @@ class RandomScript {
                 .port = port,
                 .input = messages::SnrMeasurement{.time = date(), .snr = Decibels{within(-30, 60)}, .too_faint = below(3) == 0}};
       default:
-        position_ = position_ + runtime::at(within(-300, 300), within(-300, 300));
-        if (!mission_.operating_area.contains(position_)) position_ = runtime::at(12'000, 12'000);
+        position_ = position_ + at(within(-300, 300), within(-300, 300));
+        if (!mission_.operating_area.contains(position_)) position_ = at(12'000, 12'000);
         return {.time = time_,
                 .port = port,
                 .input = messages::Navigation{.time = date(),
@@ -135,7 +135,7 @@ class RandomScript {
   Pcg32 random_;
   config::Mission mission_;
   Time time_{1'795'000'000'000'000};
-  NorthEast position_ = runtime::at(12'000, 12'000);
+  NorthEast position_ = at(12'000, 12'000);
   std::uint32_t commands_ = 3;
 };
 

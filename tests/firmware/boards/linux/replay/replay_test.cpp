@@ -41,13 +41,11 @@ class Replay : public testing::Test {
     std::vector<Happening> script;
     for (int second = 1; second <= 600; ++second) {
       const Time now = Time{1'795'000'000'000'000} + Duration::seconds(second);
-      script.push_back({.time = now,
-                        .port = 1,
-                        .input = messages::Navigation{.time = now,
-                                                      .position = runtime::at(12'000, 12'000),
-                                                      .depth = Meters{300},
-                                                      .heading = Radians{0},
-                                                      .speed = MetersPerSecond{0}}});
+      script.push_back(
+          {.time = now,
+           .port = 1,
+           .input = messages::Navigation{
+               .time = now, .position = at(12'000, 12'000), .depth = Meters{300}, .heading = Radians{0}, .speed = MetersPerSecond{0}}});
       script.push_back({.time = now, .port = 1, .input = messages::SnrMeasurement{.time = now, .snr = Decibels{12}}});
       if (second == 2) script.push_back({.time = now, .port = 1, .input = runtime::command_of(messages::Order::kListen, now)});
       script.push_back({.time = now});

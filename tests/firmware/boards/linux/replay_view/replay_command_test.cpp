@@ -27,7 +27,7 @@ std::vector<board::Happening> script() {
     const Time now = Time{1'795'000'000'000'000} + Duration::seconds(second);
     const auto add = [&](const auto& value) { happenings.push_back({.time = now, .port = 1, .input = value}); };
     add(messages::Navigation{
-        .time = now, .position = runtime::at(12'000, 12'000), .depth = Meters{300}, .heading = Radians{0}, .speed = MetersPerSecond{0}});
+        .time = now, .position = at(12'000, 12'000), .depth = Meters{300}, .heading = Radians{0}, .speed = MetersPerSecond{0}});
     add(messages::SnrMeasurement{.time = now, .snr = Decibels{12}});
     if (second == 2) add(runtime::command_of(messages::Order::kStart, now));
     happenings.push_back({.time = now});

@@ -5,6 +5,7 @@
 
 namespace earshot {
 
+/// A place, by its metres.
 constexpr NorthEast at(double north_m, double east_m) {
   return {Meters{north_m}, Meters{east_m}};
 }
