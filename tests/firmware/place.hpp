@@ -5,7 +5,7 @@
 
 namespace earshot {
 
-/// A place, by its metres.
+/// The place so many metres north and east of the origin.
 constexpr NorthEast at(double north_m, double east_m) {
   return {Meters{north_m}, Meters{east_m}};
 }

@@ -8,7 +8,7 @@
 namespace earshot::policy {
 namespace {
 
-/// Columns of which ranges are found side by side: what they have in common with every row is found once.
+/// Columns whose ranges are found side by side: how far east one lies is found once for all its rows.
 constexpr std::size_t kColumnsAtOnce = 32;
 
 /// Where a place beyond an edge is, had it turned back there, and at the other edge, as often as it met one. @param width  > 0

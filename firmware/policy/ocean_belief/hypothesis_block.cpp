@@ -16,12 +16,13 @@ constexpr std::int16_t kNever = -18'000;
 static_assert(kNever < kForgotten && kForgotten + kNever >= std::numeric_limits<std::int16_t>::min());
 
 /// What minus_saturated() is to take off the weights of a word: their highest, and so much more that what is forgotten ends at the least
-/// that sixteen bits hold. They are then less the highest, at least kForgotten, and lowered by -kLeastLogLikelihood.
+/// that sixteen bits hold. They are "lowered" then: max(weight - highest, kForgotten) + kLeastLogLikelihood.
+/// @param highest  at least kLeastLogLikelihood: no look is less likely, where the source is the likeliest to be
 LogWord to_take_off(const LogWord& highest) {
   static_assert(kForgotten + kLeastLogLikelihood == std::numeric_limits<std::int16_t>::min());
   return highest - every_lane(kLeastLogLikelihood);
 }
-/// By so much a probability is greater than that of the lowered weight: a power of two, which leaves all its bits as they are.
+/// A probability is so many times that of the lowered weight: a power of two, which changes its exponent alone.
 constexpr auto kPerLowered = static_cast<float>(std::uint64_t{1} << unsigned{-kLeastLogLikelihood / kOctave});
 static_assert(kLeastLogLikelihood % kOctave == 0);
 
@@ -125,14 +126,14 @@ void HypothesisBlock::let_move(const BeliefModel& model) {
 }
 
 EARSHOT_WIDE void HypothesisBlock::weigh_word(const BeliefModel& model, std::size_t word, const Lanes& lanes,
-                                              std::span<const LogLanes> log_likelihoods, std::span<const std::uint16_t> ranges) {
+                                              std::span<const LogLanes> raised_log_likelihoods, std::span<const std::uint16_t> ranges) {
   const std::size_t cells = cell_count(model);
   const LogWord taken = word_of(bits_of(lanes), word);
   const LogWord off = to_take_off(word_of(highest_, word)) & taken;
   LogWord highest = every_lane(std::numeric_limits<std::int16_t>::min());
 #pragma GCC unroll 4
   for (std::size_t i = 0; i < cells; ++i) {
-    const LogWord weight = minus_saturated(word_of(weights_[i], word), off) + (word_of(log_likelihoods[ranges[i]], word) & taken);
+    const LogWord weight = minus_saturated(word_of(weights_[i], word), off) + (word_of(raised_log_likelihoods[ranges[i]], word) & taken);
     put(weights_[i], word, weight);
     highest = max(highest, weight);
   }
@@ -140,12 +141,12 @@ EARSHOT_WIDE void HypothesisBlock::weigh_word(const BeliefModel& model, std::siz
   is_settled_[word] = false;
 }
 
-void HypothesisBlock::weigh(const BeliefModel& model, const Lanes& lanes, std::span<const LogLanes> log_likelihoods,
+void HypothesisBlock::weigh(const BeliefModel& model, const Lanes& lanes, std::span<const LogLanes> raised_log_likelihoods,
                             std::span<const std::uint16_t> ranges) {
   has_sums_ = false;
   for (std::size_t l = 0; l < kLanes; ++l) scale_[l] += lanes[l] ? highest_[l] : 0;
   for (std::size_t word = 0; word < kWords; ++word) {
-    if (any_of_word(word, lanes)) weigh_word(model, word, lanes, log_likelihoods, ranges);
+    if (any_of_word(word, lanes)) weigh_word(model, word, lanes, raised_log_likelihoods, ranges);
   }
 }
 

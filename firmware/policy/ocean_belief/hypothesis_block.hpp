@@ -35,9 +35,10 @@ class HypothesisBlock {
   /// The source may have moved since the last look, where a hypothesis says so.
   void let_move(const BeliefModel& model);
   /// Multiplies every cell by its likelihood under those hypotheses that have the cells at these ranges.
-  /// @param log_likelihoods  [ranges]: of what was heard, were the source at each, less kLeastLogLikelihood; at least 0
-  /// @param ranges           [north x east]: of the cells
-  void weigh(const BeliefModel& model, const Lanes& lanes, std::span<const LogLanes> log_likelihoods,
+  /// @param raised_log_likelihoods  [ranges]: of what was heard, were the source at each, kLeastLogLikelihood to 0, and raised by
+  ///                                -kLeastLogLikelihood: 0 is the least
+  /// @param ranges                  [north x east]: of the cells
+  void weigh(const BeliefModel& model, const Lanes& lanes, std::span<const LogLanes> raised_log_likelihoods,
              std::span<const std::uint16_t> ranges);
 
   /// Multiplies every cell by a likelihood of its own under some of the hypotheses.
@@ -70,7 +71,7 @@ class HypothesisBlock {
   void sum_word(const BeliefModel& model, std::size_t word) const;
   void settle(const BeliefModel& model);
   void spread_word(const BeliefModel& model, std::size_t word, const LogLanes& penalties);
-  void weigh_word(const BeliefModel& model, std::size_t word, const Lanes& lanes, std::span<const LogLanes> log_likelihoods,
+  void weigh_word(const BeliefModel& model, std::size_t word, const Lanes& lanes, std::span<const LogLanes> raised_log_likelihoods,
                   std::span<const std::uint16_t> ranges);
 
   std::array<Hypothesis, kLanes> hypotheses_;

@@ -27,7 +27,7 @@ EARSHOT_WIDE void LaneLikelihoods::tabulate(const BeliefModel& model, const Ocea
     std::size_t alike = 0;
     while (!hears_the_same(h, hypotheses[alike])) ++alike;
     if (alike < l) {
-      for (std::size_t i = 0; i < count; ++i) lanes_[i][l] = lanes_[i][alike];
+      for (std::size_t i = 0; i < count; ++i) raised_[i][l] = raised_[i][alike];
       continue;
     }
     const OceanTable& table = tables.tables[h.table];
@@ -36,7 +36,7 @@ EARSHOT_WIDE void LaneLikelihoods::tabulate(const BeliefModel& model, const Ocea
                    std::span(exact).first(count));
     smooth(std::span(exact).first(count), half_cell(model, tables.range_step, count), std::span(seen).first(count));
     to_logs(std::span(seen).first(count), kLeastLogLikelihood, std::span(logs).first(count));
-    for (std::size_t i = 0; i < count; ++i) lanes_[i][l] = static_cast<std::int16_t>(tempered(logs[i]) - kLeastLogLikelihood);
+    for (std::size_t i = 0; i < count; ++i) raised_[i][l] = static_cast<std::int16_t>(tempered(logs[i]) - kLeastLogLikelihood);
   }
 }
 

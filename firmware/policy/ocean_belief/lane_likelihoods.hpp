@@ -20,16 +20,18 @@ inline constexpr int kTrust_256ths = 208;
   return log_likelihood * kTrust_256ths / 256;
 }
 
-/// Likelihoods of what was heard, were the source at each range, under the hypotheses of a block: log weights, tempered, less
-/// kLeastLogLikelihood.
+/// Likelihoods of what was heard, were the source at each range, under the hypotheses of a block: log weights, tempered.
 class LaneLikelihoods {
  public:
   /// Of a look.
   void tabulate(const BeliefModel& model, const OceanTables& tables, const std::array<Hypothesis, kLanes>& hypotheses, Reception reception);
-  [[nodiscard]] std::span<const LogLanes> by_range(const OceanTables& tables) const { return std::span(lanes_).first(tables.range_count); }
+  /// [ranges], raised by -kLeastLogLikelihood as HypothesisBlock::weigh() takes them.
+  [[nodiscard]] std::span<const LogLanes> raised_by_range(const OceanTables& tables) const {
+    return std::span(raised_).first(tables.range_count);
+  }
 
  private:
-  std::array<LogLanes, config::kMaxTableRanges> lanes_;
+  std::array<LogLanes, config::kMaxTableRanges> raised_;
 };
 
 }  // namespace earshot::policy

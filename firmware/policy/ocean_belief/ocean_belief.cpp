@@ -162,7 +162,7 @@ void OceanBelief::take_in(const BeliefModel& model, const OceanTables& tables, c
   for_each_drift(block, [&](const Drift& drift, const Lanes& lanes) {
     places.find(model, drift, index, {});
     places.find_ranges(model, look.position, tables.range_step, tables.range_count - std::size_t{1}, ranges_);
-    block.weigh(model, lanes, likelihoods_.by_range(tables), ranges_);
+    block.weigh(model, lanes, likelihoods_.raised_by_range(tables), ranges_);
   });
 }
 

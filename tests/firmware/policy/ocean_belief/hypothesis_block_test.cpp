@@ -31,7 +31,7 @@ constexpr std::array<Hypothesis, kLanes> kAllMotions{{{.mobility = 0},
 constexpr Lanes kAllLanes{true, true, true, true, true, true, true, true};
 
 /// As HypothesisBlock::weigh() takes them.
-LogLanes above_the_least(const LogLanes& log_likelihoods) {
+LogLanes raised(const LogLanes& log_likelihoods) {
   return log_likelihoods - kLeastLogLikelihood;
 }
 
@@ -49,7 +49,7 @@ class HypothesisBlockTest : public testing::Test {
   /// Weighs every cell by a weight of its own, the same in all lanes.
   static void weigh_each(HypothesisBlock& block, const BeliefModel& model, const std::vector<int>& weights) {
     std::vector<LogLanes> lanes;
-    for (const int weight : weights) lanes.push_back(above_the_least(LogLanes{} + static_cast<std::int16_t>(weight)));
+    for (const int weight : weights) lanes.push_back(raised(LogLanes{} + static_cast<std::int16_t>(weight)));
     std::vector<std::uint16_t> ranges(weights.size());
     std::iota(ranges.begin(), ranges.end(), std::uint16_t{0});
     block.weigh(model, kAllLanes, lanes, ranges);
@@ -96,7 +96,7 @@ TEST_F(HypothesisBlockTest, IsWhatBayesRuleGivesByHandUnderEveryHypothesis) {
   for (const auto& [place, reception] : looks) {
     places_of_cells.find_ranges(model, place, tables.range_step, kSmallRanges - 1U, ranges);
     likelihoods.tabulate(model, tables, kHypotheses, reception);
-    block->weigh(model, kAllLanes, likelihoods.by_range(tables), ranges);
+    block->weigh(model, kAllLanes, likelihoods.raised_by_range(tables), ranges);
   }
   for (std::size_t l = 0; l < kLanes; ++l) {
     std::vector<double> joint(400, 1.0);
@@ -118,8 +118,8 @@ TEST_F(HypothesisBlockTest, IsWhatBayesRuleGivesByHandUnderEveryHypothesis) {
 TEST_F(HypothesisBlockTest, WeighsEveryLaneByItsOwnLikelihood) {
   const BeliefModel model = bare_model(at(1'000, 2'000), 1, 2);
   block->start(model, {}, PlacePrior{});
-  const std::array<LogLanes, 2> likelihoods{above_the_least(LogLanes{0, -512, -1024, 0, 0, 0, 0, -5120}),
-                                            above_the_least(LogLanes{0, 0, 0, -512, -1024, -1536, -5120, -5120})};
+  const std::array<LogLanes, 2> likelihoods{raised(LogLanes{0, -512, -1024, 0, 0, 0, 0, -5120}),
+                                            raised(LogLanes{0, 0, 0, -512, -1024, -1536, -5120, -5120})};
   const std::array<std::uint16_t, 2> ranges{1, 0};  // the western cell is the further one
   block->weigh(model, kAllLanes, likelihoods, ranges);
   const std::array<double, kLanes> western{0.5, 2.0 / 3.0, 0.8, 1.0 / 3.0, 0.2, 1.0 / 9.0, 1.0 / 1025.0, 0.5};
@@ -133,8 +133,7 @@ TEST_F(HypothesisBlockTest, WeighsEveryLaneByItsOwnLikelihood) {
 /// Those that have the cells elsewhere keep their weights bit for bit, in whatever order they are weighed.
 TEST_F(HypothesisBlockTest, WeighsSomeLanesAndLeavesTheOthers) {
   const BeliefModel model = bare_model(at(1'000, 2'000), 1, 2);
-  const std::array<LogLanes, 2> likelihoods{above_the_least(LogLanes{} - std::int16_t{100}),
-                                            above_the_least(LogLanes{} - std::int16_t{612})};
+  const std::array<LogLanes, 2> likelihoods{raised(LogLanes{} - std::int16_t{100}), raised(LogLanes{} - std::int16_t{612})};
   const std::array<std::uint16_t, 2> ranges{0, 1};
   const std::array<std::uint16_t, 2> the_other_way{1, 0};
   Lanes even{};
@@ -181,7 +180,7 @@ TEST_F(HypothesisBlockTest, AddsToNoCellOutsideTheWindow) {
 TEST_F(HypothesisBlockTest, AddsHypothesesByTheirSharesToWhatIsThere) {
   const BeliefModel model = bare_model(at(1'000, 2'000), 1, 2);
   block->start(model, {}, PlacePrior{});
-  const std::array<LogLanes, 2> likelihoods{above_the_least(LogLanes{0, 0, -512}), above_the_least(LogLanes{-512, 0, 0})};
+  const std::array<LogLanes, 2> likelihoods{raised(LogLanes{0, 0, -512}), raised(LogLanes{-512, 0, 0})};
   block->weigh(model, kAllLanes, likelihoods, std::array<std::uint16_t, 2>{0, 1});
   std::vector<float> marginal{10.0F, 20.0F};
   block->add_to(model, {0.25F, 0.5F, 0.125F, 0.125F}, all_cells(model), marginal);

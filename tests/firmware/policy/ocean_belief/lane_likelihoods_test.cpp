@@ -34,7 +34,7 @@ class LaneLikelihoodsTest : public testing::Test {
     for (std::size_t l = 0; l < kLanes; ++l) {
       const std::vector<double> expected = likelihoods_by_hand(model, tables, kEight[l], reception);
       for (std::size_t i = 0; i < tables.range_count; ++i) {
-        ASSERT_NEAR(likelihoods->by_range(tables)[i][l] + kLeastLogLikelihood, 512.0 * std::log2(expected[i]), 2.0)
+        ASSERT_NEAR(likelihoods->raised_by_range(tables)[i][l] + kLeastLogLikelihood, 512.0 * std::log2(expected[i]), 2.0)
             << "lane " << l << ", range " << i;
       }
     }
@@ -67,7 +67,7 @@ TEST_F(LaneLikelihoodsTest, AreNotSmoothedWhereACellIsOneRangeWide) {
 
 TEST_F(LaneLikelihoodsTest, AreOfAsManyRangesAsTheTablesHave) {
   likelihoods->tabulate(model, tables, kEight, {.snr = Decibels{20.0}});
-  EXPECT_EQ(likelihoods->by_range(tables).size(), kSmallRanges);
+  EXPECT_EQ(likelihoods->raised_by_range(tables).size(), kSmallRanges);
 }
 
 /// Without outliers and pauses nothing can be 600 dB loud: a likelihood of a number too small for sixteen bits, or of zero.
@@ -76,7 +76,7 @@ TEST_F(LaneLikelihoodsTest, OfWhatCannotBeAreTheLeastThatThereIsRoomForAndNeverL
   for (const double snr_db : {-kMostLevel_db, kMostLevel_db}) {
     for (const bool too_faint : {false, true}) {
       likelihoods->tabulate(model, tables, kEight, {.snr = Decibels{snr_db}, .too_faint = too_faint});
-      for (const LogLanes& lanes : likelihoods->by_range(tables)) {
+      for (const LogLanes& lanes : likelihoods->raised_by_range(tables)) {
         for (std::size_t l = 0; l < kLanes; ++l) {
           const int log_likelihood = lanes[l] + kLeastLogLikelihood;
           ASSERT_GE(log_likelihood, kLeastLogLikelihood);

@@ -16,6 +16,7 @@
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
+#include "tests/firmware/place.hpp"
 
 namespace earshot::journal_view {
 
@@ -24,10 +25,6 @@ inline constexpr Time kBegan{1'795'359'840'000'000};
 
 inline Time after(std::int64_t milliseconds) {
   return kBegan + Duration::milliseconds(milliseconds);
-}
-
-inline NorthEast place(double north_m, double east_m) {
-  return {Meters{north_m}, Meters{east_m}};
 }
 
 /// A journal that tests write record by record.
@@ -76,7 +73,7 @@ inline constexpr std::uint32_t kPolicyCrc = 0x55BC801D;  ///< of these bytes (Py
 
 inline mission_t known_mission() {
   config::Mission mission;
-  mission.operating_area = {.south_west = place(0, 0), .north_east = place(25'000, 20'000)};
+  mission.operating_area = {.south_west = at(0, 0), .north_east = at(25'000, 20'000)};
   mission.search_depth = Meters{300};
   mission.max_depth = Meters{400};
   mission.search_speed = MetersPerSecond{2};
@@ -94,7 +91,7 @@ inline mission_t known_mission() {
 /// The heading is 30 degrees.
 inline messages::Navigation known_fix(Time time) {
   return {.time = time,
-          .position = place(1000, 2000),
+          .position = at(1000, 2000),
           .depth = Meters{299.5},
           .heading = Radians{std::numbers::pi / 6},
           .speed = MetersPerSecond{1.75}};
@@ -144,15 +141,15 @@ inline void write_known_journal(const std::filesystem::path& path) {
       after(2000), wire::kJournalledSetpointChannel,
       wire::to_message(
           messages::Setpoint{
-              .heading = Radians{-std::numbers::pi / 2}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = place(1000, 1000)},
+              .heading = Radians{-std::numbers::pi / 2}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = at(1000, 1000)},
           after(2000)));
   messages::Decision decision;
   decision.time = after(2000);
-  decision.position = place(1000, 2000);
+  decision.position = at(1000, 2000);
   decision.snr = Decibels{12.25};
   decision.detected = true;
   decision.action = 6;
-  decision.waypoint = place(1000, 1000);
+  decision.waypoint = at(1000, 1000);
   decision.observation_size = 2;
   decision.action_count = 3;
   decision.observation[1] = 0.5F;

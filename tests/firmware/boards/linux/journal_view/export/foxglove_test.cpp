@@ -35,7 +35,7 @@ TEST(Foxglove, FixesAreGeographicAndTheirAltitudeIsTheDepthNegative) {
 
 TEST(Foxglove, LeavesOutAPlaceThatThePlaneDoesNotReach) {
   messages::Navigation fix = known_fix(kBegan);
-  fix.position = place(1e7, 0);
+  fix.position = at(1e7, 0);
   EXPECT_FALSE(location_fix(fix, {}));
 }
 
