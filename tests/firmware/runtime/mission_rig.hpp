@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "firmware/core/random.hpp"
@@ -114,9 +115,10 @@ inline std::unique_ptr<policy::OceanTables> one_ocean() {
 inline std::unique_ptr<policy::FrozenPolicy> frozen(const policy::FrozenPolicy& policy) {
   auto copy = std::make_unique<policy::FrozenPolicy>(policy);
   if (!policy::check(policy).is_none()) return copy;
-  static std::map<std::vector<std::uint8_t>, policy::GoldenTrajectories> flown;
+  static std::map<std::string, policy::GoldenTrajectories> flown;  // by its file
   const bool sees_belief = policy::needs_belief(policy.observation.spec);
-  const std::vector<std::uint8_t> name = sees_belief ? policy::unsigned_file(policy) : std::vector<std::uint8_t>{};
+  const std::vector<std::uint8_t> file = sees_belief ? policy::unsigned_file(policy) : std::vector<std::uint8_t>{};
+  const std::string name(file.begin(), file.end());
   if (const auto known = flown.find(name); known != flown.end()) {
     copy->golden = known->second;
     return copy;

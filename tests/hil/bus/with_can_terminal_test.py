@@ -1,4 +1,5 @@
 """At a terminal with-can leaves the terminal as it is, and Ctrl-C ends what it runs. One argument: with-can."""
+
 import os
 import pty
 import select
