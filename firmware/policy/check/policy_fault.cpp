@@ -77,7 +77,9 @@ std::string_view to_string(PolicyFault fault) {
     case PolicyFault::kNoAdvice:
       return "does not show the preference of every action, by which a policy without a network goes";
     case PolicyFault::kGoldenMismatch:
-      return "does not repeat its golden trajectories with this program on this machine: the arithmetic differs";
+      return "does not repeat its golden trajectories with this program on this machine: the arithmetic differs, or another version of "
+             "Earshot froze it (earshot "
+             "freeze freezes it again)";
   }
   return "is unreadable";
 }
