@@ -99,11 +99,27 @@ void make_search(policy::ObservationModel& model, policy::OceanTables& tables) {
 /// The most and the mean of what is measured again and again.
 struct Account {
   std::uint32_t most = 0;
+  std::uint32_t count = 0;
   std::uint64_t sum = 0;
   void take(std::uint32_t value) {
     most = value > most ? value : most;
     sum += value;
+    ++count;
   }
+  [[nodiscard]] std::uint32_t mean() const { return static_cast<std::uint32_t>(sum / count); }
+};
+
+/// Of all updates, and of what follows on them.
+struct BeliefAccounts {
+  Account updates;
+  Account declarations;  ///< updates after which the source is declared found
+  /// Updates of four hypotheses, with all that does not depend on how many there are; neither where a search begins nor where it finds.
+  Account of_four;
+  Account of_four_at_rest;  ///< of looks at which none of those that are held drifts
+  Account observations;
+  Account decisions;
+  Account slices;
+  Account ponderings;
 };
 
 /// What an update costs however many hypotheses there are: what each action may bring, and what is told of all places.
@@ -131,22 +147,11 @@ bool has_drifts(const policy::OceanBelief& belief) {
 }
 
 /// A search of forty looks, to and fro towards a source, and beside it until it is declared found and for a few more: what was heard is
-/// weighed, observed and answered, as in a decision. No bearing is heard.
-void measure_belief(State& state) {
+/// weighed, observed and answered, as in a decision. No bearing is heard. @param draw  which noise
+void count_search(State& state, std::uint64_t draw, BeliefAccounts& accounts) {
   constexpr int kLooks = 40;
   constexpr NorthEast source{Meters{15'700.0}, Meters{8'700.0}};
-  make_search(state.model, state.tables);
-  state.network.observation_size = state.model.spec.size();
-  Pcg32 random(2);
-  Account updates;
-  Account declarations;
-  // Of four hypotheses, with all that does not depend on how many there are; neither where the search begins nor where it finds.
-  Account of_four;
-  Account of_four_at_rest;  // of looks at which none of those that are held drifts
-  int declared = 0;
-  Account observations;
-  Account decisions;
-  Account slices;
+  Pcg32 random(draw);
   std::array<float, config::kMaxObservation> observation;
   std::array<float, 8> logits;
   for (int look = 0; look < kLooks; ++look) {
@@ -167,35 +172,48 @@ void measure_belief(State& state) {
     const std::uint32_t observed = instructions();
     policy::forward(state.network, std::span(observation).first(state.model.spec.size()), logits);
     const bool is_found = state.memory.belief().declaration().has_value();
-    declared += is_found ? 1 : 0;
-    (is_found ? declarations : updates).take(updated - began);
+    (is_found ? accounts.declarations : accounts.updates).take(updated - began);
     const std::uint32_t decided = instructions();
     const std::uint32_t beyond = cost_beyond_hypotheses(state, place);
     const std::uint32_t with_four = beyond + (updated - began - beyond) / (policy::OceanBelief::kHypotheses / 4);
-    if (look > 0 && !is_found) of_four.take(with_four);
-    if (look > 0 && !is_found && !has_drifts(state.memory.belief())) of_four_at_rest.take(with_four);
-    observations.take(observed - updated);
-    decisions.take(decided - began);
+    if (look > 0 && !is_found) accounts.of_four.take(with_four);
+    if (look > 0 && !is_found && !has_drifts(state.memory.belief())) accounts.of_four_at_rest.take(with_four);
+    accounts.observations.take(observed - updated);
+    accounts.decisions.take(decided - began);
+    std::uint32_t pondering = 0;
     bool is_left = true;
     while (is_left) {
       const std::uint32_t slice_began = instructions();
       is_left = state.memory.ponder(state.model, state.tables);
-      slices.take(instructions() - slice_began);
+      const std::uint32_t slice = instructions() - slice_began;
+      accounts.slices.take(slice);
+      pondering += slice;
     }
+    accounts.ponderings.take(pondering);
   }
-  require(declared == 1, "the source is not declared found once");
-  require(of_four_at_rest.most > 0, "a hypothesis drifts at every look");
-  tell("belief_update_most", updates.most);
-  tell("belief_update_declared", declarations.most);
-  tell("belief_update_of_four_most", of_four.most);
-  tell("belief_update_of_four_at_rest_most", of_four_at_rest.most);
-  tell("belief_update_of_four_mean", static_cast<std::uint32_t>(of_four.sum / (kLooks - 2)));
-  tell("belief_update_mean", static_cast<std::uint32_t>((updates.sum + declarations.sum) / kLooks));
-  tell("observation_most", observations.most);
-  tell("decision_most", decisions.most);
-  tell("decision_mean", static_cast<std::uint32_t>(decisions.sum / kLooks));
-  tell("slice_most", slices.most);
-  tell("pondering_mean", static_cast<std::uint32_t>(slices.sum / kLooks));
+}
+
+/// Searches alike, each with a noise of its own: what is heard first decides over how many cells the belief spreads.
+void measure_belief(State& state) {
+  constexpr std::uint64_t kDraws = 3;
+  make_search(state.model, state.tables);
+  state.network.observation_size = state.model.spec.size();
+  BeliefAccounts accounts;
+  for (std::uint64_t draw = 1; draw <= kDraws; ++draw) count_search(state, draw, accounts);
+  require(accounts.declarations.count > 0, "the source is never declared found");
+  require(accounts.of_four_at_rest.count > 0, "a hypothesis drifts at every look");
+  tell("belief_update_most", accounts.updates.most);
+  tell("belief_update_declared", accounts.declarations.most);
+  tell("belief_update_of_four_most", accounts.of_four.most);
+  tell("belief_update_of_four_at_rest_most", accounts.of_four_at_rest.most);
+  tell("belief_update_of_four_mean", accounts.of_four.mean());
+  tell("belief_update_mean", static_cast<std::uint32_t>((accounts.updates.sum + accounts.declarations.sum) /
+                                                        (accounts.updates.count + accounts.declarations.count)));
+  tell("observation_most", accounts.observations.most);
+  tell("decision_most", accounts.decisions.most);
+  tell("decision_mean", accounts.decisions.mean());
+  tell("slice_most", accounts.slices.most);
+  tell("pondering_mean", accounts.ponderings.mean());
 }
 
 /// One channel at 1 kHz; half a minute of it, in blocks of a second, behind the half minute in which the noise is learnt.
