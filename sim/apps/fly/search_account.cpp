@@ -81,6 +81,8 @@ std::string account_lines(const nlohmann::json& s) {
     const bool is_wrong = range_m > s.at("step_length_m").get<double>();
     text += "  declared    found at " + step_in(declared, "step") + (is_wrong ? ", wrongly: " : ": ") + decimals(range_m, 0) +
             " m from the source\n";
+  } else if (s.at("found").get<bool>() && !value_in(s, "surprise_bits").is_null()) {
+    text += "  declared    not by the vehicle: the simulator ended the search within a step length of the source; at sea it would go on\n";
   }
   return text;
 }

@@ -55,6 +55,17 @@ TEST(SearchAccount, SaysHowFarFromTheSourceItDeclaredItFoundFirstAndWhetherWrong
   EXPECT_EQ(account_lines(s), "  declared    found at step 34: 1000 m from the source\n");
 }
 
+TEST(SearchAccount, SaysThatAVehicleWhichCameNearTheSourceHasNotDeclaredIt) {
+  SearchAccount account;
+  account.note({.steps_taken = 18, .believed_source = kSomewhere, .surprise_bits = 1.0F}, Meters{900.0});
+  nlohmann::json s = summary_with(account);
+  EXPECT_EQ(account_lines(s).find("declared"), std::string::npos);
+  s["found"] = true;
+  EXPECT_EQ(account_lines(s),
+            "  surprise    none: the oceans of its tables explain what it heard (1.0 bits at the end, a surprise from 6.75 on)\n"
+            "  declared    not by the vehicle: the simulator ended the search within a step length of the source; at sea it would go on\n");
+}
+
 TEST(SearchAccount, SaysInWordsWhyAFlightWasLostOrEnded) {
   EXPECT_EQ(outcome({{"found", true}, {"end_reason", "declared_found"}}), "source found");
   EXPECT_EQ(outcome({{"found", false}, {"end_reason", "bus_lost"}}), "the flight was lost: a set-point did not arrive over the bus");
