@@ -78,8 +78,7 @@ std::string_view to_string(PolicyFault fault) {
       return "does not show the preference of every action, by which a policy without a network goes";
     case PolicyFault::kGoldenMismatch:
       return "does not repeat its golden trajectories with this program on this machine: the arithmetic differs, or another version of "
-             "Earshot froze it (earshot "
-             "freeze freezes it again)";
+             "Earshot froze it (earshot freeze freezes it again)";
   }
   return "is unreadable";
 }

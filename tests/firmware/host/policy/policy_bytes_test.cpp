@@ -89,8 +89,7 @@ TEST(PolicyBytes, ThatAnotherBuildsArithmeticFrozeAreRefusedByAllButAFreezer) {
   bytes.resize(policy::serialise(policy, key, bytes).value());
   EXPECT_EQ(complaint_about(bytes),
             "a.policy: does not repeat its golden trajectories with this program on this machine: the arithmetic differs, or another "
-            "version of Earshot froze it "
-            "(earshot freeze freezes it again)");
+            "version of Earshot froze it (earshot freeze freezes it again)");
   EXPECT_EQ(unproven_policy_from(bytes, "a.policy")->actions.size(), 8U);
 }
 
