@@ -56,7 +56,7 @@ inline constexpr std::size_t kMaxBeliefLooks = by_profile(128, 128, 1);
 /// Looks of such others that are weighed in one go, between two decisions; full: the next go weighs on.
 inline constexpr std::size_t kLooksInASlice = by_profile(50, 5);
 /// Bytes of the belief about the source, with its tables; full: does not compile.
-inline constexpr std::size_t kOceanBeliefBytes = by_profile(256, 64, 4) * 1024;
+inline constexpr std::size_t kOceanBeliefBytes = by_profile(260, 64, 4) * 1024;
 /// Seconds that a decision may listen over (a blue whale calls every one or two minutes); full: policy refused at load.
 inline constexpr std::size_t kMaxListeningSeconds = by_profile(120, 60);
 /// Searches that are flown again before a policy is trusted; a policy has exactly this many.

@@ -6,9 +6,12 @@
 #include "firmware/core/math.hpp"
 #include "firmware/core/wide.hpp"
 #include "firmware/policy/likelihood/belief_grid.hpp"
+#include "firmware/policy/outlook_places.hpp"
 
 namespace earshot::policy {
 namespace {
+
+using namespace outlook;
 
 /// Cells on the side of a block: a cost of kilometres needs no finer grid.
 constexpr std::size_t kBlock = 2;
@@ -17,93 +20,100 @@ constexpr float kLeastBlockProbability = 2e-4F;
 /// Where the source is less likely than this to be near, the reach is not computed.
 constexpr float kLeastNearProbability = 0.01F;
 
-/// A place in metres from the south-west corner. Floats are exact enough.
-struct Point {
-  float north;
-  float east;
-  friend bool operator==(const Point&, const Point&) = default;
-};
-
-float distance(Point a, Point b) {
-  const float north = a.north - b.north;
-  const float east = a.east - b.east;
-  return __builtin_sqrtf(north * north + east * east);
-}
-
-Point point_at(NorthEast place) {
-  return {static_cast<float>(place.north.value), static_cast<float>(place.east.value)};
-}
-
-/// The search area without its border, and B(y), how deep a place lies in the border.
-struct BorderFreeArea {
-  Point low;
-  Point high;
-  float width;  ///< of the border
-
-  explicit BorderFreeArea(const BeliefModel& model)
-      : low{static_cast<float>(model.border_width.value), static_cast<float>(model.border_width.value)},
-        high{static_cast<float>((model.area_size.north - model.border_width).value),
-             static_cast<float>((model.area_size.east - model.border_width).value)},
-        width(static_cast<float>(model.border_width.value)) {}
-
-  /// B(y): 0 inside, 1 at the edge, more beyond.
-  [[nodiscard]] float border_depth(Point p) const {
-    const float north = std::max(low.north - p.north, p.north - high.north);
-    const float east = std::max(low.east - p.east, p.east - high.east);
-    return std::max(0.0F, std::max(north, east)) / width;
-  }
-  [[nodiscard]] Point nearest(Point p) const {
-    return {std::max(low.north, std::min(p.north, high.north)), std::max(low.east, std::min(p.east, high.east))};
-  }
-};
-
 /// A block of cells, whose probability is taken to lie in one point s.
 struct Block {
   Point source;       ///< s
-  Point goal;         ///< c: the place outside the border nearest to s
-  float extra_way;    ///< l - sqrt(l^2 - |s - c|^2), m: how much nearer to c than a step length the vehicle must come to find s
   float probability;  ///< b(s)
-  /// Whether the way to it goes straight to s.
-  [[nodiscard]] bool is_outside_border() const { return goal == source; }
+  Point goal;         ///< c: the place outside the border nearest to s; it and the next are not told of blocks that are outside it
+  float extra_way;    ///< l - sqrt(l^2 - |s - c|^2), m: how much nearer to c than a step length the vehicle must come to find s
 };
 
-Block block_at(const BorderFreeArea& inside, Point source, float probability, float step_length) {
-  const Point goal = inside.nearest(source);
-  const float off = distance(source, goal);
-  const float to_goal = off < step_length ? __builtin_sqrtf(step_length * step_length - off * off) : 0.0F;
-  return {.source = source, .goal = goal, .extra_way = step_length - to_goal, .probability = probability};
-}
+/// Goes through the grid from the south-west along the rows, for blocks that are no less likely than kLeastBlockProbability.
+class LikelyBlocks {
+ public:
+  /// So many are handed out together. A vector unit has the actions side by side; without one, what a few blocks add up to for an action
+  /// stays in a register.
+  static constexpr std::size_t kTogether = kHasVectors ? 1 : 16;
 
-/// The cells of the belief.
-struct Grid {
-  std::span<const float> probabilities;
-  std::size_t rows;
-  std::size_t columns;
-  float size_north;
-  float size_east;
+  LikelyBlocks(const Grid& grid, const BorderFreeArea& inside, float step_length)
+      : grid_(grid),
+        inside_(inside),
+        step_length_(step_length),
+        rows_(outside_border(inside.low.north, inside.high.north, grid.size_north, grid.rows)),
+        columns_(outside_border(inside.low.east, inside.high.east, grid.size_east, grid.columns)) {}
 
-  Grid(const BeliefModel& model, std::span<const float> of_cells)
-      : probabilities(of_cells),
-        rows(model.cells_north),
-        columns(model.cells_east),
-        size_north(static_cast<float>(model.area_size.north.value / static_cast<double>(model.cells_north))),
-        size_east(static_cast<float>(model.area_size.east.value / static_cast<double>(model.cells_east))) {}
+  /// The next few, all of them outside the border or all not surely; none behind the last.
+  std::span<const Block> next() {
+    std::size_t count = 0;
+    std::size_t column = column_;
+    for (; row_ < grid_.rows; row_ += kBlock, column = 0) {
+      const bool is_row_outside = rows_.first <= row_ && row_ < rows_.end;
+      for (; column < grid_.columns; column += kBlock) {
+        Point centre;
+        const float probability = sum_up(column, centre);
+        if (probability < kLeastBlockProbability) continue;
+        const bool is_outside = is_row_outside && columns_.first <= column && column < columns_.end;
+        if (count == 0) are_outside_border_ = is_outside;
+        if (count == kTogether || is_outside != are_outside_border_) {
+          column_ = column;  // the next begin with this one
+          return std::span(blocks_).first(count);
+        }
+        Block& block = blocks_[count++];
+        block.source = centre;
+        block.probability = probability;
+        if (!is_outside) turn_aside(block);
+      }
+    }
+    column_ = 0;
+    return std::span(blocks_).first(count);
+  }
 
-  /// Sums up those of the cells [row, row + 2) x [column, column + 2) that exist.
-  /// @return their probability, and in `centre` their centre of mass; 0 where it is below kLeastBlockProbability
-  [[nodiscard]] float block(std::size_t row, std::size_t column, Point& centre) const {
-    const bool has_north = row + 1 < rows;
-    const bool has_east = column + 1 < columns;
-    const float* const south = &probabilities[row * columns + column];
+  /// Whether those that were handed out last are outside the border: the way to each goes straight to its s.
+  [[nodiscard]] bool are_outside_border() const { return are_outside_border_; }
+
+ private:
+  /// Blocks along one axis whose cells' centres are outside the border. @param low, high  where it is none, m   @param size  of a cell, m
+  static CellWindow::Side outside_border(float low, float high, float size, std::size_t count) {
+    std::size_t first = 0;
+    while (first < count && (static_cast<float>(first) + 0.5F) * size < low) first += kBlock;
+    std::size_t end = first;
+    while (end < count && (static_cast<float>(end + kBlock) - 0.5F) * size <= high) end += kBlock;
+    return {.first = static_cast<std::uint16_t>(first), .end = static_cast<std::uint16_t>(end)};
+  }
+
+  /// Those of the cells [row, row + 2) x [column, column + 2) that exist.
+  /// @param centre  of their mass; left as it is where they are unlikely   @return their probability
+  [[nodiscard]] float sum_up(std::size_t column, Point& centre) const {
+    const bool has_north = row_ + 1 < grid_.rows;
+    const bool has_east = column + 1 < grid_.columns;
+    const float* const south = &grid_.probabilities[row_ * grid_.columns + column];
     const float south_east = has_east ? south[1] : 0.0F;
-    const float north_west = has_north ? south[columns] : 0.0F;
-    const float north_east = has_north && has_east ? south[columns + 1] : 0.0F;
+    const float north_west = has_north ? south[grid_.columns] : 0.0F;
+    const float north_east = has_north && has_east ? south[grid_.columns + 1] : 0.0F;
     const float sum = (south[0] + south_east) + (north_west + north_east);
-    if (sum < kLeastBlockProbability) return 0.0F;
-    centre = {(static_cast<float>(row) + 0.5F + (north_west + north_east) / sum) * size_north,
-              (static_cast<float>(column) + 0.5F + (south_east + north_east) / sum) * size_east};
+    if (sum < kLeastBlockProbability) return sum;
+    centre = {(static_cast<float>(row_) + 0.5F + (north_west + north_east) / sum) * grid_.size_north,
+              (static_cast<float>(column) + 0.5F + (south_east + north_east) / sum) * grid_.size_east};
     return sum;
   }
+
+  /// Finds where the way to a block's s ends.
+  void turn_aside(Block& block) const {
+    block.goal = inside_.nearest(block.source);
+    const float off = distance(block.source, block.goal);
+    const float to_goal = off < step_length_ ? __builtin_sqrtf(step_length_ * step_length_ - off * off) : 0.0F;
+    block.extra_way = step_length_ - to_goal;
+  }
+
+  const Grid& grid_;
+  const BorderFreeArea& inside_;
+  float step_length_;
+  CellWindow::Side rows_;  ///< outside the border, with the columns
+  CellWindow::Side columns_;
+  std::size_t row_ = 0;
+  std::size_t column_ = 0;
+  bool are_outside_border_ = false;
+  std::array<Block, kTogether> blocks_;
 };
 
 /// The likely cells near the vehicle, from the south, side by side for a vector unit.
@@ -120,8 +130,9 @@ class NearCells {
   /// @param place        y
   /// @param step_length  l
   [[nodiscard]] float probability_within(Point place, float step_length) const {
-    // Rows of cells that are further off than this add nothing.
-    const float reach = step_length + 1.0F / per_size_;
+    // Rows of cells that are further off than this add nothing, and neither do cells; a vector unit is faster without asking for each.
+    const float reach = 1.001F * (step_length + 0.5F / per_size_);
+    const float reach_squared = reach * reach;
     std::array<float, kLanes> sums{};
     for (std::size_t i = 0; i < count_; i += kLanes) {
       if (north_[i + kLanes - 1] < place.north - reach) continue;
@@ -129,9 +140,10 @@ class NearCells {
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
         const float north = north_[i + lane] - place.north;
         const float east = east_[i + lane] - place.east;
-        const float covered = (step_length - __builtin_sqrtf(north * north + east * east)) * per_size_ + 0.5F;
-        const float held = covered > 0.0F ? covered : 0.0F;
-        sums[lane] += probabilities_[i + lane] * (held < 1.0F ? held : 1.0F);
+        const float range_squared = north * north + east * east;
+        if (!kHasVectors && range_squared > reach_squared) continue;
+        const float covered = (step_length - __builtin_sqrtf(range_squared)) * per_size_ + 0.5F;
+        sums[lane] += probabilities_[i + lane] * lesser(greater(covered, 0.0F), 1.0F);
       }
     }
     return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
@@ -179,27 +191,6 @@ class NearCells {
   float per_size_;
 };
 
-/// Where a range lies in a table by range.
-class RangePlace {
- public:
-  [[gnu::always_inline]] RangePlace(float range_steps, std::size_t count)
-      : is_in_(range_steps < static_cast<float>(count - 1)),
-        index_(is_in_ ? static_cast<int>(range_steps) : 0),
-        beyond_(range_steps - static_cast<float>(index_)) {}
-
-  /// Linear between the samples.
-  [[nodiscard, gnu::always_inline]] float value_of(std::span<const float> table) const {
-    if (!is_in_) return table.back();
-    const float* const before = table.data() + index_;
-    return before[0] + beyond_ * (before[1] - before[0]);
-  }
-
- private:
-  bool is_in_;  ///< before the last sample
-  int index_;
-  float beyond_;  ///< in steps of the table
-};
-
 /// Searches the paths of 1 to kReachSteps steps for the best place to find the source at.
 class ReachSearch {
  public:
@@ -210,39 +201,42 @@ class ReachSearch {
         step_(static_cast<float>(model.step_length.value)),
         border_cost_(model.costs.edge / model.costs.reach) {}
 
-  /// Raises each action's reach to that of the best end of a path from `start` of which it is a step. A path's end does not depend on the
-  /// order of its steps: of the paths a, b, c only those with a <= b <= c are searched. @param outlooks  [actions]
-  void raise_reaches(Point start, std::span<ActionOutlook> outlooks) const {
+  /// Finds each action's reach: that of the best end of a path from `start` of which it is a step. A path's end does not depend on the
+  /// order of its steps: of the paths a, b, c only those with a <= b <= c are searched, the shorter ones first, which often leave the
+  /// others nothing to raise.
+  /// @param outlooks  [actions]: with what is found at the end of one step, and its border
+  void find_reaches(Point start, std::span<ActionOutlook> outlooks) const {
     static_assert(kReachSteps == 3);
-    const std::size_t none = outlooks.size();  // no step: the path is shorter
-    const float discount = model_.costs.reach_discount;
-    for (std::size_t a = 0; a < none; ++a) {
-      const Point first_end = end_of_step(start, a);
-      for (std::size_t b = a; b <= none; ++b) {
-        const Point second_end = b < none ? end_of_step(first_end, b) : first_end;
-        const float second = b < none ? discount : 1.0F;
-        for (std::size_t c = b; c <= none; ++c) {
-          const float reach = discounted_reach(c < none ? end_of_step(second_end, c) : second_end, c < none ? second * discount : second);
-          raise(outlooks[a], reach);
-          if (b < none) raise(outlooks[b], reach);
-          if (c < none) raise(outlooks[c], reach);
+    for (ActionOutlook& outlook : outlooks) outlook.reach = greater(outlook.found - outlook.border * border_cost_, 0.0F);
+    const std::size_t count = outlooks.size();
+    for (const bool has_third : {false, true}) {
+      const float discount = model_.costs.reach_discount * (has_third ? model_.costs.reach_discount : 1.0F);
+      for (std::size_t a = 0; a < count; ++a) {
+        const Point first_end = end_of_step(start, a);
+        for (std::size_t b = a; b < count; ++b) {
+          const Point second_end = end_of_step(first_end, b);
+          for (std::size_t c = b; c < (has_third ? count : b + 1); ++c)
+            raise(outlooks[a].reach, outlooks[b].reach, outlooks[c].reach, has_third ? end_of_step(second_end, c) : second_end, discount);
         }
       }
     }
   }
 
  private:
-  static void raise(ActionOutlook& outlook, float reach) { outlook.reach = std::max(outlook.reach, reach); }
-
   [[nodiscard]] Point end_of_step(Point from, std::size_t action) const {
     return {from.north + step_ * static_cast<float>(model_.actions[action].north),
             from.east + step_ * static_cast<float>(model_.actions[action].east)};
   }
 
-  /// g^(n-1) P(|s - y| <= l) - (e / r) B(y); 0 where that is negative whatever P is.
-  [[nodiscard]] float discounted_reach(Point end, float discount) const {
+  /// Raises the reaches a, b, c of a path's actions to g^(n-1) P(|s - y| <= l) - (e / r) B(y).
+  void raise(float& a, float& b, float& c, Point end, float discount) const {
+    constexpr float kForRounding = 1.0F + 1e-4F;
     const float border_cost = inside_.border_depth(end) * border_cost_;
-    return border_cost >= discount ? 0.0F : discount * near_.probability_within(end, step_) - border_cost;
+    if (discount * near_.probability() * kForRounding - border_cost <= lesser(lesser(a, b), c)) return;
+    const float reach = discount * near_.probability_within(end, step_) - border_cost;
+    a = greater(a, reach);
+    b = greater(b, reach);
+    c = greater(c, reach);
   }
 
   const BeliefModel& model_;
@@ -252,67 +246,87 @@ class ReachSearch {
   float border_cost_;  ///< e / r: of the border at the edge, in units of a reach of one
 };
 
-/// The expectations E[C(way(x_a, s))] and E[D(|s - x_a|)] of every action a, summed up block by block and side by side for a vector unit.
+/// The expectations E[C(way(x_a, s))] and E[D(|s - x_a|)] of every action a, summed up block by block.
 class Expectations {
  public:
-  Expectations(const BeliefModel& model, Meters range_step, Point vehicle)
-      : count_(model.actions.size()), per_range_step_(static_cast<float>(1.0 / range_step.value)) {
+  Expectations(const BeliefModel& model, const RangeOutlook& by_range, Point vehicle)
+      : samples_(by_range.samples.data()),
+        last_(static_cast<float>(by_range.samples.size() - 1)),
+        per_range_step_(static_cast<float>(1.0 / by_range.range_step.value)),
+        action_count_(model.actions.size()) {
     const auto step = static_cast<float>(model.step_length.value);
-    for (std::size_t a = 0; a < count_; ++a) {
-      north_[a] = vehicle.north + step * static_cast<float>(model.actions[a].north);
-      east_[a] = vehicle.east + step * static_cast<float>(model.actions[a].east);
+    for (std::size_t a = 0; a < action_count_; ++a) {
+      ends_[a] = {vehicle.north + step * static_cast<float>(model.actions[a].north),
+                  vehicle.east + step * static_cast<float>(model.actions[a].east)};
     }
   }
 
   /// x_a
-  [[nodiscard]] Point end(std::size_t action) const { return {north_[action], east_[action]}; }
+  [[nodiscard]] Point end(std::size_t action) const { return ends_[action]; }
 
-  void add(const Block& block, const RangeOutlook& by_range) {
-    const std::size_t count = by_range.detected.size();
-    std::array<float, config::kMaxActions> ranges;  // |s - x_a|
-    for (std::size_t a = 0; a < count_; ++a) ranges[a] = distance(end(a), block.source);
-    probability_ += block.probability;
-    if (block.is_outside_border()) {
-      for (std::size_t a = 0; a < count_; ++a) {
-        const RangePlace range(ranges[a] * per_range_step_, count);
-        search_cost_[a] += block.probability * range.value_of(by_range.search_cost);
-        detected_[a] += block.probability * range.value_of(by_range.detected);
-      }
-      return;
-    }
-    for (std::size_t a = 0; a < count_; ++a) {
-      const float straight = distance(end(a), block.goal) + block.extra_way;
-      const float way = straight > ranges[a] ? straight : ranges[a];  // way(x_a, s)
-      search_cost_[a] += block.probability * RangePlace(way * per_range_step_, count).value_of(by_range.search_cost);
-      detected_[a] += block.probability * RangePlace(ranges[a] * per_range_step_, count).value_of(by_range.detected);
-    }
+  void add(std::span<const Block> blocks) {
+    add_ways(blocks,
+             [](const Block& block, Point end, float range) { return greater(distance(end, block.goal) + block.extra_way, range); });
+  }
+
+  void add_outside_border(std::span<const Block> blocks) {
+    add_ways(blocks, [](const Block& /*block*/, Point /*end*/, float range) { return range; });
   }
 
   [[nodiscard]] float search_cost(std::size_t action) const { return probability_ > 0.0F ? search_cost_[action] / probability_ : 0.0F; }
   [[nodiscard]] float detected(std::size_t action) const { return probability_ > 0.0F ? detected_[action] / probability_ : 0.0F; }
 
  private:
-  std::size_t count_;
+  /// A sample of the tables, and how far beyond it a range lies, in range steps.
+  struct Place {
+    const RangeSample& sample;
+    float beyond;
+  };
+  [[nodiscard]] Place place_of(float range) const {
+    const float held = lesser(range * per_range_step_, last_);
+    const int index = static_cast<int>(held);
+    return {samples_[index], held - static_cast<float>(index)};
+  }
+
+  /// @param way_of  way(x_a, s) to a block from the end of an action at that range
+  template <class Way>
+  void add_ways(std::span<const Block> blocks, Way way_of) {
+    for (std::size_t a = 0; a < action_count_; ++a) {
+      float search_cost = search_cost_[a];
+      float detected = detected_[a];
+#pragma GCC unroll 2
+      for (const Block& block : blocks) {
+        const float range = distance(ends_[a], block.source);
+        const Place of_way = place_of(way_of(block, ends_[a], range));
+        const Place of_range = place_of(range);
+        search_cost += block.probability * (of_way.sample.search_cost + of_way.beyond * of_way.sample.search_cost_rise);
+        detected += block.probability * (of_range.sample.detected + of_range.beyond * of_range.sample.detected_rise);
+      }
+      search_cost_[a] = search_cost;
+      detected_[a] = detected;
+    }
+    for (const Block& block : blocks) probability_ += block.probability;
+  }
+
+  const RangeSample* samples_;
+  float last_;  ///< of them
   float per_range_step_;
+  std::size_t action_count_;
   float probability_ = 0.0F;  ///< of all blocks that were added
-  std::array<float, config::kMaxActions> north_{};
-  std::array<float, config::kMaxActions> east_{};
+  std::array<Point, config::kMaxActions> ends_;
   std::array<float, config::kMaxActions> search_cost_{};
   std::array<float, config::kMaxActions> detected_{};
 };
 
 Expectations expectations_over(const Grid& grid, const BeliefModel& model, const BorderFreeArea& inside, const RangeOutlook& by_range,
                                Point vehicle) {
-  const auto step_length = static_cast<float>(model.step_length.value);
-  Expectations expectations(model, by_range.range_step, vehicle);
-  for (std::size_t row = 0; row < grid.rows; row += kBlock) {
-    for (std::size_t column = 0; column < grid.columns; column += kBlock) {
-      Point source{};
-      const float probability = grid.block(row, column, source);
-      if (probability > 0.0F) expectations.add(block_at(inside, source, probability, step_length), by_range);
-    }
+  Expectations expectations(model, by_range, vehicle);
+  LikelyBlocks likely(grid, inside, static_cast<float>(model.step_length.value));
+  while (true) {
+    const std::span<const Block> blocks = likely.next();
+    if (blocks.empty()) return expectations;
+    likely.are_outside_border() ? expectations.add_outside_border(blocks) : expectations.add(blocks);
   }
-  return expectations;
 }
 
 /// regret_a = min(cost_a - min over a' of cost_a', most_regret)
@@ -346,6 +360,13 @@ void find_search_cost(const BeliefModel& model, Meters range_step, float silence
   }
 }
 
+void find_samples(std::span<const float> search_cost, std::span<const float> detected, std::span<RangeSample> samples) {
+  const std::size_t last = samples.size() - 1;
+  for (std::size_t i = 0; i < last; ++i)
+    samples[i] = {search_cost[i], search_cost[i + 1] - search_cost[i], detected[i], detected[i + 1] - detected[i]};
+  samples[last] = {search_cost[last], 0.0F, detected[last], 0.0F};
+}
+
 EARSHOT_WIDE void find_outlooks(const BeliefModel& model, std::span<const float> probabilities, const RangeOutlook& by_range,
                                 NorthEast position, std::span<ActionOutlook> outlooks) {
   const Point vehicle = point_at(position);
@@ -359,7 +380,7 @@ EARSHOT_WIDE void find_outlooks(const BeliefModel& model, std::span<const float>
     outlooks[a] = {
         .found = near.probability_within(end, step_length), .detected = expectations.detected(a), .border = inside.border_depth(end)};
   }
-  if (near.probability() >= kLeastNearProbability) ReachSearch(model, near, inside).raise_reaches(vehicle, outlooks);
+  if (near.probability() >= kLeastNearProbability) ReachSearch(model, near, inside).find_reaches(vehicle, outlooks);
   find_regrets(model.costs, expectations, outlooks);
 }
 

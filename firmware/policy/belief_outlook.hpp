@@ -20,11 +20,18 @@ struct ActionOutlook {
 /// Steps that the reach looks ahead: as many as the time of a decision allows.
 inline constexpr std::size_t kReachSteps = 3;
 
-/// Tables of what depends on the range to a source alone: one value every range_step, beyond the end as at the end.
+/// What depends on the range r to a source alone, and how much more it is a range_step further; at the end of a table 0.
+struct RangeSample {
+  float search_cost;  ///< C(r): of a search that goes straight to a source at that range
+  float search_cost_rise;
+  float detected;  ///< D(r): probability of a detection
+  float detected_rise;
+};
+
+/// One sample every range_step; between two linear, beyond the end as at the end.
 struct RangeOutlook {
-  std::span<const float> search_cost;  ///< C(r): of a search that goes straight to a source at that range
-  std::span<const float> detected;     ///< D(r): probability of a detection
-  Meters range_step;                   ///< > 0
+  std::span<const RangeSample> samples;
+  Meters range_step;  ///< > 0
 };
 
 /// Tabulates C(r), see find_outlooks().
@@ -36,6 +43,9 @@ struct RangeOutlook {
 /// @param search_cost       [ranges], of which there are at most kMaxTableRanges; the result
 void find_search_cost(const BeliefModel& model, Meters range_step, float silence_discount, std::span<const float> detected,
                       std::span<float> search_cost);
+
+/// Samples of both. @param samples  [ranges], as they are; the result
+void find_samples(std::span<const float> search_cost, std::span<const float> detected, std::span<RangeSample> samples);
 
 /// Finds what each action promises to a vehicle at x. With l = step_length, x_a the end of action a, and B(y) how deep a place y lies in
 /// the border (0 inside, 1 at the edge):

@@ -23,17 +23,20 @@ EARSHOT_WIDE messages::BeliefSummary summary_of(const BeliefModel& model, std::s
     float row_east_squared = 0.0F;
     float row_squares = 0.0F;
     float column = 0.0F;
-    for (std::size_t i = n * columns; i < (n + 1) * columns; ++i) {
-      const float p = probabilities[i];
+    float most_of_row = most;
+#pragma GCC unroll 4
+    for (const float p : probabilities.subspan(n * columns, columns)) {
       row += p;
       row_east += p * column;
       row_east_squared += p * column * column;
       row_squares += p * p;
-      if (p > most) [[unlikely]] {
-        best = i;
-        most = p;
-      }
+      most_of_row = greater(most_of_row, p);
       column += 1.0F;
+    }
+    if (most_of_row > most) {
+      most = most_of_row;
+      best = n * columns;
+      while (probabilities[best] < most) ++best;
     }
     const auto place = static_cast<double>(n);
     const auto share = static_cast<double>(row);

@@ -99,9 +99,9 @@ void Infotaxis::tabulate_outcomes() {
       const double middle_db = floor_db_ + (static_cast<double>(z) - 0.5) * kBin_db;
       const policy::Reception heard =
           z == 0 ? policy::Reception{.snr = Decibels{floor_db_}, .too_faint = true} : policy::Reception{.snr = Decibels{middle_db}};
-      likelihoods_.tabulate(model_, tables_, hypotheses, heard);
+      likelihoods_.tabulate(model_, tables_, hypotheses, heard, tables_.range_count);
       const auto width = static_cast<float>(z == 0 ? 1.0 : kBin_db);
-      const std::span<const policy::LogLanes> raised = likelihoods_.raised_by_range(tables_);
+      const std::span<const policy::LogLanes> raised = likelihoods_.raised_by_range();
       for (std::size_t l = 0; l < kLanes; ++l) {
         for (std::size_t r = 0; r < ranges; ++r)
           outcomes_[(first + l) * ranges + r][z] = width * policy::from_log(raised[r][l] + policy::kLeastLogLikelihood);

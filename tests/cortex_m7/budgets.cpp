@@ -130,10 +130,12 @@ std::uint32_t cost_beyond_hypotheses(const State& state, NorthEast vehicle) {
     probabilities[i] = state.memory.belief().probability(belief, i / belief.cells_east, i % belief.cells_east);
   std::array<float, config::kMaxTableRanges> by_range;
   for (std::size_t r = 0; r < by_range.size(); ++r) by_range[r] = 1.0F / static_cast<float>(r + 1);
+  std::array<policy::RangeSample, config::kMaxTableRanges> foreseen;
+  policy::find_samples(by_range, by_range, foreseen);
   std::array<policy::ActionOutlook, config::kMaxActions> outlooks;
   const std::uint32_t began = instructions();
   const messages::BeliefSummary summary = policy::summary_of(belief, probabilities);
-  policy::find_outlooks(belief, probabilities, {by_range, by_range, state.tables.range_step}, vehicle,
+  policy::find_outlooks(belief, probabilities, {foreseen, state.tables.range_step}, vehicle,
                         std::span(outlooks).first(belief.actions.size()));
   const std::uint32_t cost = instructions() - began;
   require(summary.effective_cells > 0.0F && outlooks[0].regret >= 0.0F, "no outlook");

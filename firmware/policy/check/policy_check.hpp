@@ -16,6 +16,6 @@ inline constexpr double kMostLogit = 1e30;
 ///
 /// Whether it repeats its golden trajectories is not looked at: that is repeats_golden's business.
 /// Oracle: PolicyCheck.*
-[[nodiscard]] PolicyComplaint check(const FrozenPolicy& policy);
+[[nodiscard, gnu::cold]] PolicyComplaint check(const FrozenPolicy& policy);
 
 }  // namespace earshot::policy

@@ -19,7 +19,7 @@ inline constexpr std::uint32_t kFormatVersion = 4;
 /// Reads the bytes of a `.policy` file into `policy` and judges it with check(). Whether this build repeats its golden trajectories is
 /// left to who has the memory for it (repeats_golden). On failure `policy` is unspecified.
 /// Layout (little-endian): see README.md of this folder. The bytes end with public key, CRC-32, signature.
-[[nodiscard]] Status parse(std::span<const std::uint8_t> bytes, FrozenPolicy& policy, PolicyComplaint& complaint);
+[[nodiscard, gnu::cold]] Status parse(std::span<const std::uint8_t> bytes, FrozenPolicy& policy, PolicyComplaint& complaint);
 
 /// Writes `policy` as the bytes of a `.policy` file, its golden trajectories as they are, CRC-32 in place, signature bytes zero
 /// (policy/freeze signs).

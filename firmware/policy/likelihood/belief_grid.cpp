@@ -40,6 +40,13 @@ std::size_t half_cell(const BeliefModel& model, Meters range_step, std::size_t r
   return std::min(static_cast<std::size_t>(0.5 * cell / range_step.value), ranges - 1);
 }
 
+std::size_t ranges_to_all(const BeliefModel& model, NorthEast position, Meters beyond, Meters range_step, std::size_t ranges) {
+  const NorthEast furthest{std::max(position.north, model.area_size.north - position.north),
+                           std::max(position.east, model.area_size.east - position.east)};
+  const double steps = (length_of(furthest) + beyond) / range_step + 2.0;  // one rounded up, and the one at no range
+  return steps < static_cast<double>(ranges) ? static_cast<std::size_t>(steps) : ranges;
+}
+
 EARSHOT_WIDE void smooth(std::span<const float> values, std::size_t half, std::span<float> smoothed) {
   const std::size_t count = values.size();
   const float share = 1.0F / static_cast<float>(2 * half + 1);

@@ -16,9 +16,11 @@ struct CellWindow {
   struct Side {
     std::uint16_t first;
     std::uint16_t end;  ///< behind the last
+    friend constexpr bool operator==(const Side&, const Side&) = default;
   };
   Side north;
   Side east;
+  friend constexpr bool operator==(const CellWindow&, const CellWindow&) = default;
 };
 
 /// All of them.
@@ -39,6 +41,10 @@ struct CellWindow {
 
 /// Range steps in half a cell, less than `ranges`: a likelihood is smoothed by as much, for a cell lies at many ranges at once.
 [[nodiscard]] std::size_t half_cell(const BeliefModel& model, Meters range_step, std::size_t ranges);
+
+/// Of samples of a table, one every range_step, so many from the nearest reach to every place of the area and to those `beyond` further.
+/// @return at least one, at most `ranges`
+[[nodiscard]] std::size_t ranges_to_all(const BeliefModel& model, NorthEast position, Meters beyond, Meters range_step, std::size_t ranges);
 
 /// Mean over the `half` samples to either side of each; beyond the ends the first and the last hold.
 void smooth(std::span<const float> values, std::size_t half, std::span<float> smoothed);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include "firmware/core/math.hpp"
 #include "firmware/core/wide.hpp"
 
 namespace earshot::policy {
@@ -48,7 +49,7 @@ constexpr NormalTable kNormalTable = normal_table();
 float looked_up(const std::array<float, NormalTable::kCount>& table, float x) {
   constexpr float kEnd = static_cast<float>(NormalTable::kCount - 2);
   const float place = x * static_cast<float>(NormalTable::kPerUnit);
-  const float held = place < kEnd ? place : kEnd;
+  const float held = lesser(place, kEnd);
   const auto index = static_cast<std::size_t>(static_cast<int>(held));
   return table[index] + (held - static_cast<float>(static_cast<int>(held))) * (table[index + 1] - table[index]);
 }
@@ -56,7 +57,7 @@ float looked_up(const std::array<float, NormalTable::kCount>& table, float x) {
 }  // namespace
 
 EARSHOT_WIDE void to_normal_density(std::span<float> numbers) {
-  for (float& x : numbers) x = looked_up(kNormalTable.density, x < 0.0F ? -x : x);
+  for (float& x : numbers) x = looked_up(kNormalTable.density, __builtin_fabsf(x));
 }
 
 EARSHOT_WIDE void to_normal_cumulative(std::span<float> numbers) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "firmware/core/math.hpp"
 #include "firmware/core/wide.hpp"
 #include "firmware/policy/likelihood/belief_grid.hpp"
 
@@ -49,7 +50,7 @@ EARSHOT_WIDE void CellPlaces::find_ranges(const BeliefModel& model, NorthEast po
   const auto per_step = static_cast<float>(1.0 / range_step.value);
   const auto vehicle_north = static_cast<float>(position.north.value);
   const auto vehicle_east = static_cast<float>(position.east.value);
-  const auto furthest = static_cast<int>(last);  // as an int, which holds all ranges that a vehicle can be off: 2^31 range steps
+  const auto furthest = static_cast<float>(last);
   const std::size_t columns = model.cells_east;  // a copy: what is written below could otherwise be it
   std::array<float, kColumnsAtOnce> squares;     // of how far east the columns lie
   for (std::size_t first = 0; first < columns; first += kColumnsAtOnce) {
@@ -63,7 +64,7 @@ EARSHOT_WIDE void CellPlaces::find_ranges(const BeliefModel& model, NorthEast po
       const float north = (places_[n] - vehicle_north) * per_step;
       std::uint16_t* const row = &ranges[n * columns + first];
       for (std::size_t e = 0; e < count; ++e)
-        row[e] = static_cast<std::uint16_t>(std::min(static_cast<int>(__builtin_sqrtf(north * north + squares[e]) + 0.5F), furthest));
+        row[e] = static_cast<std::uint16_t>(static_cast<int>(lesser(__builtin_sqrtf(north * north + squares[e]) + 0.5F, furthest)));
     }
   }
 }

@@ -11,9 +11,8 @@
 namespace earshot::policy {
 namespace {
 
-/// Below anything that a cell can hold: of a neighbour from which nothing comes.
-constexpr std::int16_t kNever = -18'000;
-static_assert(kNever < kForgotten && kForgotten + kNever >= std::numeric_limits<std::int16_t>::min());
+/// A penalty beyond which all is forgotten: of a neighbour from which nothing comes.
+constexpr std::int16_t kNever = 1 - kForgotten;
 
 /// What minus_saturated() is to take off the weights of a word: their highest, and so much more that what is forgotten ends at the least
 /// that sixteen bits hold. They are "lowered" then: max(weight - highest, kForgotten) + kLeastLogLikelihood.
@@ -50,18 +49,47 @@ LogLanes bits_of(const Lanes& lanes) {
 }
 
 /// Lets every cell be reached from its neighbours along one line of `count` cells, `apart` from one another.
-void spread_along(LogLanes* cells, std::size_t count, std::size_t apart, std::size_t word, const LogWord& penalty) {
-  LogWord before = word_of(*cells, word);
+/// @param cell  one word of the first   @param penalty  at least 0
+void spread_along(LogWord* cell, std::size_t count, std::size_t apart, const LogWord& penalty) {
+  LogWord before = *cell;
   LogWord here = before;
+#pragma GCC unroll 3
   for (std::size_t i = 0; i + 1 < count; ++i) {
-    LogLanes* const next_cell = cells + apart;
-    const LogWord next = word_of(*next_cell, word);
-    put(*cells, word, max(here, max(before, next) + penalty));
+    LogWord* const next_cell = cell + apart * kWords;
+    const LogWord next = *next_cell;
+    *cell = max(here, minus_saturated(max(before, next), penalty));
     before = here;
     here = next;
-    cells = next_cell;
+    cell = next_cell;
   }
-  put(*cells, word, max(here, max(before, here) + penalty));
+  *cell = max(here, minus_saturated(max(before, here), penalty));
+}
+
+/// Weighs some words of every cell. By itself, or the compiler takes the pointers to pieces for which there are too few registers.
+/// @param cell     the words of the first cell
+/// @param raised   those of a look at the first range, raised as HypothesisBlock::weigh() takes them
+/// @param taken    every bit of the hypotheses that are to be weighed
+/// @param highest  the highest weights before, then the highest of the weights as they are
+[[gnu::noinline]] EARSHOT_WIDE void weigh_words(LogWord* cell, const LogWord* raised, std::span<const std::uint16_t> ranges,
+                                                const LogWord* taken, LogWord* highest) {
+  LogWords is_taken;
+  LogWords off;
+  LogWords most;
+  for_each_word<kWordsTogether>([&](std::size_t w) {
+    is_taken[w] = taken[w];
+    off[w] = to_take_off(highest[w]) & is_taken[w];
+    most[w] = every_lane(std::numeric_limits<std::int16_t>::min());
+  });
+  for (const std::uint16_t range : ranges) {
+    const LogWord* const raised_here = raised + range * kWords;
+    for_each_word<kWordsTogether>([&](std::size_t w) {
+      const LogWord weight = minus_saturated(cell[w], off[w]) + (raised_here[w] & is_taken[w]);
+      cell[w] = weight;
+      most[w] = max(most[w], weight);
+    });
+    cell += kWords;
+  }
+  for_each_word<kWordsTogether>([&](std::size_t w) { highest[w] = most[w]; });
 }
 
 }  // namespace
@@ -77,36 +105,41 @@ void HypothesisBlock::start(const BeliefModel& model, const std::array<Hypothesi
   std::fill_n(weights_.begin(), cell_count(model), LogLanes{});
   highest_ = LogLanes{};
   scale_.fill(0);
-  is_settled_.fill(true);
   has_sums_ = false;
 }
 
-EARSHOT_WIDE void HypothesisBlock::settle(const BeliefModel& model) {
-  const std::size_t cells = cell_count(model);
-  const LogWord forgotten = every_lane(kForgotten);
-  for (std::size_t word = 0; word < kWords; ++word) {
-    if (is_settled_[word]) continue;
-    is_settled_[word] = true;
-    const LogWord highest = word_of(highest_, word);
-    for (std::size_t i = 0; i < cells; ++i) put(weights_[i], word, max(word_of(weights_[i], word) - highest, forgotten));
-  }
-  for (std::size_t l = 0; l < kLanes; ++l) scale_[l] += highest_[l];
-  highest_ = LogLanes{};
-}
-
 EARSHOT_WIDE void HypothesisBlock::spread_word(const BeliefModel& model, std::size_t word, const LogLanes& penalties) {
-  const LogWord penalty = word_of(penalties, word);
+  const LogWord penalty = words_of(penalties)[word];
   const std::size_t rows = model.cells_north;
   const std::size_t columns = model.cells_east;
-  for (std::size_t n = 0; n < rows; ++n) spread_along(&weights_[n * columns], columns, 1, word, penalty);
-  for (std::size_t e = 0; e < columns; ++e) spread_along(&weights_[e], rows, columns, word, penalty);
+  for (std::size_t n = 0; n < rows; ++n) spread_along(words_of(weights_[n * columns]) + word, columns, 1, penalty);
+  for (std::size_t e = 0; e < columns; ++e) spread_along(words_of(weights_[e]) + word, rows, columns, penalty);
 }
 
-void HypothesisBlock::let_move(const BeliefModel& model) {
+template <std::size_t kCount>
+void HypothesisBlock::sum_words(const BeliefModel& model, std::size_t first) const {
+  const std::size_t cells = cell_count(model);
+  std::array<LogWord, kCount> off;
+  for_each_word<kCount>([&](std::size_t w) { off[w] = to_take_off(words_of(highest_)[first + w]); });
+  std::array<FloatWord, kCount> sums{};
+  const LogWord* cell = words_of(weights_[0]) + first;
+#pragma GCC unroll 2
+  for (std::size_t i = 0; i < cells; ++i, cell += kWords) {
+    for_each_word<kCount>([&](std::size_t w) {
+      FloatWord p;
+      from_log(minus_saturated(cell[w], off[w]), p);
+      sums[w] += p;
+    });
+  }
+  for_each_word<kCount>([&](std::size_t w) {
+    for (std::size_t l = 0; l < kLanesInAWord; ++l) sums_[(first + w) * kLanesInAWord + l] = lane_of(sums[w], l) * kPerLowered;
+  });
+}
+
+EARSHOT_WIDE void HypothesisBlock::let_move(const BeliefModel& model) {
   std::uint8_t most = 0;
   for (const Hypothesis& h : hypotheses_) most = std::max(most, kMobilities[h.mobility].cells);
   if (most == 0) return;
-  settle(model);
   const FloatLanes before = sums(model);
   for (std::size_t word = 0; word < kWords; ++word) {
     bool has_moved = false;
@@ -114,77 +147,58 @@ void HypothesisBlock::let_move(const BeliefModel& model) {
       const auto moves = [&](std::size_t l) { return cells < kMobilities[hypotheses_[l].mobility].cells; };
       if (!any_of_word(word, moves)) break;
       LogLanes penalties;
-      for (std::size_t l = 0; l < kLanes; ++l)
-        penalties[l] = moves(l) ? static_cast<std::int16_t>(-kMobilities[hypotheses_[l].mobility].penalty) : kNever;
+      for (std::size_t l = 0; l < kLanes; ++l) penalties[l] = moves(l) ? kMobilities[hypotheses_[l].mobility].penalty : kNever;
       spread_word(model, word, penalties);
       has_moved = true;
     }
-    if (has_moved) sum_word(model, word);
+    if (has_moved) sum_words<1>(model, word);
   }
   // Nothing has been heard: they are as likely as before.
   for (std::size_t l = 0; l < kLanes; ++l) scale_[l] -= to_log(sums_[l]) - to_log(before[l]);
 }
 
-EARSHOT_WIDE void HypothesisBlock::weigh_word(const BeliefModel& model, std::size_t word, const Lanes& lanes,
-                                              std::span<const LogLanes> raised_log_likelihoods, std::span<const std::uint16_t> ranges) {
-  const std::size_t cells = cell_count(model);
-  const LogWord taken = word_of(bits_of(lanes), word);
-  const LogWord off = to_take_off(word_of(highest_, word)) & taken;
-  LogWord highest = every_lane(std::numeric_limits<std::int16_t>::min());
-#pragma GCC unroll 4
-  for (std::size_t i = 0; i < cells; ++i) {
-    const LogWord weight = minus_saturated(word_of(weights_[i], word), off) + (word_of(raised_log_likelihoods[ranges[i]], word) & taken);
-    put(weights_[i], word, weight);
-    highest = max(highest, weight);
-  }
-  put(highest_, word, highest);
-  is_settled_[word] = false;
-}
-
 void HypothesisBlock::weigh(const BeliefModel& model, const Lanes& lanes, std::span<const LogLanes> raised_log_likelihoods,
                             std::span<const std::uint16_t> ranges) {
-  has_sums_ = false;
-  for (std::size_t l = 0; l < kLanes; ++l) scale_[l] += lanes[l] ? highest_[l] : 0;
-  for (std::size_t word = 0; word < kWords; ++word) {
-    if (any_of_word(word, lanes)) weigh_word(model, word, lanes, raised_log_likelihoods, ranges);
+  take_off_highest(lanes);
+  const LogLanes taken = bits_of(lanes);
+  for (std::size_t first = 0; first < kWords; first += kWordsTogether) {
+    bool any = false;
+    for (std::size_t w = first; w < first + kWordsTogether; ++w) any = any || any_of_word(w, lanes);
+    if (!any) continue;
+    weigh_words(words_of(weights_[0]) + first, words_of(raised_log_likelihoods[0]) + first, ranges.first(cell_count(model)),
+                words_of(taken) + first, words_of(highest_) + first);
   }
 }
 
 void HypothesisBlock::weigh_places(const BeliefModel& model, const Lanes& lanes, std::span<const std::int16_t> log_likelihoods) {
-  settle(model);
-  has_sums_ = false;
+  take_off_highest(lanes);
   const LogLanes each_taken = bits_of(lanes);
   const std::size_t cells = cell_count(model);
   for (std::size_t word = 0; word < kWords; ++word) {
     if (!any_of_word(word, lanes)) continue;
-    const LogWord taken = word_of(each_taken, word);
+    const LogWord taken = words_of(each_taken)[word];
+    const LogWord off = to_take_off(words_of(highest_)[word]) & taken;
     LogWord highest = every_lane(std::numeric_limits<std::int16_t>::min());
-    for (std::size_t i = 0; i < cells; ++i) {
-      const LogWord weight = word_of(weights_[i], word) + (every_lane(log_likelihoods[i]) & taken);
-      put(weights_[i], word, weight);
-      highest = max(highest, weight);
+    LogWord* cell = words_of(weights_[0]) + word;
+    for (const std::int16_t log_likelihood : log_likelihoods.first(cells)) {
+      const auto raised = static_cast<std::int16_t>(log_likelihood - kLeastLogLikelihood);
+      *cell = minus_saturated(*cell, off) + (every_lane(raised) & taken);
+      highest = max(highest, *cell);
+      cell += kWords;
     }
-    put(highest_, word, highest);
-    is_settled_[word] = false;
+    words_of(highest_)[word] = highest;
   }
 }
 
-EARSHOT_WIDE void HypothesisBlock::sum_word(const BeliefModel& model, std::size_t word) const {
-  const std::size_t cells = cell_count(model);
-  const LogWord off = to_take_off(word_of(highest_, word));
-  FloatWord sum{};
-#pragma GCC unroll 4
-  for (std::size_t i = 0; i < cells; ++i) {
-    FloatWord p;
-    from_log(minus_saturated(word_of(weights_[i], word), off), p);
-    sum += p;
-  }
-  for (std::size_t l = 0; l < kLanesInAWord; ++l) sums_[word * kLanesInAWord + l] = lane_of(sum, l) * kPerLowered;
+/// What is to be weighed is less likely by the highest weight, which is lost from the weights.
+void HypothesisBlock::take_off_highest(const Lanes& lanes) {
+  has_sums_ = false;
+  for (std::size_t l = 0; l < kLanes; ++l) scale_[l] += lanes[l] ? highest_[l] : 0;
 }
 
-const FloatLanes& HypothesisBlock::sums(const BeliefModel& model) const {
+EARSHOT_WIDE const FloatLanes& HypothesisBlock::sums(const BeliefModel& model) const {
   if (has_sums_) return sums_;
-  for (std::size_t word = 0; word < kWords; ++word) sum_word(model, word);
+  for (std::size_t first = 0; first < kWords; first += kWordsTogether) sum_words<kWordsTogether>(model, first);
   has_sums_ = true;
   return sums_;
 }
@@ -200,7 +214,7 @@ std::array<int, kLanes> HypothesisBlock::log_evidence(const BeliefModel& model) 
   return evidence;
 }
 
-EARSHOT_WIDE void HypothesisBlock::add_to(const BeliefModel& model, const FloatLanes& shares, const CellWindow& window,
+EARSHOT_WIDE void HypothesisBlock::add_to(const BeliefModel& model, const FloatLanes& shares, const CellWindow& window, bool is_first,
                                           std::span<float> marginal) const {
   const FloatLanes& per_weight = sums(model);
   FloatLanes each_scale;
@@ -209,18 +223,26 @@ EARSHOT_WIDE void HypothesisBlock::add_to(const BeliefModel& model, const FloatL
   std::array<LogWord, kWords> off;
   for_each_word([&](std::size_t word) {
     get(each_scale, word, scales[word]);
-    off[word] = to_take_off(word_of(highest_, word));
+    off[word] = to_take_off(words_of(highest_)[word]);
   });
+  const auto probability_of = [&](const LogWord* cell) {
+    std::array<FloatWord, kWords> p;
+    for_each_word([&](std::size_t word) {
+      from_log(minus_saturated(cell[word], off[word]), p[word]);
+      p[word] *= scales[word];
+    });
+    const auto of = [&p](std::size_t lane) { return lane_of(p[lane / kLanesInAWord], lane % kLanesInAWord); };
+    return ((of(0) + of(1)) + (of(2) + of(3))) + ((of(4) + of(5)) + (of(6) + of(7)));
+  };
   const std::size_t columns = model.cells_east;
   for (std::size_t n = window.north.first; n < window.north.end; ++n) {
-    for (std::size_t i = n * columns + window.east.first; i < n * columns + window.east.end; ++i) {
-      std::array<FloatWord, kWords> p;
-      for_each_word([&](std::size_t word) {
-        from_log(minus_saturated(word_of(weights_[i], word), off[word]), p[word]);
-        p[word] *= scales[word];
-      });
-      const auto of = [&p](std::size_t lane) { return lane_of(p[lane / kLanesInAWord], lane % kLanesInAWord); };
-      marginal[i] += ((of(0) + of(1)) + (of(2) + of(3))) + ((of(4) + of(5)) + (of(6) + of(7)));
+    const std::size_t first = n * columns + window.east.first;
+    const LogWord* cell = words_of(weights_[first]);
+    const std::span<float> row = marginal.subspan(first, window.east.end - std::size_t{window.east.first});
+    if (is_first) {
+      for (std::size_t e = 0; e < row.size(); ++e) row[e] = probability_of(cell + e * kWords);
+    } else {
+      for (std::size_t e = 0; e < row.size(); ++e) row[e] += probability_of(cell + e * kWords);
     }
   }
 }
@@ -251,7 +273,6 @@ void HypothesisBlock::take_over(const BeliefModel& model, std::size_t lane, cons
   for (std::size_t i = 0; i < cell_count(model); ++i) weights_[i][lane] = from.weights_[i][from_lane];
   highest_[lane] = from.highest_[from_lane];
   scale_[lane] = from.scale_[from_lane];
-  is_settled_[lane / kLanesInAWord] = false;
 }
 
 std::uint32_t HypothesisBlock::fingerprint(const BeliefModel& model, std::uint32_t crc) const {

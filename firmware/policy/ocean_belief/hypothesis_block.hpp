@@ -53,8 +53,9 @@ class HypothesisBlock {
   /// The same of the likeliest place alone, which costs nothing; every place adds at most as much.
   [[nodiscard]] int log_of_likeliest(std::size_t lane) const { return scale_[lane] + highest_[lane]; }
   /// Adds the probability of every cell in a window, those of a hypothesis adding up to its share over all of them.
+  /// @param is_first  nothing has been added yet: whatever the window holds is overwritten
   /// @param marginal  [north x east]
-  void add_to(const BeliefModel& model, const FloatLanes& shares, const CellWindow& window, std::span<float> marginal) const;
+  void add_to(const BeliefModel& model, const FloatLanes& shares, const CellWindow& window, bool is_first, std::span<float> marginal) const;
 
   /// The same for one hypothesis, whose cells have gone elsewhere; the window is of where they have gone.
   /// @param axes  in which of the cells they now are (CellPlaces::find_axes)
@@ -68,20 +69,18 @@ class HypothesisBlock {
 
  private:
   [[nodiscard]] const FloatLanes& sums(const BeliefModel& model) const;
-  void sum_word(const BeliefModel& model, std::size_t word) const;
-  void settle(const BeliefModel& model);
+  template <std::size_t kCount>
+  void sum_words(const BeliefModel& model, std::size_t first) const;
+  void take_off_highest(const Lanes& lanes);
   void spread_word(const BeliefModel& model, std::size_t word, const LogLanes& penalties);
-  void weigh_word(const BeliefModel& model, std::size_t word, const Lanes& lanes, std::span<const LogLanes> raised_log_likelihoods,
-                  std::span<const std::uint16_t> ranges);
 
   std::array<Hypothesis, kLanes> hypotheses_;
   std::array<LogLanes, config::kMaxBeliefCells>
-      weights_;                          ///< [north x east]; less the highest of a hypothesis they are at least kForgotten
-  LogLanes highest_;                     ///< of each hypothesis
-  std::array<int, kLanes> scale_;        ///< what has been taken off every weight of a hypothesis
-  std::array<bool, kLanes> is_settled_;  ///< of each word (log_word.hpp): the highest weights are 0 and none is below kForgotten
-  mutable FloatLanes sums_;              ///< of each hypothesis over the cells, the likeliest counted as one
-  mutable bool has_sums_;                ///< of the weights as they are
+      weights_;                    ///< [north x east]; what is below the highest of a hypothesis by more than kForgotten counts as that
+  LogLanes highest_;               ///< of each hypothesis; at least kLeastLogLikelihood
+  std::array<int, kLanes> scale_;  ///< what has been taken off every weight of a hypothesis
+  mutable FloatLanes sums_;        ///< of each hypothesis over the cells, the likeliest counted as one
+  mutable bool has_sums_;          ///< of the weights as they are
 };
 
 }  // namespace earshot::policy

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 
 #include "firmware/config/capacities.hpp"
@@ -23,14 +24,14 @@ inline constexpr int kTrust_256ths = 208;
 /// Likelihoods of what was heard, were the source at each range, under the hypotheses of a block: log weights, tempered.
 class LaneLikelihoods {
  public:
-  /// Of a look.
-  void tabulate(const BeliefModel& model, const OceanTables& tables, const std::array<Hypothesis, kLanes>& hypotheses, Reception reception);
-  /// [ranges], raised by -kLeastLogLikelihood as HypothesisBlock::weigh() takes them.
-  [[nodiscard]] std::span<const LogLanes> raised_by_range(const OceanTables& tables) const {
-    return std::span(raised_).first(tables.range_count);
-  }
+  /// Of a look. @param count  of the tables' ranges, from the nearest, at least one: no cell lies further
+  void tabulate(const BeliefModel& model, const OceanTables& tables, const std::array<Hypothesis, kLanes>& hypotheses, Reception reception,
+                std::size_t count);
+  /// [count], raised by -kLeastLogLikelihood as HypothesisBlock::weigh() takes them.
+  [[nodiscard]] std::span<const LogLanes> raised_by_range() const { return std::span(raised_).first(count_); }
 
  private:
+  std::size_t count_ = 0;
   std::array<LogLanes, config::kMaxTableRanges> raised_;
 };
 

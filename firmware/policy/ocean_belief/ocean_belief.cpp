@@ -112,17 +112,16 @@ void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, No
   // Where the source is by the next look, from the corner of the area as the likeliest current has carried it.
   const NorthEast corner = way_of(likeliest_current(), model, heard_);
   find_marginal(model, corner, heard_, all_cells(model));
-  foresee(model, tables);
+  const std::size_t ranges = foresee(model, tables, position - corner);
   const std::span<const float> probabilities = std::span(marginal_).first(cell_count(model));
   summary_ = summary_of(model, probabilities);
   summary_.surprise_bits = surprise_.bits();
   summary_.likeliest = summary_.likeliest + corner;
   summary_.mean = summary_.mean + corner;
-  const std::size_t ranges = tables.range_count;
   BeliefModel not_cut_off = model;
   not_cut_off.costs.most_regret = kAnyRegret;
-  find_outlooks(not_cut_off, probabilities, {std::span(search_cost_).first(ranges), std::span(detected_).first(ranges), tables.range_step},
-                position - corner, std::span(outlooks_).first(model.actions.size()));
+  find_outlooks(not_cut_off, probabilities, {std::span(foreseen_).first(ranges), tables.range_step}, position - corner,
+                std::span(outlooks_).first(model.actions.size()));
   find_regrets(model, position);
 }
 
@@ -157,12 +156,15 @@ void OceanBelief::take_in(const BeliefModel& model, const OceanTables& tables, c
 /// By itself, so that its places are gone from the stack when others are found by which to rule out.
 [[gnu::noinline]] void OceanBelief::weigh_snr(const BeliefModel& model, const OceanTables& tables, const Look& look, std::uint32_t index,
                                               HypothesisBlock& block) {
-  likelihoods_.tabulate(model, tables, block.hypotheses(), {.snr = look.snr, .too_faint = look.too_faint});
+  Meters drifted{0.0};
+  for (const Hypothesis& h : block.hypotheses()) drifted = std::max(drifted, length_of(way_of(current_of(h), model, index)));
+  const std::size_t ranges = ranges_to_all(model, look.position, drifted, tables.range_step, tables.range_count);
+  likelihoods_.tabulate(model, tables, block.hypotheses(), {.snr = look.snr, .too_faint = look.too_faint}, ranges);
   CellPlaces places;
   for_each_drift(block, [&](const Drift& drift, const Lanes& lanes) {
     places.find(model, drift, index, {});
-    places.find_ranges(model, look.position, tables.range_step, tables.range_count - std::size_t{1}, ranges_);
-    block.weigh(model, lanes, likelihoods_.raised_by_range(tables), ranges_);
+    places.find_ranges(model, look.position, tables.range_step, ranges - 1, ranges_);
+    block.weigh(model, lanes, likelihoods_.raised_by_range(), ranges_);
   });
 }
 
@@ -216,7 +218,12 @@ Drift OceanBelief::likeliest_current() const {
 /// Sums up where the source is after so many looks, from a corner that has drifted; nothing outside the window.
 void OceanBelief::find_marginal(const BeliefModel& model, NorthEast corner, std::uint32_t looks, const CellWindow& window) {
   const std::span<float> marginal = std::span(marginal_).first(cell_count(model));
-  std::fill(marginal.begin(), marginal.end(), 0.0F);
+  bool is_first = true;
+  const auto clear = [&] {
+    if (is_first) std::fill(marginal.begin(), marginal.end(), 0.0F);
+    is_first = false;
+  };
+  if (window != all_cells(model)) clear();
   CellPlaces places;
   std::array<std::uint16_t, CellPlaces::kMostAxes> axes;
   for (std::size_t b = 0; b < residents_.size(); ++b) {
@@ -230,18 +237,25 @@ void OceanBelief::find_marginal(const BeliefModel& model, NorthEast corner, std:
       } else if (shares_[b][l] >= kLeastShare) {
         places.find(model, drift, looks, corner);
         places.find_axes(model, axes);
+        clear();
         residents_[b].add_to(model, l, shares_[b][l], axes, window, marginal);
       }
     }
-    if (most_at_rest >= kLeastShare) residents_[b].add_to(model, at_rest, window, marginal);
+    if (most_at_rest < kLeastShare) continue;
+    residents_[b].add_to(model, at_rest, window, is_first, marginal);
+    is_first = false;
   }
+  clear();
 }
 
 /// Tabulates by range what a search that goes straight to a source costs, under the hypotheses as likely as they now are.
-EARSHOT_WIDE void OceanBelief::foresee(const BeliefModel& model, const OceanTables& tables) {
-  const std::size_t count = tables.range_count;
+/// @param position  of the vehicle, from the area's corner   @return how many ranges: no way to a source is longer
+EARSHOT_WIDE std::size_t OceanBelief::foresee(const BeliefModel& model, const OceanTables& tables, NorthEast position) {
+  const std::size_t half = half_cell(model, tables.range_step, tables.range_count);
+  const std::size_t ranges = ranges_to_all(model, position, 2.0 * model.step_length, tables.range_step, tables.range_count);
+  const std::size_t count = std::min(ranges + half, std::size_t{tables.range_count});  // what a cell at the last range lies at as well
   std::array<float, config::kMaxTableRanges> over_all{};
-  std::array<float, config::kMaxTableRanges> detected;  // under one hypothesis
+  std::array<float, config::kMaxTableRanges> detected;  // under one hypothesis, then under all
   for (std::size_t i = 0; i < kHypotheses; ++i) {
     if (share(i) < kLeastShare) continue;
     const Hypothesis& h = hypothesis(i);
@@ -253,9 +267,11 @@ EARSHOT_WIDE void OceanBelief::foresee(const BeliefModel& model, const OceanTabl
     to_normal_cumulative(std::span(detected).first(count));
     for (std::size_t r = 0; r < count; ++r) over_all[r] += sounding * detected[r];
   }
-  smooth(std::span(over_all).first(count), half_cell(model, tables.range_step, count), std::span(detected_).first(count));
-  find_search_cost(model, tables.range_step, exp(model.costs.log_step_discount), std::span(detected_).first(count),
-                   std::span(search_cost_).first(count));
+  smooth(std::span(over_all).first(count), half, std::span(detected).first(count));
+  const std::span<float> search_cost = std::span(over_all).first(ranges);
+  find_search_cost(model, tables.range_step, exp(model.costs.log_step_discount), std::span(detected).first(ranges), search_cost);
+  find_samples(search_cost, std::span(detected).first(ranges), std::span(foreseen_).first(ranges));
+  return ranges;
 }
 
 void OceanBelief::add_joint(const BeliefModel& model, std::size_t index, std::span<float> joint) const {

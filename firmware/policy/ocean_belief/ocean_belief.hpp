@@ -110,7 +110,7 @@ class OceanBelief {
   void take_the_likelier(const BeliefModel& model, const OceanTables& tables);
   [[nodiscard]] Drift likeliest_current() const;
   void find_marginal(const BeliefModel& model, NorthEast corner, std::uint32_t looks, const CellWindow& window);
-  void foresee(const BeliefModel& model, const OceanTables& tables);
+  std::size_t foresee(const BeliefModel& model, const OceanTables& tables, NorthEast position);
   void find_regrets(const BeliefModel& model, NorthEast position);
 
   using Posteriors = std::array<int, kLanes>;  ///< log2 of what is proportional to the probability of each hypothesis, in 1/512
@@ -133,8 +133,7 @@ class OceanBelief {
   LaneLikelihoods likelihoods_;
   std::array<std::uint16_t, config::kMaxBeliefCells> ranges_;  ///< [north x east], from the vehicle, in range steps
   std::array<float, config::kMaxBeliefCells> marginal_;        ///< [north x east], sum over the hypotheses
-  std::array<float, config::kMaxTableRanges> search_cost_;     ///< of a search that goes straight to a source at that range
-  std::array<float, config::kMaxTableRanges> detected_;        ///< probability of a detection at that range
+  std::array<RangeSample, config::kMaxTableRanges> foreseen_;
   FoundRule found_rule_;
   std::optional<messages::FoundDeclaration> declaration_;
   messages::BeliefSummary summary_;

@@ -34,7 +34,7 @@ inline constexpr FileKind kTablesFile{
 
 /// Reads the bytes of a `.tables` file into `tables` and judges its sizes and numbers. On failure `tables` is unspecified.
 /// Layout (little-endian): see README.md of this folder. The bytes end with public key, CRC-32, signature, which the shell checks.
-[[nodiscard]] Status parse(std::span<const std::uint8_t> bytes, OceanTables& tables, PolicyComplaint& complaint);
+[[nodiscard, gnu::cold]] Status parse(std::span<const std::uint8_t> bytes, OceanTables& tables, PolicyComplaint& complaint);
 
 /// Writes `tables` as the bytes of a `.tables` file, CRC-32 in place, signature bytes zero (whoever has the key signs).
 /// @return number of bytes written; kFull if `bytes` is too small; kOutOfRange for tables that parse() would refuse.

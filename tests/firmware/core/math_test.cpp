@@ -190,5 +190,14 @@ TEST(Math, GivesTheSameBitsOnEveryMachine) {
   EXPECT_EQ(checksum_of_many_results(), 0xB2EFB773U);  // GCC 12 at -O0 and -O3, x86-64, aarch64 and 32-bit ARM alike
 }
 
+TEST(Bounds, AreTheLesserAndTheGreaterOfTwo) {
+  EXPECT_EQ(lesser(1.0F, 2.0F), 1.0F);
+  EXPECT_EQ(lesser(2.0F, 1.0F), 1.0F);
+  EXPECT_EQ(lesser(-1.0F, -1.0F), -1.0F);
+  EXPECT_EQ(greater(1.0F, 2.0F), 2.0F);
+  EXPECT_EQ(greater(2.0F, 1.0F), 2.0F);
+  EXPECT_EQ(greater(-std::numeric_limits<float>::infinity(), 3.0F), 3.0F);
+}
+
 }  // namespace
 }  // namespace earshot

@@ -34,9 +34,9 @@ TEST(FindOutlooks, CostsWhatTheTablesSayAtTheRangesOfASourceThatIsKnown) {
     detected[i] = i < 60 ? 1.0F : 0.0F;       // within 6 km
   }
   std::array<ActionOutlook, 4> outlooks;
-  find_outlooks(model, probabilities, {cost, detected, kRangeStep}, centre(8, 20), outlooks);  // 6 km south of it
-  EXPECT_NEAR(outlooks[kSouth].regret, 0.2F, 1e-5F);                                           // 7 km of way instead of 5
-  EXPECT_NEAR(outlooks[kEast].regret, 0.1F * (std::sqrt(37.0F) - 5.0F), 1e-4F);                // linear between ranges 100 m apart
+  find_outlooks(model, probabilities, {samples_of(cost, detected), kRangeStep}, centre(8, 20), outlooks);  // 6 km south of it
+  EXPECT_NEAR(outlooks[kSouth].regret, 0.2F, 1e-5F);                                                       // 7 km of way instead of 5
+  EXPECT_NEAR(outlooks[kEast].regret, 0.1F * (std::sqrt(37.0F) - 5.0F), 1e-4F);  // linear between ranges 100 m apart
   EXPECT_EQ(outlooks[kNorth].regret, 0.0F);
   EXPECT_EQ(outlooks[kNorth].detected, 1.0F);
   EXPECT_EQ(outlooks[kSouth].detected, 0.0F);
@@ -50,7 +50,7 @@ TEST(FindOutlooks, FindsInTheOneCellOfAnAreaAsMuchAsLiesWithinAStep) {
   const std::array probabilities = {1.0F};
   const std::array<float, 2> table{};
   std::array<ActionOutlook, 4> outlooks;
-  find_outlooks(model, probabilities, {table, table, kRangeStep}, at(0, 4'500), outlooks);
+  find_outlooks(model, probabilities, {samples_of(table, table), kRangeStep}, at(0, 4'500), outlooks);
   EXPECT_FLOAT_EQ(outlooks[kNorth].found, 2.0F / 9.0F);  // 3.5 km from its centre: 1 - 3.5 + 9 / 2 km of its side
 }
 
@@ -70,7 +70,7 @@ class StripTest : public testing::Test {
   /// All of the belief in one cell, in the middle of the strip: its centre is (6250, 15500) m.
   void know_the_middle() { cell(12, 15) = 1.0F; }
   void find(NorthEast position) {
-    find_outlooks(model, std::span(probabilities).first(25 * kColumns), {cost, detected, kRangeStep}, position,
+    find_outlooks(model, std::span(probabilities).first(25 * kColumns), {samples_of(cost, detected), kRangeStep}, position,
                   std::span(outlooks).first(4));
   }
   /// As tables by range a straight line: `per_kilometre` of each.
@@ -197,7 +197,7 @@ TEST_F(StripTest, ReadsATableToItsLastSampleAndNoFurther) {
   std::vector<float> table = ramp(0.01F);
   std::fill(table.begin() + 91, table.end(), std::numeric_limits<float>::quiet_NaN());
   const auto detected_at = [&](double range_m, std::size_t samples) {
-    find_outlooks(model, std::span(probabilities).first(25 * kColumns), {cost, std::span(table).first(samples), kRangeStep},
+    find_outlooks(model, std::span(probabilities).first(25 * kColumns), {samples_of(cost, std::span(table).first(samples)), kRangeStep},
                   at(6'250, 15'500 - range_m - 1'000), std::span(outlooks).first(4));
     return outlooks[kEast].detected;
   };

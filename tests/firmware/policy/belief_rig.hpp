@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "firmware/policy/belief_model.hpp"
+#include "firmware/policy/belief_outlook.hpp"
 #include "tests/firmware/place.hpp"
 
 namespace earshot::policy {
@@ -26,6 +30,13 @@ inline BeliefModel bare_model(NorthEast area_size, std::uint16_t cells_north, st
     EXPECT_EQ(model.actions.push_back(direction), Status::kOk);
   }
   return model;
+}
+
+/// As many samples as the shorter of two tables has.
+inline std::vector<RangeSample> samples_of(std::span<const float> search_cost, std::span<const float> detected) {
+  std::vector<RangeSample> samples(std::min(search_cost.size(), detected.size()));
+  find_samples(search_cost.first(samples.size()), detected.first(samples.size()), samples);
+  return samples;
 }
 
 }  // namespace earshot::policy

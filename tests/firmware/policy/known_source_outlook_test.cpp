@@ -29,7 +29,7 @@ class OutlookTest : public testing::Test {
     std::fill(detected.begin() + 200, detected.end(), 0.0F);
     std::vector<float> cost(300);
     find_search_cost(model, kRangeStep, 1.0F, detected, cost);
-    find_outlooks(model, probabilities, {cost, detected, kRangeStep}, place, outlooks);
+    find_outlooks(model, probabilities, {samples_of(cost, detected), kRangeStep}, place, outlooks);
   }
 
   BeliefModel model = bare_model(at(20'000, 20'000), 40, 40);

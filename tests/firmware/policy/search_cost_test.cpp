@@ -44,5 +44,15 @@ TEST(SearchCost, TakesAStepForTheNearestWholeNumberOfRangeStepsAndNoneForLessTha
   EXPECT_EQ(cost, (std::array<float, 5>{0.0F, 0.0F, 0.0F, 0.25F, 0.5F})) << "two ranges a step";
 }
 
+TEST(RangeSamples, RiseToTheNextAndBehindTheLastNoMore) {
+  std::array<RangeSample, 3> samples;
+  find_samples(std::array{1.0F, 3.0F, 2.5F}, std::array{0.75F, 0.5F, 0.5F}, samples);
+  const std::array<std::array<float, 4>, 3> expected{{{1.0F, 2.0F, 0.75F, -0.25F}, {3.0F, -0.5F, 0.5F, 0.0F}, {2.5F, 0.0F, 0.5F, 0.0F}}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& [search_cost, search_cost_rise, detected, detected_rise] = samples[i];
+    EXPECT_EQ((std::array{search_cost, search_cost_rise, detected, detected_rise}), expected[i]) << i;
+  }
+}
+
 }  // namespace
 }  // namespace earshot::policy

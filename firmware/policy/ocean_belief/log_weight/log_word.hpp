@@ -24,29 +24,23 @@ namespace earshot::policy {
 
 inline constexpr std::size_t kLanesInAWord = 2;
 
-struct LogWord {
+struct [[gnu::may_alias]] LogWord {
   std::uint32_t pair;  ///< the lower lane in the lower half
 };
 struct FloatWord {
   std::array<float, kLanesInAWord> lanes;
 };
 
-namespace words {
-using Pair [[gnu::may_alias]] = std::uint32_t;
-inline const Pair& pair_of(const LogLanes& lanes, std::size_t word) {
-  return reinterpret_cast<const Pair*>(&lanes)[word];
+/// The first of the kWords words of some lanes; behind them come those of what lies behind in memory.
+inline const LogWord* words_of(const LogLanes& lanes) {
+  return reinterpret_cast<const LogWord*>(&lanes);
 }
-inline Pair& pair_of(LogLanes& lanes, std::size_t word) {
-  return reinterpret_cast<Pair*>(&lanes)[word];
+inline LogWord* words_of(LogLanes& lanes) {
+  return reinterpret_cast<LogWord*>(&lanes);
 }
-}  // namespace words
+/// So many words a loop over cells takes together: what they have in common is looked up once, and the registers hold no more.
+inline constexpr std::size_t kWordsTogether = 2;
 
-inline LogWord word_of(const LogLanes& lanes, std::size_t word) {
-  return {words::pair_of(lanes, word)};
-}
-inline void put(LogLanes& lanes, std::size_t word, LogWord value) {
-  words::pair_of(lanes, word) = value.pair;
-}
 inline LogWord every_lane(std::int16_t value) {
   return {static_cast<std::uint16_t>(value) * 0x10001U};
 }
@@ -94,12 +88,14 @@ inline constexpr std::size_t kLanesInAWord = kLanes;
 using LogWord = LogLanes;
 using FloatWord = float __attribute__((vector_size(4 * kLanes)));
 
-inline const LogWord& word_of(const LogLanes& lanes, std::size_t /*word*/) {
-  return lanes;
+inline const LogWord* words_of(const LogLanes& lanes) {
+  return &lanes;
 }
-inline void put(LogLanes& lanes, std::size_t /*word*/, const LogWord& value) {
-  lanes = value;
+inline LogWord* words_of(LogLanes& lanes) {
+  return &lanes;
 }
+inline constexpr std::size_t kWordsTogether = 1;
+
 inline LogWord every_lane(std::int16_t value) {
   return LogWord{} + value;
 }
@@ -128,14 +124,16 @@ inline void get(const FloatLanes& lanes, std::size_t /*word*/, FloatWord& value)
 #endif
 
 inline constexpr std::size_t kWords = kLanes / kLanesInAWord;
+static_assert(kWords % kWordsTogether == 0);
+using LogWords = std::array<LogWord, kWordsTogether>;
 
-/// Calls `visit` with the index of every word.
-template <class Visit>
+/// Calls `visit` with the index of every word, or of so many.
+template <std::size_t kCount = kWords, class Visit>
 void for_each_word(Visit visit) {
   [&]<std::size_t... Word>(std::index_sequence<Word...>) {
     (visit(Word), ...);
   }
-  (std::make_index_sequence<kWords>{});
+  (std::make_index_sequence<kCount>{});
 }
 
 }  // namespace earshot::policy

@@ -28,6 +28,18 @@ TEST(BeliefGrid, CountsTheRangeStepsInHalfOfTheLongerSideOfACell) {
   EXPECT_EQ(half_cell(oblong(), Meters{751}, 100), 1U);  // 1.997: whole ones only
 }
 
+/// Of an area of 5 km x 4 km the corner that is furthest from (1000, 1000) m is 4 km north and 3 km east of it: 50 steps of 100 m. One more
+/// sample is at no range, and one is for what is rounded.
+TEST(BeliefGrid, CountsTheSamplesThatReachToEveryPlaceOfTheArea) {
+  const BeliefModel model = bare_model(at(5'000, 4'000), 5, 4);
+  EXPECT_EQ(ranges_to_all(model, at(1'000, 1'000), Meters{0}, Meters{100}, 1'000), 52U);
+  EXPECT_EQ(ranges_to_all(model, at(4'000, 3'000), Meters{0}, Meters{100}, 1'000), 52U);
+  EXPECT_EQ(ranges_to_all(model, at(1'000, 1'000), Meters{1'050}, Meters{100}, 1'000), 62U);
+  EXPECT_EQ(ranges_to_all(model, at(-7'000, -1'000), Meters{0}, Meters{100}, 1'000), 132U) << "12 km and 5 km: 13 km";
+  EXPECT_EQ(ranges_to_all(model, at(1'000, 1'000), Meters{0}, Meters{100}, 52), 52U);
+  EXPECT_EQ(ranges_to_all(model, at(1'000, 1'000), Meters{0}, Meters{100}, 30), 30U) << "the tables have no more";
+}
+
 TEST(BeliefGrid, SmoothsOverTheNeighboursAndHoldsTheEnds) {
   const std::vector<float> values{6, 0, 0, 12, 0, 0, 0, 18};
   std::vector<float> smoothed(8);

@@ -42,7 +42,7 @@ class HypothesisBlockTest : public testing::Test {
     FloatLanes shares{};
     shares[lane] = 1.0F;
     std::vector<float> marginal(cell_count(model), 0.0F);
-    block.add_to(model, shares, all_cells(model), marginal);
+    block.add_to(model, shares, all_cells(model), false, marginal);
     return marginal;
   }
 
@@ -95,8 +95,8 @@ TEST_F(HypothesisBlockTest, IsWhatBayesRuleGivesByHandUnderEveryHypothesis) {
   places_of_cells.find(model, {}, 0, {});
   for (const auto& [place, reception] : looks) {
     places_of_cells.find_ranges(model, place, tables.range_step, kSmallRanges - 1U, ranges);
-    likelihoods.tabulate(model, tables, kHypotheses, reception);
-    block->weigh(model, kAllLanes, likelihoods.raised_by_range(tables), ranges);
+    likelihoods.tabulate(model, tables, kHypotheses, reception, tables.range_count);
+    block->weigh(model, kAllLanes, likelihoods.raised_by_range(), ranges);
   }
   for (std::size_t l = 0; l < kLanes; ++l) {
     std::vector<double> joint(400, 1.0);
@@ -173,7 +173,7 @@ TEST_F(HypothesisBlockTest, AddsToNoCellOutsideTheWindow) {
   const BeliefModel model = bare_model(at(3'000, 4'000), 3, 4);
   block->start(model, {}, PlacePrior{});
   std::vector<float> marginal(12, 0.0F);
-  block->add_to(model, {0.5F, 0.5F}, {.north = {1, 3}, .east = {2, 3}}, marginal);
+  block->add_to(model, {0.5F, 0.5F}, {.north = {1, 3}, .east = {2, 3}}, false, marginal);
   for (std::size_t i = 0; i < 12; ++i) EXPECT_NEAR(marginal[i], i == 6 || i == 10 ? 1.0 / 12.0 : 0.0, 1e-5) << i;
 }
 
@@ -183,9 +183,13 @@ TEST_F(HypothesisBlockTest, AddsHypothesesByTheirSharesToWhatIsThere) {
   const std::array<LogLanes, 2> likelihoods{raised(LogLanes{0, 0, -512}), raised(LogLanes{-512, 0, 0})};
   block->weigh(model, kAllLanes, likelihoods, std::array<std::uint16_t, 2>{0, 1});
   std::vector<float> marginal{10.0F, 20.0F};
-  block->add_to(model, {0.25F, 0.5F, 0.125F, 0.125F}, all_cells(model), marginal);
+  const FloatLanes shares{0.25F, 0.5F, 0.125F, 0.125F};
+  block->add_to(model, shares, all_cells(model), false, marginal);
   EXPECT_NEAR(marginal[0], 10.0 + 0.25 * 2 / 3 + 0.5 / 2 + 0.125 / 3 + 0.125 / 2, 1e-4);
   EXPECT_NEAR(marginal[1], 20.0 + 0.25 / 3 + 0.5 / 2 + 0.125 * 2 / 3 + 0.125 / 2, 1e-4);
+  block->add_to(model, shares, all_cells(model), true, marginal);  // nothing counts that was there
+  EXPECT_NEAR(marginal[0], 0.25 * 2 / 3 + 0.5 / 2 + 0.125 / 3 + 0.125 / 2, 1e-5);
+  EXPECT_NEAR(marginal[1], 0.25 / 3 + 0.5 / 2 + 0.125 * 2 / 3 + 0.125 / 2, 1e-5);
 }
 
 /// After looks that leave nothing of a place it is still believed in by 2^-26 of the likeliest, however much more is heard, and sixteen

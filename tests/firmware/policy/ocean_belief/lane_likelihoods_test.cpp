@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <memory>
+#include <span>
+#include <vector>
 
+#include "firmware/policy/likelihood/belief_grid.hpp"
 #include "firmware/policy/search_bounds.hpp"
 #include "tests/firmware/policy/ocean_belief/ocean_rig.hpp"
 
@@ -30,11 +34,11 @@ class LaneLikelihoodsTest : public testing::Test {
 
   /// A unit is 0.14 %: half of one is rounded, and the table of the normal distribution is 0.2 % off at four standard deviations.
   void expect_by_hand(Reception reception) {
-    likelihoods->tabulate(model, tables, kEight, reception);
+    likelihoods->tabulate(model, tables, kEight, reception, tables.range_count);
     for (std::size_t l = 0; l < kLanes; ++l) {
       const std::vector<double> expected = likelihoods_by_hand(model, tables, kEight[l], reception);
       for (std::size_t i = 0; i < tables.range_count; ++i) {
-        ASSERT_NEAR(likelihoods->raised_by_range(tables)[i][l] + kLeastLogLikelihood, 512.0 * std::log2(expected[i]), 2.0)
+        ASSERT_NEAR(likelihoods->raised_by_range()[i][l] + kLeastLogLikelihood, 512.0 * std::log2(expected[i]), 2.0)
             << "lane " << l << ", range " << i;
       }
     }
@@ -65,9 +69,20 @@ TEST_F(LaneLikelihoodsTest, AreNotSmoothedWhereACellIsOneRangeWide) {
   expect_by_hand({.snr = Decibels{20.0}});
 }
 
-TEST_F(LaneLikelihoodsTest, AreOfAsManyRangesAsTheTablesHave) {
-  likelihoods->tabulate(model, tables, kEight, {.snr = Decibels{20.0}});
-  EXPECT_EQ(likelihoods->raised_by_range(tables).size(), kSmallRanges);
+/// The last that is asked for is smoothed over those behind it.
+TEST_F(LaneLikelihoodsTest, AreTheSameOfFewerRangesThanTheTablesHave) {
+  ASSERT_GT(half_cell(model, tables.range_step, tables.range_count), 0U);
+  likelihoods->tabulate(model, tables, kEight, {.snr = Decibels{20.0}}, tables.range_count);
+  const std::vector<LogLanes> all(likelihoods->raised_by_range().begin(), likelihoods->raised_by_range().end());
+  ASSERT_EQ(all.size(), kSmallRanges);
+  for (std::size_t count = 1; count <= kSmallRanges; ++count) {
+    likelihoods->tabulate(model, tables, kEight, {.snr = Decibels{20.0}}, count);
+    const std::span<const LogLanes> some = likelihoods->raised_by_range();
+    ASSERT_EQ(some.size(), count);
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t l = 0; l < kLanes; ++l) ASSERT_EQ(some[i][l], all[i][l]) << count << ", range " << i;
+    }
+  }
 }
 
 /// Without outliers and pauses nothing can be 600 dB loud: a likelihood of a number too small for sixteen bits, or of zero.
@@ -75,8 +90,8 @@ TEST_F(LaneLikelihoodsTest, OfWhatCannotBeAreTheLeastThatThereIsRoomForAndNeverL
   model.outlier_share = 0.0F;
   for (const double snr_db : {-kMostLevel_db, kMostLevel_db}) {
     for (const bool too_faint : {false, true}) {
-      likelihoods->tabulate(model, tables, kEight, {.snr = Decibels{snr_db}, .too_faint = too_faint});
-      for (const LogLanes& lanes : likelihoods->raised_by_range(tables)) {
+      likelihoods->tabulate(model, tables, kEight, {.snr = Decibels{snr_db}, .too_faint = too_faint}, tables.range_count);
+      for (const LogLanes& lanes : likelihoods->raised_by_range()) {
         for (std::size_t l = 0; l < kLanes; ++l) {
           const int log_likelihood = lanes[l] + kLeastLogLikelihood;
           ASSERT_GE(log_likelihood, kLeastLogLikelihood);
