@@ -28,11 +28,11 @@ namespace earshot {
   return __builtin_fmaxf(a, b);
 }
 #else
-/// The lesser of two numbers, neither of them a NaN.
+/// The lesser of two numbers; b where a is a NaN.
 [[nodiscard]] inline float lesser(float a, float b) {
   return a < b ? a : b;
 }
-/// The greater of two numbers, neither of them a NaN.
+/// The greater of two numbers; b where a is a NaN.
 [[nodiscard]] inline float greater(float a, float b) {
   return a > b ? a : b;
 }

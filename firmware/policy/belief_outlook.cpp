@@ -207,7 +207,10 @@ class ReachSearch {
   /// @param outlooks  [actions]: with what is found at the end of one step, and its border
   void find_reaches(Point start, std::span<ActionOutlook> outlooks) const {
     static_assert(kReachSteps == 3);
-    for (ActionOutlook& outlook : outlooks) outlook.reach = greater(outlook.found - outlook.border * border_cost_, 0.0F);
+    for (ActionOutlook& outlook : outlooks) {
+      const float border_cost = outlook.border * border_cost_;
+      outlook.reach = border_cost >= 1.0F ? 0.0F : greater(outlook.found - border_cost, 0.0F);
+    }
     const std::size_t count = outlooks.size();
     for (const bool has_third : {false, true}) {
       const float discount = model_.costs.reach_discount * (has_third ? model_.costs.reach_discount : 1.0F);
@@ -232,6 +235,7 @@ class ReachSearch {
   void raise(float& a, float& b, float& c, Point end, float discount) const {
     constexpr float kForRounding = 1.0F + 1e-4F;
     const float border_cost = inside_.border_depth(end) * border_cost_;
+    if (border_cost >= discount) return;
     if (discount * near_.probability() * kForRounding - border_cost <= lesser(lesser(a, b), c)) return;
     const float reach = discount * near_.probability_within(end, step_) - border_cost;
     a = greater(a, reach);

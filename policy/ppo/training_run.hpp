@@ -46,7 +46,7 @@ struct TrainingRun {
   std::uint64_t steps = 0;     ///< training ends with the rollout that reaches it; 0: no limit
 };
 
-/// Episodes stepped together: each has a belief of up to 256 KiB.
+/// Episodes stepped together: each has a belief of up to 260 KiB.
 inline constexpr std::int64_t kMostEnvironments = 8192;
 
 /// A setting that is right by itself and does not fit the others.

@@ -34,7 +34,13 @@ _COMPARISON = {"<": [">="], "<=": [">"], ">": ["<="], ">=": ["<"], "==": ["!="],
 _BOUNDARY = {"<": "<=", "<=": "<", ">": ">=", ">=": ">"}
 _LOGIC = {"&&": ["||"], "||": ["&&"]}
 _UNITS = {60.0, 3600.0, 86400.0, 1000.0, 1e-3, 1e6, 1e-6, 1e9, 1e-9, 180.0, 1852.0}  # what a conversion multiplies with
-_SYMMETRIC = {"min": 2, "max": 2, "clamp": 2, "lesser": 2, "greater": 2}  # so many of the first arguments may change places
+_SYMMETRIC = {
+    "min": 2,
+    "max": 2,
+    "clamp": 2,
+    "lesser": 2,
+    "greater": 2,
+}  # so many of the first arguments may change places
 _FUNCTIONS = {
     CursorKind.FUNCTION_DECL,
     CursorKind.CXX_METHOD,

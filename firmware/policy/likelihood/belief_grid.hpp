@@ -42,7 +42,7 @@ struct CellWindow {
 /// Range steps in half a cell, less than `ranges`: a likelihood is smoothed by as much, for a cell lies at many ranges at once.
 [[nodiscard]] std::size_t half_cell(const BeliefModel& model, Meters range_step, std::size_t ranges);
 
-/// Of samples of a table, one every range_step, so many from the nearest reach to every place of the area and to those `beyond` further.
+/// Of samples of a table, one every range_step, so many from the nearest reach to every place of the area, and `beyond` further.
 /// @return at least one, at most `ranges`
 [[nodiscard]] std::size_t ranges_to_all(const BeliefModel& model, NorthEast position, Meters beyond, Meters range_step, std::size_t ranges);
 

@@ -11,7 +11,7 @@
 namespace earshot::policy {
 namespace {
 
-/// A penalty beyond which all is forgotten: of a neighbour from which nothing comes.
+/// A penalty with which even the likeliest is forgotten: of a neighbour from which nothing comes.
 constexpr std::int16_t kNever = 1 - kForgotten;
 
 /// What minus_saturated() is to take off the weights of a word: their highest, and so much more that what is forgotten ends at the least
@@ -237,7 +237,7 @@ EARSHOT_WIDE void HypothesisBlock::add_to(const BeliefModel& model, const FloatL
   const std::size_t columns = model.cells_east;
   for (std::size_t n = window.north.first; n < window.north.end; ++n) {
     const std::size_t first = n * columns + window.east.first;
-    const LogWord* cell = words_of(weights_[first]);
+    const LogWord* cell = words_of(weights_[0]) + first * kWords;  // behind the last where the window is empty
     const std::span<float> row = marginal.subspan(first, window.east.end - std::size_t{window.east.first});
     if (is_first) {
       for (std::size_t e = 0; e < row.size(); ++e) row[e] = probability_of(cell + e * kWords);

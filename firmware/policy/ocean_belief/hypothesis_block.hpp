@@ -76,7 +76,7 @@ class HypothesisBlock {
 
   std::array<Hypothesis, kLanes> hypotheses_;
   std::array<LogLanes, config::kMaxBeliefCells>
-      weights_;                    ///< [north x east]; what is below the highest of a hypothesis by more than kForgotten counts as that
+      weights_;                    ///< [north x east]; none counts as less than the highest of its hypothesis and kForgotten
   LogLanes highest_;               ///< of each hypothesis; at least kLeastLogLikelihood
   std::array<int, kLanes> scale_;  ///< what has been taken off every weight of a hypothesis
   mutable FloatLanes sums_;        ///< of each hypothesis over the cells, the likeliest counted as one

@@ -24,7 +24,7 @@ inline constexpr int kTrust_256ths = 208;
 /// Likelihoods of what was heard, were the source at each range, under the hypotheses of a block: log weights, tempered.
 class LaneLikelihoods {
  public:
-  /// Of a look. @param count  of the tables' ranges, from the nearest, at least one: no cell lies further
+  /// Of a look. @param count  of the tables' ranges, from the nearest, at least one: what is beyond them is taken to lie at the last
   void tabulate(const BeliefModel& model, const OceanTables& tables, const std::array<Hypothesis, kLanes>& hypotheses, Reception reception,
                 std::size_t count);
   /// [count], raised by -kLeastLogLikelihood as HypothesisBlock::weigh() takes them.

@@ -252,7 +252,10 @@ void OceanBelief::find_marginal(const BeliefModel& model, NorthEast corner, std:
 /// @param position  of the vehicle, from the area's corner   @return how many ranges: no way to a source is longer
 EARSHOT_WIDE std::size_t OceanBelief::foresee(const BeliefModel& model, const OceanTables& tables, NorthEast position) {
   const std::size_t half = half_cell(model, tables.range_step, tables.range_count);
-  const std::size_t ranges = ranges_to_all(model, position, 2.0 * model.step_length, tables.range_step, tables.range_count);
+  // A way begins a step away and may end a step later; where the border is wider than the area, it ends outside.
+  const Meters outside =
+      std::max(Meters{0.0}, model.border_width - model.area_size.north) + std::max(Meters{0.0}, model.border_width - model.area_size.east);
+  const std::size_t ranges = ranges_to_all(model, position, 2.0 * model.step_length + outside, tables.range_step, tables.range_count);
   const std::size_t count = std::min(ranges + half, std::size_t{tables.range_count});  // what a cell at the last range lies at as well
   std::array<float, config::kMaxTableRanges> over_all{};
   std::array<float, config::kMaxTableRanges> detected;  // under one hypothesis, then under all

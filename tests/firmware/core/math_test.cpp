@@ -197,6 +197,8 @@ TEST(Bounds, AreTheLesserAndTheGreaterOfTwo) {
   EXPECT_EQ(greater(1.0F, 2.0F), 2.0F);
   EXPECT_EQ(greater(2.0F, 1.0F), 2.0F);
   EXPECT_EQ(greater(-std::numeric_limits<float>::infinity(), 3.0F), 3.0F);
+  EXPECT_EQ(lesser(std::numeric_limits<float>::quiet_NaN(), 3.0F), 3.0F);
+  EXPECT_EQ(greater(std::numeric_limits<float>::quiet_NaN(), 3.0F), 3.0F);
 }
 
 }  // namespace
