@@ -9,7 +9,7 @@
 
 namespace earshot::policy::outlook {
 
-// What find_outlooks() counts in; for belief_outlook.cpp alone.
+// What find_outlooks() counts in; for belief_outlook.cpp alone: whoever else included it might fuse what it computes.
 
 /// A place in metres from the south-west corner. Floats are exact enough.
 struct Point {
