@@ -168,11 +168,12 @@ SineCosine sine_cosine(Radians angle) {
 }
 
 Radians bearing_of(double north, double east) {
-  if (north != north || east != east) return Radians{north + east};
   const double n = north < 0.0 ? -north : north;
   const double e = east < 0.0 ? -east : east;
   if (n == 0.0 && e == 0.0) return Radians{0.0};
-  double angle = e <= n ? arctangent_to_one(e / n) : kPi / 2.0 - arctangent_to_one(n / e);
+  const double tangent = e <= n ? e / n : n / e;
+  if (tangent != tangent) return Radians{std::numeric_limits<double>::quiet_NaN()};
+  double angle = e <= n ? arctangent_to_one(tangent) : kPi / 2.0 - arctangent_to_one(tangent);
   if (north < 0.0) angle = kPi - angle;
   return Radians{east < 0.0 ? -angle : angle};
 }

@@ -62,8 +62,8 @@ struct SineCosine {
 /// Oracle: SineCosine.IsWithinFourTimesTenToTheMinusSixteenOfLongDouble
 [[nodiscard]] SineCosine sine_cosine(Radians angle);
 
-/// Angle of the vector (north, east), clockwise from north, in (-pi, pi]; zero for the zero vector.
-/// Error: at most 1e-15 rad.   Oracle: BearingOf.IsWithinTenToTheMinusFifteenOfLongDouble
+/// Angle of the vector (north, east), clockwise from north, in (-pi, pi]; zero for the zero vector. NaN where either is, and where both are
+/// infinite. Error: at most 1e-15 rad.   Oracle: BearingOf.IsWithinTenToTheMinusFifteenOfLongDouble
 [[nodiscard]] Radians bearing_of(double north, double east);
 
 /// The same angle in (-pi, pi]; an angle that lies there already comes back bit for bit. NaN unless finite.

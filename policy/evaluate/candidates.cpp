@@ -1,5 +1,9 @@
 #include "policy/evaluate/candidates.hpp"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/policy/unverified_policy.hpp"
@@ -10,6 +14,8 @@ namespace earshot::evaluate {
 namespace {
 
 using host::BadInput;
+
+constexpr std::array<std::string_view, 2> kShipped = {"shipped", "fixed_source"};  ///< in policy/frozen
 
 /// The first learned candidate; null when there is none.
 const Candidate* first_learned(std::span<const Candidate> candidates) {
@@ -29,13 +35,15 @@ Candidate candidate_named(const std::string& name) {
   for (const baselines::Entry& entry : baselines::catalogue()) {
     if (entry.name == name) return {.name = name, .learned = nullptr};
   }
-  const bool is_shipped = name == "shipped";
+  const bool is_shipped = std::ranges::find(kShipped, name) != kShipped.end();
   if (!is_shipped && name.find_first_of("./") == std::string::npos) {
-    std::string known = "shipped";
-    for (const baselines::Entry& entry : baselines::catalogue()) known += ", " + std::string(entry.name);
+    std::string known;
+    for (const std::string_view ships : kShipped) known += std::string(ships) + ", ";
+    for (const baselines::Entry& entry : baselines::catalogue()) known += std::string(entry.name) + ", ";
+    known.resize(known.size() - 2);
     throw BadInput("--policies: " + name + ": neither a .policy file nor one of " + known);
   }
-  std::filesystem::path file = is_shipped ? host::shipped("policy/frozen/shipped.policy") : std::filesystem::path(name);
+  std::filesystem::path file = is_shipped ? host::shipped("policy/frozen/" + name + ".policy") : std::filesystem::path(name);
   return {.name = name, .learned = host::load_unverified_policy(file), .file = file};
 }
 

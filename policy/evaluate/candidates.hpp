@@ -17,7 +17,8 @@ struct Candidate {
   std::filesystem::path file = {};  ///< that it was read from; of a learned one
 };
 
-/// The candidate of a name: "shipped", a baseline's, or the path of a `.policy` file. Throws host::BadInput when it is none of them.
+/// The candidate of a name: a policy that ships ("shipped", "fixed_source"), a baseline's, or the path of a `.policy` file. Throws
+/// host::BadInput when it is none of them.
 [[nodiscard]] Candidate candidate_named(const std::string& name);
 
 /// The search that the learned candidates were trained for; the paper's when there is none. Throws host::BadInput, naming two, when they

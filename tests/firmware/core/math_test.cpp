@@ -111,6 +111,13 @@ TEST(BearingOf, TheZeroVectorIsNorthAndOfNanIsNan) {
   EXPECT_TRUE(std::isnan(bearing_of(1, std::numeric_limits<double>::quiet_NaN()).value));
 }
 
+TEST(BearingOf, AnInfiniteVectorIsThatOfItsInfiniteAxisAndOfTwoNone) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(bearing_of(5, kInfinity).value, kPi / 2);
+  EXPECT_EQ(bearing_of(-kInfinity, 5).value, kPi);
+  EXPECT_TRUE(std::isnan(bearing_of(kInfinity, -kInfinity).value));
+}
+
 TEST(BearingOf, UndoesSineAndCosine) {
   for (double angle = -3.14; angle < 3.14; angle += 0.01) {
     const SineCosine direction = sine_cosine(Radians{angle});

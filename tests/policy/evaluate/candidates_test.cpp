@@ -8,9 +8,10 @@
 namespace earshot::evaluate {
 namespace {
 
-TEST(Candidates, AreBaselinesByNameOrFiles) {
+TEST(Candidates, AreBaselinesAndWhatShipsByNameOrFiles) {
   EXPECT_EQ(candidate_named("bayes").learned, nullptr);
   EXPECT_EQ(candidate_named(EARSHOT_SOURCE_DIR "/policy/frozen/fixed_source.policy").learned->step_length, Meters{1'000.0});
+  EXPECT_EQ(candidate_named("fixed_source").file.filename(), "fixed_source.policy");
   EXPECT_THROW((void)candidate_named("swordfish"), host::BadInput);
 }
 

@@ -21,11 +21,22 @@ TEST(CurvesPlot, NamesEveryOceanWhereTheyAreFew) {
     EXPECT_NE(picture.find(name), std::string::npos) << name;
 }
 
-TEST(CurvesPlot, NamesNoneWhereTheyWouldCoverThePicture) {
+TEST(CurvesPlot, NamesOfManyOnlyOneThatWeighsAsMuchAsAllOthersAndColoursThemByDepth) {
   policy::OceanTables tables = policy::made_up_tables();
   while (tables.tables.push_back(policy::made_up_table("it's $one_{more} \\n", 0.1F, 300.0F, {30, 20, 10})) == Status::kOk) {
   }
-  EXPECT_EQ(drawn(tables).find("deep"), std::string::npos);
+  const std::string picture = drawn(tables);
+  EXPECT_NE(picture.find(">deep<"), std::string::npos);
+  EXPECT_EQ(picture.find(">shelf<"), std::string::npos);
+  EXPECT_NE(picture.find("sea floor (m)"), std::string::npos);
+}
+
+TEST(CurvesPlot, NamesNoneOfManyThatWeighTheSame) {
+  policy::OceanTables tables = policy::made_up_tables();
+  while (tables.tables.push_back(tables.tables[1]) == Status::kOk) {
+  }
+  for (policy::OceanTable& table : tables.tables) table.prior = 1.0F / static_cast<float>(tables.tables.size());
+  EXPECT_EQ(drawn(tables).find(">deep<"), std::string::npos);
 }
 
 TEST(CurvesPlot, TakesANameForTextWhateverGnuplotWouldReadInIt) {
