@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "firmware/core/random.hpp"
+#include "tests/firmware/emulated.hpp"
 #include "tests/firmware/place.hpp"
 
 namespace earshot::guidance {
@@ -83,14 +84,15 @@ TEST(Sweep, TakesAsManyWaypointsOverASquareAsByHand) {
 TEST(Sweep, ComesNearNearlyAsMuchInAHundredStepsOfEightDirectionsAsAnyPathCan) {
   Pcg32 random(1);
   double sum = 0.0;
-  for (int i = 0; i < 100; ++i) {
+  constexpr int kStarts = tests::times(100, 25);
+  for (int i = 0; i < kStarts; ++i) {
     const double north_m = 1'000.0 + 23'000.0 * random.uniform_double();
     const NorthEast start = at(north_m, 1'000.0 + 23'000.0 * random.uniform_double());
     Sweep sweep(kSquare, start);
     sum += share_near(flown(sweep, start, kEight, 100, [](NorthEast from, const SweepStep& s) { return end_of(from, kEight[s.action]); }));
   }
-  EXPECT_GT(sum / 100.0, 0.29);
-  EXPECT_LT(sum / 100.0, 0.311);
+  EXPECT_GT(sum / kStarts, 0.29);
+  EXPECT_LT(sum / kStarts, 0.311);
 }
 
 class SweepBy : public testing::TestWithParam<int> {};
@@ -98,7 +100,7 @@ class SweepBy : public testing::TestWithParam<int> {};
 TEST_P(SweepBy, FourDirectionsOrMoreComesNearNearlyAllOfTheAreaAndKeepsOutOfTheMargin) {
   const std::vector<UnitNorthEast> actions = compass(GetParam());
   Pcg32 random(2);
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < tests::times(20, 4); ++i) {
     const double north_m = 1'000.0 + 23'000.0 * random.uniform_double();
     const NorthEast start = at(north_m, 1'000.0 + 23'000.0 * random.uniform_double());
     Sweep sweep(kSquare, start);
