@@ -23,7 +23,7 @@ TEST(CurvesPlot, NamesEveryOceanWhereTheyAreFew) {
 
 TEST(CurvesPlot, NamesOfManyOnlyOneThatWeighsAsMuchAsAllOthersAndColoursThemByDepth) {
   policy::OceanTables tables = policy::made_up_tables();
-  while (tables.tables.push_back(policy::made_up_table("it's $one_{more} \\n", 0.1F, 300.0F, {30, 20, 10})) == Status::kOk) {
+  while (tables.tables.push_back(policy::made_up_table("it's $one_{more} \\n", 0.001F, 300.0F, {30, 20, 10})) == Status::kOk) {
   }
   const std::string picture = drawn(tables);
   EXPECT_NE(picture.find(">deep<"), std::string::npos);
