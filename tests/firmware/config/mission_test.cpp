@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
+#include "tests/firmware/not_finite.hpp"
 
 namespace earshot::config {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using tests::kInfinity;
+using tests::kNan;
 
 Mission good_mission() {
   return {.operating_area = {.south_west = {}, .north_east = {.north = Meters{25000}, .east = Meters{20000}}},

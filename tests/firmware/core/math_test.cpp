@@ -100,6 +100,7 @@ TEST(BearingOf, TheEightCompassPointsIsExact) {
   EXPECT_EQ(bearing_of(-1, 1).value, kPi - kPi / 4);
   EXPECT_EQ(bearing_of(-1, 0).value, kPi);
   EXPECT_EQ(bearing_of(-1, -0.0).value, kPi);
+  EXPECT_EQ(bearing_of(-1, -1e-17).value, kPi) << "less than half an ulp beyond";
   EXPECT_EQ(bearing_of(-1, -1).value, -(kPi - kPi / 4));
   EXPECT_EQ(bearing_of(0, -1).value, -kPi / 2);
   EXPECT_EQ(bearing_of(1, -1).value, -kPi / 4);

@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
+#include "tests/firmware/not_finite.hpp"
 
 namespace earshot::messages {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using tests::kInfinity;
+using tests::kNan;
 constexpr double kFullTurn = 6.283185307179586;  // 2 pi, rounded to double
 constexpr double kJustMore = 6.283185307179587;  // the double after it
 

@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
+#include "tests/firmware/not_finite.hpp"
 
 namespace earshot::messages {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using tests::kInfinity;
+using tests::kNan;
 
 constexpr Navigation kFix{.time = Time{1},
                           .position = {.north = Meters{2}, .east = Meters{3}},

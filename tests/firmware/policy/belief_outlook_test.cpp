@@ -9,17 +9,10 @@
 #include <span>
 #include <vector>
 
-#include "tests/firmware/policy/belief_rig.hpp"
+#include "tests/firmware/policy/outlook_rig.hpp"
 
 namespace earshot::policy {
 namespace {
-
-constexpr Meters kRangeStep{100};
-
-/// Of a cell of 500 m x 500 m.
-NorthEast centre(std::size_t north, std::size_t east) {
-  return at((static_cast<double>(north) + 0.5) * 500.0, (static_cast<double>(east) + 0.5) * 500.0);
-}
 
 /// Pythagoras by hand; the source lies far from the border, so that the way to it is the distance.
 TEST(FindOutlooks, CostsWhatTheTablesSayAtTheRangesOfASourceThatIsKnown) {

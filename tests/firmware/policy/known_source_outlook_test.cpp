@@ -6,17 +6,10 @@
 #include <vector>
 
 #include "firmware/policy/belief_outlook.hpp"
-#include "tests/firmware/policy/belief_rig.hpp"
+#include "tests/firmware/policy/outlook_rig.hpp"
 
 namespace earshot::policy {
 namespace {
-
-constexpr Meters kRangeStep{100};
-
-/// Of a cell of 500 m x 500 m.
-NorthEast centre(std::size_t north, std::size_t east) {
-  return at((static_cast<double>(north) + 0.5) * 500.0, (static_cast<double>(east) + 0.5) * 500.0);
-}
 
 /// A belief that knows the source to the cell, of 20 km x 20 km in cells of 500 m; a detection is certain within 20 km, and there is none
 /// beyond.

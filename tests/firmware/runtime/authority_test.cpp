@@ -24,16 +24,6 @@ messages::OperatorCommand tightening(const Rig& rig, std::uint32_t number, const
   return command;
 }
 
-/// A search that commands its vehicle, ten seconds old.
-Rig under_way(const config::Mission& mission = paper_mission()) {
-  Rig rig(*policy_that_goes(kNorthward), mission);
-  EXPECT_EQ(rig.configured, Status::kOk);
-  rig.sail(Order::kStart);
-  for (int i = 0; i < 10; ++i) rig.sail();
-  EXPECT_EQ(rig.state(), MissionState::kSearch);
-  return rig;
-}
-
 TEST(Listening, DecidesAndCommandsNothing) {
   Rig rig(*policy_that_goes(kNorthward));
   rig.sail(Order::kListen);

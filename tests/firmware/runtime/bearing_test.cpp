@@ -34,7 +34,6 @@ std::unique_ptr<policy::FrozenPolicy> policy_that_hears(config::ListeningWindow 
 }
 
 constexpr config::ListeningWindow kHalfAMinute{.listening = config::Listening::kMean, .length = Duration::seconds(30)};
-constexpr int kLeg_s = 500;  // 1 km at 2 m/s
 
 struct BearingRig : Rig {
   explicit BearingRig(config::ListeningWindow window = {}) : Rig(*policy_that_hears(window), mission_that_hears(window)) {}

@@ -4,12 +4,13 @@
 #include <limits>
 #include <memory>
 
+#include "tests/firmware/not_finite.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
 
 namespace earshot::runtime {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+using tests::kNan;
 
 TEST(Configure, RefusesAMissionThatContradictsItself) {
   config::Mission mission = paper_mission();

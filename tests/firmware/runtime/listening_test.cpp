@@ -44,8 +44,6 @@ struct ListeningRig : Rig {
   }
 };
 
-constexpr int kLeg_s = 500;  // 1 km at 2 m/s
-
 TEST(Listening, DecidesByTheNewestLookWhenTheMissionAsksForNoWindow) {
   ListeningRig rig({});
   rig.sail(Order::kStart);

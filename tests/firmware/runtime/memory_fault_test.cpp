@@ -38,15 +38,6 @@ config::Mission mission_with_marks() {
   return mission;
 }
 
-Rig under_way(const config::Mission& mission, const policy::FrozenPolicy& policy = *policy_that_goes(kNorthward)) {
-  Rig rig(policy, mission);
-  EXPECT_EQ(rig.configured, Status::kOk);
-  rig.sail(Order::kStart);
-  for (int i = 0; i < 10; ++i) rig.sail();
-  EXPECT_EQ(rig.state(), MissionState::kSearch);
-  return rig;
-}
-
 TEST(MemoryFault, InALimitEndsTheMissionAndBringsTheVehicleUpAsSlowlyAsItCan) {
   Rig rig = under_way(mission_with_marks());
   flip(*rig.runtime, 8 * place_of(*rig.runtime, 321.125) + 62);  // the highest bit of its exponent: a depth without end

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -27,6 +29,8 @@ inline constexpr std::size_t kNorthward = 0;
 inline constexpr std::size_t kEastward = 1;
 inline constexpr std::size_t kSouthward = 2;
 inline constexpr std::size_t kWestward = 3;
+
+inline constexpr int kLeg_s = 500;  ///< 1 km at 2 m/s
 
 /// The paper's mission, in an area whose corner is not the origin.
 inline config::Mission paper_mission() {
@@ -215,5 +219,15 @@ struct Rig {
   std::uint64_t sequence = 0;
   std::uint32_t commands = 0;
 };
+
+/// A search that commands its vehicle, ten seconds old.
+inline Rig under_way(const config::Mission& mission = paper_mission(), const policy::FrozenPolicy& policy = *policy_that_goes(kNorthward)) {
+  Rig rig(policy, mission);
+  EXPECT_EQ(rig.configured, Status::kOk);
+  rig.sail(Order::kStart);
+  for (int i = 0; i < 10; ++i) rig.sail();
+  EXPECT_EQ(rig.state(), MissionState::kSearch);
+  return rig;
+}
 
 }  // namespace earshot::runtime

@@ -5,12 +5,13 @@
 #include <bit>
 #include <limits>
 
+#include "tests/firmware/not_finite.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
 
 namespace earshot::runtime {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+using tests::kNan;
 constexpr double kHalfPi = 1.57079632679489661923;
 
 /// A rig whose search has begun and taken its first decision.

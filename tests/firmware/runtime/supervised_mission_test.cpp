@@ -31,15 +31,6 @@ config::Mission fenced_mission() {
   return mission;
 }
 
-Rig under_way(const config::Mission& mission, std::size_t action = kNorthward) {
-  Rig rig(*policy_that_goes(action), mission);
-  EXPECT_EQ(rig.configured, Status::kOk);
-  rig.sail(Order::kStart);
-  for (int i = 0; i < 10; ++i) rig.sail();
-  EXPECT_EQ(rig.state(), MissionState::kSearch);
-  return rig;
-}
-
 config::Mission with_rule(const config::Rule& rule) {
   config::Mission mission = fenced_mission();
   EXPECT_EQ(mission.safety.rules.push_back(rule), Status::kOk);

@@ -3,16 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "firmware/core/random.hpp"
+#include "tests/firmware/not_finite.hpp"
 #include "tests/firmware/place.hpp"
 
 namespace earshot::safety {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using tests::kInfinity;
+using tests::kNan;
 
 config::Mission mission() {
   return {.operating_area = {.south_west = at(0, 0), .north_east = at(10000, 20000)},

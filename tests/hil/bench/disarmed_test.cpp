@@ -11,7 +11,7 @@ namespace {
 
 using config::Condition;
 
-constexpr const char* kMission = R"(step_period_s = 1.0
+constexpr const char* kMissionText = R"(step_period_s = 1.0
 
 [limits]
 navigation_timeout_s = 5.0  # of a fix
@@ -34,7 +34,7 @@ tables = "../tables"
 )";
 
 TEST(Disarmed, LeavesOutTheRulesOfTheMissionAndNoOther) {
-  const std::string text = disarmed(kMission, {Condition::kLeak}, "/missions");
+  const std::string text = disarmed(kMissionText, {Condition::kLeak}, "/missions");
   EXPECT_EQ(text.find("leak"), std::string::npos) << text;
   EXPECT_EQ(text.find("release"), std::string::npos) << text;
   EXPECT_NE(text.find("[[rule]]\nwhen = \"battery_percent\"\nbelow = 20.0\nthen = \"surface\"\n"), std::string::npos) << text;
@@ -42,14 +42,14 @@ TEST(Disarmed, LeavesOutTheRulesOfTheMissionAndNoOther) {
 }
 
 TEST(Disarmed, PutsOffTheRulesOfEveryMissionByTheirLimit) {
-  const std::string text = disarmed(kMission, {Condition::kNavigationAge}, "/missions");
+  const std::string text = disarmed(kMissionText, {Condition::kNavigationAge}, "/missions");
   EXPECT_NE(text.find("navigation_timeout_s = 60.0\n"), std::string::npos) << text;
   EXPECT_NE(text.find("snr_timeout_s = 5.0\n"), std::string::npos) << text;
   EXPECT_NE(text.find("\"leak\""), std::string::npos) << text;
 }
 
 TEST(Disarmed, NamesFilesWithTheirWholePaths) {
-  const std::string text = disarmed(kMission, {}, "/missions/at_sea");
+  const std::string text = disarmed(kMissionText, {}, "/missions/at_sea");
   EXPECT_NE(text.find("file = \"/missions/policy/a.policy\"\n"), std::string::npos) << text;
   EXPECT_NE(text.find("public_key_file = \"/keys/a.pub\"\n"), std::string::npos) << text;
   EXPECT_NE(text.find("tables = \"/missions/tables\"\n"), std::string::npos) << text;

@@ -188,7 +188,7 @@ TEST_F(Programs, EvaluateWarnsWhenToldToTestAnotherTaskThanAPolicyWasTrainedFor)
   const auto warnings = nlohmann::json::parse(content(folder / "a.json"))["warnings"];
   ASSERT_EQ(warnings.size(), 2U);
   EXPECT_EQ(warnings[0],
-            kFixedSource + " was trained with a fixed source and is tested with a changing one: it never learned what is asked of it");
+            kFixedSource + " was trained with a fixed source and is tested with a changing one: another search than it is made for");
   EXPECT_EQ(warnings[1],
             kFixedSource + " was trained from starts anywhere in the domain and is tested from starts 2000 m or more from every edge");
   for (const auto& warning : warnings)

@@ -39,7 +39,7 @@ TEST_F(Task, SaysWhatIsTestedOtherwiseThanItWasTrained) {
   depth = Meters{200.0};
   EXPECT_EQ(of(kFixed),
             (std::vector<std::string>{
-                "p was trained with a fixed source and is tested with a changing one: it never learned what is asked of it",
+                "p was trained with a fixed source and is tested with a changing one: another search than it is made for",
                 "p was trained from starts anywhere in the domain and is tested from starts 1000 m or more from every edge",
                 "p was trained with a border of 1000 m and is tested with one of 500 m",
                 "p was trained with a reward of -100 at the edge and is tested with -40",
@@ -50,7 +50,7 @@ TEST_F(Task, SaysThatAFixedSourceStandsElsewhere) {
   settings.source = {Meters{3'000.0}, Meters{4'000.5}};
   EXPECT_EQ(of(kFixed + "source_north_m = 10000\nsource_east_m = 10000\n"),
             (std::vector<std::string>{"p was trained with the source at 10000 m north, 10000 m east and is tested with it at 3000 m north, "
-                                      "4000.5 m east: it never learned what is asked of it"}));
+                                      "4000.5 m east: another search than it is made for"}));
   EXPECT_EQ(of(kFixed + "source_north_m = 3000\nsource_east_m = 4000.5\n"), std::vector<std::string>{});
   const std::vector<std::string> elsewhere = differences(learned("p", kFixed), {settings, depth, "76543210"});
   EXPECT_EQ(elsewhere, (std::vector<std::string>{"p was trained with the source where a.toml had it and is tested with it at 3000 m north, "

@@ -24,7 +24,7 @@ std::unique_ptr<policy::FrozenPolicy> frozen(const std::string& name) {
   return freeze(actor, description::from_text(actor.search.value()), policy::ActionDraw::kArgmax);
 }
 
-std::string refused(const std::string& name) {
+std::string refused_model(const std::string& name) {
   return refusal([&] { (void)frozen(name); });
 }
 
@@ -97,11 +97,11 @@ TEST(Sb3Model, TakesTanhAndLayersNamedInItsArguments) {
 }
 
 TEST(Sb3Model, RefusesWhatItCannotBeSureOf) {
-  EXPECT_NE(refused("relu.zip").find("activation_fn: torch.nn.modules.activation.ReLU"), std::string::npos);
-  EXPECT_NE(refused("named_extractor.zip").find("features_extractor_class"), std::string::npos);
-  EXPECT_NE(refused("own_policy.zip").find("policy_class"), std::string::npos);
-  EXPECT_NE(refused("continuous.zip").find("action_space"), std::string::npos);
-  EXPECT_NE(refused("three_layers.zip").find("3 hidden layers"), std::string::npos);
+  EXPECT_NE(refused_model("relu.zip").find("activation_fn: torch.nn.modules.activation.ReLU"), std::string::npos);
+  EXPECT_NE(refused_model("named_extractor.zip").find("features_extractor_class"), std::string::npos);
+  EXPECT_NE(refused_model("own_policy.zip").find("policy_class"), std::string::npos);
+  EXPECT_NE(refused_model("continuous.zip").find("action_space"), std::string::npos);
+  EXPECT_NE(refused_model("three_layers.zip").find("3 hidden layers"), std::string::npos);
 }
 
 TEST(Sb3Model, RefusesAModelThatSomebodyChanged) {

@@ -18,7 +18,7 @@ namespace earshot::ppo {
 namespace {
 
 // The inputs of tests/oracles/ppo/make_update_fixture.py, which had Stable-Baselines3 2.3.2 do the same.
-constexpr NetworkShape kShape{6, 8};
+constexpr NetworkShape kNetworks{6, 8};
 constexpr std::size_t kEnvironments = 2;
 constexpr std::size_t kSteps = 40;
 constexpr std::size_t kSamples = kEnvironments * kSteps;
@@ -41,7 +41,7 @@ std::vector<float> inputs(std::uint32_t stream, std::size_t count, float scale, 
 
 Rollout made_up_rollout(std::size_t steps = kSteps) {
   const std::size_t samples = kEnvironments * steps;
-  Rollout rollout(kShape, kEnvironments, steps);
+  Rollout rollout(kNetworks, kEnvironments, steps);
   const std::vector<float> observations = inputs(1, samples * 6, 2.0F, -1.0F);
   std::ranges::copy(observations, rollout.observations.data());
   const std::vector<float> actions = inputs(2, samples, 8.0F, 0.0F);
@@ -81,7 +81,7 @@ void for_each_parameter(const Networks::Layout& layout, Visit visit) {
   dense(layout.first, kWidth, kWidth, "mlp_extractor.value_net.0");
   dense(layout.actor_second, 0, kWidth, "mlp_extractor.policy_net.2");
   dense(layout.critic_second, 0, kWidth, "mlp_extractor.value_net.2");
-  dense(layout.logits, 0, kShape.action_count, "action_net");
+  dense(layout.logits, 0, kNetworks.action_count, "action_net");
   dense(layout.value, 0, 1, "value_net");
 }
 
@@ -111,7 +111,7 @@ TEST_F(UpdateTest, LeavesTheParametersOfStableBaselines3AfterThreeEpochsWithASho
   hyper.entropy_coefficient = 0.01;
   Pcg32 random(1);
   parallel::Alone alone;
-  Learner learner(kShape, hyper, random, alone);
+  Learner learner(kNetworks, hyper, random, alone);
   const std::span<float> parameters = learner.networks().parameters();
   std::map<std::string, std::uint32_t> stream_of;
   for (const auto& [name, values] : expected["parameters"].items()) stream_of.emplace(name, 100 + stream_of.size());
@@ -146,7 +146,7 @@ TEST(Learner, GivesTheSameParametersForTheSameSeedWhereverTheHeapPutsThem) {
   auto learned = [&](std::uint64_t seed) {
     Pcg32 random(seed);
     parallel::Alone alone;
-    Learner learner(kShape, hyper, random, alone);
+    Learner learner(kNetworks, hyper, random, alone);
     (void)learner.update(rollout, hyper.learning_rate, random);
     const auto p = learner.networks().parameters();
     return std::vector<float>(p.begin(), p.end());
@@ -166,7 +166,7 @@ UpdateReport report_of(const HyperParameters& hyper, std::uint64_t seed = 1) {
   estimate(rollout);
   Pcg32 initial(1);
   parallel::Alone alone;
-  Learner learner(kShape, hyper, initial, alone);
+  Learner learner(kNetworks, hyper, initial, alone);
   Pcg32 random(seed);
   return learner.update(rollout, 0.0, random);
 }
@@ -228,15 +228,15 @@ TEST(Learner, LearnsFromALargeMinibatchInSlicesAsIfFromAllOfItAtOnce) {
   hyper.entropy_coefficient = 0.01;
   Pcg32 random(3);
   parallel::Alone alone;
-  Learner learner(kShape, hyper, random, alone);
+  Learner learner(kNetworks, hyper, random, alone);
   Networks at_once = learner.networks();
   std::vector<std::uint32_t> order(kLarge);
   std::iota(order.begin(), order.end(), 0U);
   UpdateReport sums;
   ASSERT_TRUE(learner.run_epoch(rollout, order, hyper.learning_rate, sums));
 
-  Activations<float> activations(kShape, kLarge);
-  Matrix<float> d_logits(kShape.action_count, kLarge);
+  Activations<float> activations(kNetworks, kLarge);
+  Matrix<float> d_logits(kNetworks.action_count, kLarge);
   Matrix<float> d_values(1, kLarge);
   std::vector<float> gradient(at_once.parameters().size());
   Aligned<float> advantages(rollout.advantages.begin(), rollout.advantages.end());

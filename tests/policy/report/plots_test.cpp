@@ -7,16 +7,11 @@
 
 #include "tests/policy/explain/flown_policy.hpp"
 #include "tests/policy/report/flight_folder.hpp"
+#include "tests/policy/report/occurrences.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::report {
 namespace {
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
-  return found;
-}
 
 class PlotsTest : public testing::Test {
  protected:

@@ -17,7 +17,7 @@ std::string drawn(const policy::OceanTables& tables) {
 
 TEST(CurvesPlot, NamesEveryOceanWhereTheyAreFew) {
   const std::string picture = drawn(policy::made_up_tables());
-  for (const char* name : {"2 oceans, 20 Hz at 300 m", "deep", "shelf", "detection threshold", "range (km)"})
+  for (const char* name : {"2 ocean tables, 20 Hz at 300 m", "deep", "shelf", "detection threshold", "range (km)"})
     EXPECT_NE(picture.find(name), std::string::npos) << name;
 }
 

@@ -16,7 +16,7 @@ namespace earshot::tables {
 namespace {
 
 const std::vector<std::filesystem::path> kShipped{EARSHOT_SOURCE_DIR "/policy/tables/shipped"};
-const std::string kPapers = EARSHOT_SOURCE_DIR "/sim/ocean/environments/munk_flat.toml";
+const std::string kPapersOcean = EARSHOT_SOURCE_DIR "/sim/ocean/environments/munk_flat.toml";
 constexpr Meters kDiagonal{35'355.34};  // of 25 km x 25 km
 
 TEST(ShippedTables, AreSignedByTheShippedPublicKeyAndNamedForFrequencyAndDepth) {
@@ -66,7 +66,7 @@ TEST(ShippedTables, HoldWatersFromSixtyMetresOrTheVehiclesDepthToSixKilometres) 
 
 /// The PE's curve of that environment is what the table is to say, to half a decibel.
 TEST(ShippedTables, HoldThePapersOceanFirstAndAsLikelyAsAllOthers) {
-  ocean::Environment papers = ocean::load_environment(kPapers);
+  ocean::Environment papers = ocean::load_environment(kPapersOcean);
   for (const host::TablesFile& file : host::read_tables_files(kShipped)) {
     const policy::OceanTables& tables = *file.tables;
     const policy::OceanTable& first = tables.tables[0];

@@ -5,13 +5,15 @@
 #include <limits>
 #include <string_view>
 
+#include "tests/firmware/not_finite.hpp"
+
 namespace earshot::detector {
 namespace {
 
 constexpr Band kBand{.low = Hertz{15}, .high = Hertz{30}};
 constexpr Decibels kNothingExpected{std::numeric_limits<double>::quiet_NaN()};
 constexpr Decibels kNoGain{0.0};
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+using tests::kNan;
 
 CalibrationFault fault_of(const Calibration& calibration, Decibels gain = kNoGain, Decibels expected = kNothingExpected) {
   return check(calibration, gain, Hertz{48'000}, kBand, expected);

@@ -5,12 +5,13 @@
 #include <string_view>
 
 #include "tests/firmware/detector/hydrophone/hearer.hpp"
+#include "tests/firmware/not_finite.hpp"
 
 namespace earshot::detector {
 namespace {
 
 constexpr double kRate = 1000.0;
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+using tests::kNan;
 
 /// A detector that knows its noise.
 Hearer settled(const SoundSettings& settings = fin_whale()) {
@@ -80,7 +81,8 @@ TEST(Hearing, SaysThatEverySampleIsAlike) {
 }
 
 TEST(Hearing, SaysThatSamplesAreNoNumbersAndHearsOn) {
-  for (const float bad : {kNan, std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(), 10.0F, -1e10F, 3e38F}) {
+  for (const float bad :
+       {static_cast<float>(kNan), std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(), 10.0F, -1e10F, 3e38F}) {
     Hearer hearer = settled();
     std::vector<float> samples = white_noise(2.0, kRate, 0.01, 4);
     samples[500] = bad;

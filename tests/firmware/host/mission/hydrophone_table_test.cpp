@@ -9,12 +9,11 @@
 #include <string>
 
 #include "firmware/host/mission/mission_file.hpp"
+#include "tests/firmware/host/mission/missions_folder.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::host {
 namespace {
-
-const std::filesystem::path kMissions = std::filesystem::path(EARSHOT_SOURCE_DIR) / "firmware/boards/linux/missions";
 
 constexpr const char* kTable = R"([hydrophone]
 preset = "fin_whale"

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "firmware/host/mission/mission_file.hpp"
+#include "tests/firmware/host/mission/missions_folder.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::host {
@@ -14,7 +15,6 @@ namespace {
 
 using n2k::Measured;
 
-const std::filesystem::path kMissions = std::filesystem::path(EARSHOT_SOURCE_DIR) / "firmware/boards/linux/missions";
 const std::string kAll = "\"navigation\", \"snr\", \"operator\", \"autopilot\", \"status\"";
 
 std::string text_of(const std::filesystem::path& path) {

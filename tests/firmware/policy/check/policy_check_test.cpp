@@ -3,16 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <limits>
 
 #include "firmware/core/math.hpp"
+#include "tests/firmware/not_finite.hpp"
 #include "tests/firmware/policy/made_up_policy.hpp"
 
 namespace earshot::policy {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr double kWideNan = std::numeric_limits<double>::quiet_NaN();
+using tests::kNan;
 
 PolicyFault fault_after(const std::function<void(FrozenPolicy&)>& damage, const FrozenPolicy& good = *small_policy()) {
   const auto policy = std::make_unique<FrozenPolicy>(good);
@@ -40,15 +39,15 @@ TEST(PolicyCheck, RefusesSizesThatDoNotFit) {
 }
 
 TEST(PolicyCheck, RefusesNumbersOfTheSearchThatCannotBe) {
-  for (const double length : {0.0, 0.5, -1.0, 1.1e6, kWideNan})
+  for (const double length : {0.0, 0.5, -1.0, 1.1e6, kNan})
     EXPECT_EQ(fault_after([length](FrozenPolicy& policy) { policy.step_length = Meters{length}; }), PolicyFault::kOutOfRange) << length;
-  for (const double length : {0.0, 0.5, 1.1e7, kWideNan})
+  for (const double length : {0.0, 0.5, 1.1e7, kNan})
     EXPECT_EQ(fault_after([length](FrozenPolicy& policy) { policy.area_size.east = Meters{length}; }), PolicyFault::kOutOfRange) << length;
-  for (const double threshold : {-601.0, 601.0, kWideNan})
+  for (const double threshold : {-601.0, 601.0, kNan})
     EXPECT_EQ(fault_after([threshold](FrozenPolicy& policy) { policy.detection_threshold = Decibels{threshold}; }),
               PolicyFault::kOutOfRange);
   EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.actions[0].north = 0.5; }), PolicyFault::kNotFinite);
-  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.actions[0].north = kWideNan; }), PolicyFault::kNotFinite);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.actions[0].north = kNan; }), PolicyFault::kNotFinite);
   EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.draw = ActionDraw{3}; }), PolicyFault::kUnknownDraw);
   EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.observation.spec[1].offset = kNan; }), PolicyFault::kNotFinite);
   EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.observation.spec[1].feature = Feature{10}; }), PolicyFault::kUnknownFeature);
@@ -58,7 +57,7 @@ TEST(PolicyCheck, RefusesABeliefThatCannotBe) {
   EXPECT_EQ(fault_in_belief([](BeliefModel& m) { m.cells_north = 0; }), PolicyFault::kBadShape);
   EXPECT_EQ(fault_in_belief([](BeliefModel& m) { m.cells_north = 50; }), PolicyFault::kBadShape);           // 50 x 51 are more than 2500
   EXPECT_EQ(fault_in_belief([](BeliefModel& m) { m.step_length = Meters{999}; }), PolicyFault::kBadShape);  // of another search
-  for (const float share : {-0.1F, 1.5F, kNan})
+  for (const float share : {-0.1F, 1.5F, static_cast<float>(kNan)})
     EXPECT_EQ(fault_in_belief([share](BeliefModel& m) { m.outlier_share = share; }), PolicyFault::kOutOfRange) << share;
   EXPECT_EQ(fault_in_belief([](BeliefModel& m) { m.border_width = Meters{1.1e6}; }), PolicyFault::kOutOfRange);
 }
@@ -73,7 +72,8 @@ TEST(PolicyCheck, RefusesCostsOutOfTheirRange) {
   }
   EXPECT_TRUE(refused(&BeliefCosts::reach, 0.0F));
   EXPECT_TRUE(refused(&BeliefCosts::reach_discount, 1.1F));
-  for (const float discount : {0.0F, -1e-4F, 0.1F, -11.0F, kNan}) EXPECT_TRUE(refused(&BeliefCosts::log_step_discount, discount));
+  for (const float discount : {0.0F, -1e-4F, 0.1F, -11.0F, static_cast<float>(kNan)})
+    EXPECT_TRUE(refused(&BeliefCosts::log_step_discount, discount));
 }
 
 TEST(PolicyCheck, RefusesGoldenPlacesAndSoundsThatCannotBe) {
@@ -82,8 +82,8 @@ TEST(PolicyCheck, RefusesGoldenPlacesAndSoundsThatCannotBe) {
   };
   EXPECT_EQ(place(-0.1), PolicyFault::kOutOfRange);
   EXPECT_EQ(place(25'000.1), PolicyFault::kOutOfRange);
-  EXPECT_EQ(place(kWideNan), PolicyFault::kOutOfRange);
-  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.golden[0][0].reception.snr = Decibels{kWideNan}; }), PolicyFault::kOutOfRange);
+  EXPECT_EQ(place(kNan), PolicyFault::kOutOfRange);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.golden[0][0].reception.snr = Decibels{kNan}; }), PolicyFault::kOutOfRange);
 }
 
 TEST(PolicyCheck, RefusesWeightsThatAreNotFinite) {
@@ -149,7 +149,7 @@ TEST(PolicyCheck, KnowsNoFeatureBetweenThoseThereAre) {
 TEST(PolicyCheck, DoesNotLookAtABeliefThatNoElementSees) {
   const auto spoil = [](FrozenPolicy& policy) {
     policy.observation.belief = BeliefModel{};
-    policy.observation.belief.step_length = Meters{kWideNan};
+    policy.observation.belief.step_length = Meters{kNan};
     policy.observation.belief.outlier_share = kNan;
   };
   EXPECT_EQ(fault_after(spoil), PolicyFault::kNone);

@@ -1,16 +1,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 #include <string_view>
 #include <tuple>
 
+#include "tests/firmware/not_finite.hpp"
 #include "tests/firmware/policy/format/policy_bytes.hpp"
 
 namespace earshot::policy {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+using tests::kNan;
 
 bool is(const PolicyComplaint& complaint, PolicyFault fault, std::string_view section) {
   return complaint.fault == fault && std::string_view(complaint.section.data(), complaint.section.size()) == section;

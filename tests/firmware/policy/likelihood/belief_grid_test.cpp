@@ -10,22 +10,22 @@
 namespace earshot::policy {
 namespace {
 
-constexpr Meters kRangeStep{500};
+constexpr Meters kSpacing{500};
 
 /// 4 km x 9 km in 2 x 3 cells of 2 km x 3 km.
-BeliefModel oblong() {
+BeliefModel two_by_three() {
   return bare_model(at(4'000, 9'000), 2, 3);
 }
 
 TEST(BeliefGrid, HasCellsOfAShareOfItsArea) {
-  EXPECT_EQ(cell_north(oblong()), 2'000.0);
-  EXPECT_EQ(cell_east(oblong()), 3'000.0);
+  EXPECT_EQ(cell_north(two_by_three()), 2'000.0);
+  EXPECT_EQ(cell_east(two_by_three()), 3'000.0);
 }
 
 TEST(BeliefGrid, CountsTheRangeStepsInHalfOfTheLongerSideOfACell) {
-  EXPECT_EQ(half_cell(oblong(), kRangeStep, 100), 3U);
-  EXPECT_EQ(half_cell(oblong(), kRangeStep, 3), 2U);     // fewer than there are ranges
-  EXPECT_EQ(half_cell(oblong(), Meters{751}, 100), 1U);  // 1.997: whole ones only
+  EXPECT_EQ(half_cell(two_by_three(), kSpacing, 100), 3U);
+  EXPECT_EQ(half_cell(two_by_three(), kSpacing, 3), 2U);       // fewer than there are ranges
+  EXPECT_EQ(half_cell(two_by_three(), Meters{751}, 100), 1U);  // 1.997: whole ones only
 }
 
 /// Of an area of 5 km x 4 km the corner that is furthest from (1000, 1000) m is 4 km north and 3 km east of it: 50 steps of 100 m. One more
@@ -54,10 +54,10 @@ TEST(BeliefGrid, SmoothsOverTheNeighboursAndHoldsTheEnds) {
 }
 
 TEST(BeliefGrid, LeavesTheShareOfACellBeyondAStepAndNeverLessThanAThousandth) {
-  BeliefModel model = oblong();
+  BeliefModel model = two_by_three();
   model.step_length = Meters{2'000};
   std::array<float, 9> shares;
-  find_uncovered(model, kRangeStep, shares);  // of a cell 3 km long, every 500 m: half of one at a step's length
+  find_uncovered(model, kSpacing, shares);  // of a cell 3 km long, every 500 m: half of one at a step's length
   const std::array<float, 9> expected{0.001F, 0.001F, 1.0F / 6, 2.0F / 6, 0.5F, 4.0F / 6, 5.0F / 6, 1, 1};
   for (std::size_t i = 0; i < 9; ++i) EXPECT_FLOAT_EQ(shares[i], expected[i]) << i;
 }

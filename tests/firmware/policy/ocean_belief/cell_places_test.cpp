@@ -11,7 +11,7 @@
 namespace earshot::policy {
 namespace {
 
-constexpr Meters kRangeStep{500};
+constexpr Meters kHalfKilometre{500};
 
 /// 4 km x 9 km in 2 x 3 cells of 2 km x 3 km; a sixteenth of a step is 100 m.
 BeliefModel oblong() {
@@ -25,7 +25,7 @@ class CellPlacesTest : public testing::Test {
   /// Ranges in range steps, from the corner of the area.
   [[nodiscard]] std::array<std::uint16_t, 6> ranges_from(NorthEast position) const {
     std::array<std::uint16_t, 6> ranges;
-    places->find_ranges(oblong(), position, kRangeStep, 1'000, ranges);
+    places->find_ranges(oblong(), position, kHalfKilometre, 1'000, ranges);
     return ranges;
   }
   std::unique_ptr<CellPlaces> places = std::make_unique<CellPlaces>();
@@ -36,7 +36,7 @@ TEST_F(CellPlacesTest, AreTheCentresWhereNothingDrifts) {
   // East of it 4, 7 and 10 km; and those with 2 km to the north: 4.472, 7.280 and 10.198 km.
   EXPECT_EQ(ranges_from(at(1'000, -2'500)), (std::array<std::uint16_t, 6>{8, 14, 20, 9, 15, 20}));
   std::array<std::uint16_t, 6> ranges;
-  places->find_ranges(oblong(), at(1'000, -2'500), kRangeStep, 14, ranges);
+  places->find_ranges(oblong(), at(1'000, -2'500), kHalfKilometre, 14, ranges);
   EXPECT_EQ(ranges, (std::array<std::uint16_t, 6>{8, 14, 14, 9, 14, 14}));
 }
 
@@ -46,7 +46,7 @@ TEST_F(CellPlacesTest, AreAsManyAsTheGridHasColumns) {
   const BeliefModel model = bare_model(at(4'000, 75'000), 2, kColumns);
   places->find(model, {}, 0, {});
   std::array<std::uint16_t, 2 * kColumns> ranges;
-  places->find_ranges(model, at(1'000, -500), kRangeStep, 1'000, ranges);
+  places->find_ranges(model, at(1'000, -500), kHalfKilometre, 1'000, ranges);
   for (std::size_t e = 0; e < kColumns; ++e) {
     const double km = static_cast<double>(e + 1);
     EXPECT_EQ(ranges[e], 2 * (e + 1));

@@ -10,7 +10,7 @@ namespace earshot::policy {
 namespace {
 
 /// 10 km x 20 km with a border of 2 km, steps of 1 km to the north, east, south and west.
-BeliefModel oblong() {
+BeliefModel with_border() {
   BeliefModel model = bare_model(at(10'000, 20'000), 10, 20);
   model.border_width = Meters{2'000};
   model.costs.edge = 60.0F;
@@ -21,7 +21,7 @@ BeliefModel oblong() {
 TEST(ExpectedBorder, IsTheMeanOverThePlacesWhereTheVehicleMayBe) {
   std::array<ActionOutlook, 4> outlooks{};
   // At 9.5 km it is 1.5 km deep in the northern border; at 5 km nowhere near one.
-  expect_border(oblong(), std::array{PossiblePlace{at(9'500, 10'000), 0.25F}, PossiblePlace{at(5'000, 10'000), 0.75F}}, outlooks);
+  expect_border(with_border(), std::array{PossiblePlace{at(9'500, 10'000), 0.25F}, PossiblePlace{at(5'000, 10'000), 0.75F}}, outlooks);
   EXPECT_FLOAT_EQ(outlooks[kNorth].border, 0.25F * 1.25F);
   EXPECT_FLOAT_EQ(outlooks[kEast].border, 0.25F * 0.75F);
   EXPECT_FLOAT_EQ(outlooks[kSouth].border, 0.25F * 0.25F);
@@ -32,7 +32,7 @@ TEST(ExpectedBorder, StandsAtEveryEdge) {
   const std::array<NorthEast, 4> at_the_edges{at(10'000, 10'000), at(5'000, 20'000), at(0, 10'000), at(5'000, 0)};
   for (std::size_t edge = 0; edge < 4; ++edge) {
     std::array<ActionOutlook, 4> outlooks{};
-    expect_border(oblong(), std::array{PossiblePlace{at_the_edges[edge], 1.0F}}, outlooks);
+    expect_border(with_border(), std::array{PossiblePlace{at_the_edges[edge], 1.0F}}, outlooks);
     for (std::size_t a = 0; a < 4; ++a)
       EXPECT_FLOAT_EQ(outlooks[a].border, a == edge ? 1.5F : a == (edge + 2) % 4 ? 0.5F : 1.0F) << edge << ", " << a;
   }
@@ -44,7 +44,7 @@ TEST(ExpectedBorder, TakesThePlaceOfTheOneInTheRegrets) {
   outlooks.fill({.border = 1.0F, .regret = 65.0F});
   outlooks[kEast].regret = 69.0F;
   const std::array places{PossiblePlace{at(5'000, 10'000), 0.5F}, PossiblePlace{at(2'000, 10'000), 0.5F}};
-  expect_border(oblong(), places, outlooks);
+  expect_border(with_border(), places, outlooks);
   EXPECT_FLOAT_EQ(outlooks[kNorth].regret, 5.0F);
   EXPECT_FLOAT_EQ(outlooks[kEast].regret, 9.0F);
   EXPECT_FLOAT_EQ(outlooks[kSouth].regret, 5.0F + 0.25F * 60.0F);
@@ -53,7 +53,7 @@ TEST(ExpectedBorder, TakesThePlaceOfTheOneInTheRegrets) {
 
 TEST(ExpectedBorder, GetsNoDeeperFarOutside) {
   std::array<ActionOutlook, 4> outlooks{};
-  expect_border(oblong(), std::array{PossiblePlace{at(-90'000, 10'000), 0.5F}}, outlooks);
+  expect_border(with_border(), std::array{PossiblePlace{at(-90'000, 10'000), 0.5F}}, outlooks);
   for (const ActionOutlook& outlook : outlooks) EXPECT_FLOAT_EQ(outlook.border, 0.5F * 3.0F);
 }
 

@@ -3,16 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <memory>
 
+#include "tests/firmware/not_finite.hpp"
 #include "tests/firmware/policy/tables/made_up_tables.hpp"
 
 namespace earshot::policy {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using tests::kInfinity;
+using tests::kNan;
 
 TEST(HalfDecibels, AreTheNearestAndTheLouderOfTwoAsNear) {
   EXPECT_EQ(to_half_db(10.0), 20);

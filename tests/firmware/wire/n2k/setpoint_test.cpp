@@ -8,12 +8,12 @@
 namespace earshot::n2k {
 namespace {
 
-constexpr std::uint8_t kSource = 44;
+constexpr std::uint8_t kAddress = 44;
 const messages::Setpoint kSetpoint{.heading = Radians{2.3152}, .speed = MetersPerSecond{2.0}, .depth = Meters{300.0}, .waypoint = {}};
 
 SetpointFrames frames_of(const messages::Setpoint& setpoint, std::uint8_t sequence = 3) {
   SetpointFrames frames;
-  EXPECT_EQ(compose_setpoint(setpoint, kSource, sequence, frames), Status::kOk);
+  EXPECT_EQ(compose_setpoint(setpoint, kAddress, sequence, frames), Status::kOk);
   return frames;
 }
 
@@ -197,13 +197,13 @@ TEST(Setpoint, IsRefusedWhenNoFrameCanCarryIt) {
   SetpointFrames frames;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(
-      compose_setpoint({.heading = Radians{nan}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = {}}, kSource, 0, frames),
+      compose_setpoint({.heading = Radians{nan}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = {}}, kAddress, 0, frames),
       Status::kOutOfRange);
   EXPECT_EQ(
-      compose_setpoint({.heading = Radians{0}, .speed = MetersPerSecond{-1}, .depth = Meters{300}, .waypoint = {}}, kSource, 0, frames),
+      compose_setpoint({.heading = Radians{0}, .speed = MetersPerSecond{-1}, .depth = Meters{300}, .waypoint = {}}, kAddress, 0, frames),
       Status::kOutOfRange);
   EXPECT_EQ(
-      compose_setpoint({.heading = Radians{0}, .speed = MetersPerSecond{2}, .depth = Meters{nan}, .waypoint = {}}, kSource, 0, frames),
+      compose_setpoint({.heading = Radians{0}, .speed = MetersPerSecond{2}, .depth = Meters{nan}, .waypoint = {}}, kAddress, 0, frames),
       Status::kOutOfRange);
   EXPECT_TRUE(frames.empty());
 }

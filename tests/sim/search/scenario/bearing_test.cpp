@@ -9,19 +9,12 @@
 #include "sim/search/episode.hpp"
 #include "sim/search/scenario/surroundings.hpp"
 #include "tests/firmware/place.hpp"
+#include "tests/sim/search/scenario/scenario_rig.hpp"
 
 namespace earshot::search {
 namespace {
 
-const policy::OceanTables kNoOceans;
 constexpr double kDegree = std::numbers::pi / 180.0;
-
-/// 30 dB at the source, one less per kilometre.
-sonar::SnrCurve one_decibel_per_kilometer() {
-  std::vector<float> snr_db;
-  for (int km = 0; km <= 40; ++km) snr_db.push_back(30.0F - static_cast<float>(km));
-  return sonar::SnrCurve(Meters{1'000.0}, snr_db);
-}
 
 class Bearings : public testing::Test {
  protected:

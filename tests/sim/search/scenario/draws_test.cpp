@@ -10,11 +10,11 @@
 
 #include "sim/search/episode.hpp"
 #include "tests/firmware/place.hpp"
+#include "tests/sim/search/scenario/scenario_rig.hpp"
 
 namespace earshot::search {
 namespace {
 
-const policy::OceanTables kNoOceans;
 constexpr NorthEast kVehicle = at(22'000, 10'000);
 
 World world_of(const Conditions& conditions, const SearchSettings& settings = {}) {

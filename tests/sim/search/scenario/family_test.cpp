@@ -10,17 +10,13 @@
 #include <vector>
 
 #include "sim/ocean/file/environment_file.hpp"
+#include "tests/sim/search/scenario/scenario_rig.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::search {
 namespace {
 
 using Environments = std::vector<ocean::Environment>;
-
-/// Axis at 1300 m, its scale 1300 m, a perturbation of 0.00737, mud of 1505 m/s, noise of 90 dB.
-ocean::Environment papers_ocean() {
-  return ocean::load_environment(std::string(EARSHOT_SOURCE_DIR) + "/sim/ocean/environments/munk_flat.toml");
-}
 
 const ocean::MunkProfile& munk_of(const ocean::Environment& environment) {
   return std::get<ocean::MunkProfile>(environment.water);

@@ -12,6 +12,7 @@
 #include "sim/field_library/store.hpp"
 #include "sim/ocean/file/environment_file.hpp"
 #include "tests/firmware/place.hpp"
+#include "tests/sim/search/scenario/scenario_rig.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::search {
@@ -54,10 +55,6 @@ TEST(Soundscape, HearsNothingWhereThereIsNoWater) {
 TEST(Soundscape, DrawsAmongItsCurvesOnly) {
   EXPECT_EQ(Soundscape({sonar::SnrCurve(Meters{1.0}, {0.0F}), sonar::SnrCurve(Meters{1.0}, {0.0F})}).ocean_count(), 2U);
   EXPECT_EQ(Soundscape(sonar::SnrCurve(Meters{1.0}, {0.0F}), {fan_at(at(0, 0), 1.0), fan_at(at(1, 0), 1.0)}).ocean_count(), 1U);
-}
-
-ocean::Environment papers_ocean() {
-  return ocean::load_environment(std::string(EARSHOT_SOURCE_DIR) + "/sim/ocean/environments/munk_flat.toml");  // source: 20 Hz at 30 m
 }
 
 TEST(SoundscapeOf, RefusesAnOtherOceanWhoseSeaFloorLiesAboveTheVehicle) {

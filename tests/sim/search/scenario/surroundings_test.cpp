@@ -11,20 +11,13 @@
 
 #include "sim/search/episode.hpp"
 #include "tests/firmware/place.hpp"
+#include "tests/sim/search/scenario/scenario_rig.hpp"
 
 namespace earshot::search {
 namespace {
 
 constexpr std::size_t kNorth = 0;
 const policy::ObservationModel kSeesNothing;
-const policy::OceanTables kNoOceans;
-
-/// 30 dB at the source, one less per kilometre.
-sonar::SnrCurve one_decibel_per_kilometer() {
-  std::vector<float> snr_db;
-  for (int km = 0; km <= 40; ++km) snr_db.push_back(30.0F - static_cast<float>(km));
-  return sonar::SnrCurve(Meters{1'000.0}, snr_db);
-}
 
 class Conditions : public testing::Test {
  protected:

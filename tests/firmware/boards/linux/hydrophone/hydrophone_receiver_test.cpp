@@ -23,7 +23,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr const char* kUrl = "udpm://239.255.76.68:7668?ttl=0";
-constexpr std::uint64_t kBlock = 1024;  ///< samples of each channel in the driver's blocks
+constexpr std::uint64_t kDriverBlock = 1024;  ///< samples of each channel in the driver's blocks
 
 /// Looks again and again for half a minute.
 bool comes_true(const std::function<bool()>& what) {
@@ -71,7 +71,7 @@ void send(support::HydrophoneDriver& driver, const HydrophoneReceiver& receiver,
     if (i % kAtOnce != kAtOnce - 1) continue;
     ASSERT_TRUE(comes_true([&] {
       const HydrophoneReceiver::Counters counters = receiver.counters();
-      return counters.blocks * kBlock + counters.samples_overrun + kAtOnce / 2 * kBlock >= driver.taken();
+      return counters.blocks * kDriverBlock + counters.samples_overrun + kAtOnce / 2 * kDriverBlock >= driver.taken();
     }));
   }
 }
@@ -89,7 +89,7 @@ TEST_F(HydrophoneReceiverTest, HearsEverySampleOfEightChannelsAtNinetySixKiloher
     return reading.samples_heard + reading.samples_missing == driver.taken();
   }));
   EXPECT_GT(driver.taken(), 100'000U);
-  EXPECT_EQ(meter.read().samples_heard, receiver.counters().blocks * kBlock);
+  EXPECT_EQ(meter.read().samples_heard, receiver.counters().blocks * kDriverBlock);
   EXPECT_EQ(receiver.counters().malformed, 0U);
   RecordProperty("samples_missing", std::to_string(meter.read().samples_missing));
 }
@@ -102,14 +102,15 @@ TEST_F(HydrophoneReceiverTest, CountsEverySampleForWhichASlowListenersRingHadNoR
   constexpr std::uint64_t kHeld = 256;  // blocks of 8 x 1024 samples in a ring of 2^21; the listener gave none of them back
   constexpr std::uint64_t kTooMany = 40;
   send(driver, receiver, kHeld + kTooMany);
-  ASSERT_TRUE(comes_true([&] { return receiver.counters().samples_overrun == kTooMany * kBlock; })) << receiver.counters().samples_overrun;
+  ASSERT_TRUE(comes_true([&] { return receiver.counters().samples_overrun == kTooMany * kDriverBlock; }))
+      << receiver.counters().samples_overrun;
   EXPECT_EQ(receiver.counters().blocks, kHeld);
   listener.let_go();
-  ASSERT_TRUE(comes_true([&] { return listener.meter.read().samples_heard == kHeld * kBlock; }));
+  ASSERT_TRUE(comes_true([&] { return listener.meter.read().samples_heard == kHeld * kDriverBlock; }));
   EXPECT_EQ(listener.meter.read().samples_missing, 0U) << "of what was lost last no block has told yet";
   send(driver, receiver, 1);
-  ASSERT_TRUE(comes_true([&] { return listener.meter.read().samples_heard == (kHeld + 1) * kBlock; }));
-  EXPECT_EQ(listener.meter.read().samples_missing, kTooMany * kBlock);
+  ASSERT_TRUE(comes_true([&] { return listener.meter.read().samples_heard == (kHeld + 1) * kDriverBlock; }));
+  EXPECT_EQ(listener.meter.read().samples_missing, kTooMany * kDriverBlock);
   EXPECT_EQ(listener.meter.read().missing_at_sender, 0U);
 }
 
@@ -122,7 +123,7 @@ TEST_F(HydrophoneReceiverTest, LetsItsListenerHearAllThatWasReceivedBeforeItEnds
   ASSERT_TRUE(comes_true([&] { return receiver->counters().blocks == 96; }));
   listener.let_go();
   receiver.reset();
-  EXPECT_EQ(listener.meter.read().samples_heard, 96 * kBlock);
+  EXPECT_EQ(listener.meter.read().samples_heard, 96 * kDriverBlock);
 }
 
 TEST_F(HydrophoneReceiverTest, EndsThoughNobodyEverSentAnything) {

@@ -5,7 +5,7 @@
 namespace earshot::n2k {
 namespace {
 
-constexpr Time kNow{1'000'000};
+constexpr Time kBegin{1'000'000};
 constexpr Name kName = 0xC050'9635'E772'EE1F;  // tests/reference/n2k/frames.txt, source 204
 // C0 ^ 50 = 90, ^ 96 = 06, ^ 35 = 33, ^ E7 = D4, ^ 72 = A6, ^ EE = 48, ^ 1F = 57: 87 times 0.6 ms.
 constexpr Duration kDelay{52'200};
@@ -22,18 +22,18 @@ AddressClaim driven_out(Time now) {
 }
 
 TEST(AddressClaim, WaitsBeforeItSaysThatItHasNone) {
-  AddressClaim claim = driven_out(kNow);
-  EXPECT_FALSE(claim.claim_due(kNow));
-  EXPECT_FALSE(claim.claim_due(kNow + kDelay + Duration{-1}));
-  EXPECT_TRUE(claim.claim_due(kNow + kDelay));
+  AddressClaim claim = driven_out(kBegin);
+  EXPECT_FALSE(claim.claim_due(kBegin));
+  EXPECT_FALSE(claim.claim_due(kBegin + kDelay + Duration{-1}));
+  EXPECT_TRUE(claim.claim_due(kBegin + kDelay));
   EXPECT_EQ(claim.source(), kNullAddress);
-  EXPECT_FALSE(claim.claim_due(kNow + Duration::seconds(1))) << "told once";
+  EXPECT_FALSE(claim.claim_due(kBegin + Duration::seconds(1))) << "told once";
 }
 
 TEST(AddressClaim, WaitsAsLongWhenSomebodyAsksAndNotLongerWhenHeAsksAgain) {
-  AddressClaim claim = driven_out(kNow);
-  EXPECT_TRUE(claim.claim_due(kNow + kDelay));
-  const Time asked = kNow + Duration::seconds(1);
+  AddressClaim claim = driven_out(kBegin);
+  EXPECT_TRUE(claim.claim_due(kBegin + kDelay));
+  const Time asked = kBegin + Duration::seconds(1);
   claim.ask(asked);
   EXPECT_FALSE(claim.claim_due(asked));
   claim.ask(asked + Duration{kDelay.us - 1});
@@ -43,10 +43,10 @@ TEST(AddressClaim, WaitsAsLongWhenSomebodyAsksAndNotLongerWhenHeAsksAgain) {
 
 TEST(AddressClaim, AnswersAtOnceWhileItHasAnAddress) {
   AddressClaim claim(kName, 0x40);
-  EXPECT_TRUE(claim.claim_due(kNow));
-  EXPECT_FALSE(claim.claim_due(kNow + kClaimTime));
-  claim.ask(kNow + kClaimTime);
-  EXPECT_TRUE(claim.claim_due(kNow + kClaimTime));
+  EXPECT_TRUE(claim.claim_due(kBegin));
+  EXPECT_FALSE(claim.claim_due(kBegin + kClaimTime));
+  claim.ask(kBegin + kClaimTime);
+  EXPECT_TRUE(claim.claim_due(kBegin + kClaimTime));
 }
 
 TEST(AddressClaim, WaitsFromNothingTo153MillisecondsBeforeItSaysThatItHasNone) {
@@ -61,53 +61,53 @@ TEST(AddressClaim, WaitsFromNothingTo153MillisecondsBeforeItSaysThatItHasNone) {
 
 TEST(AddressClaim, ClaimsAgainAtOnceWhenItIsMovedAndNotWhenItIsThereAlready) {
   AddressClaim claim(kName, 0x40);
-  EXPECT_TRUE(claim.claim_due(kNow));
+  EXPECT_TRUE(claim.claim_due(kBegin));
   EXPECT_EQ(claim.move_to(0x40), Status::kOk);
-  EXPECT_FALSE(claim.claim_due(kNow + kClaimTime));
+  EXPECT_FALSE(claim.claim_due(kBegin + kClaimTime));
   EXPECT_EQ(claim.address(), 0x40);
   EXPECT_EQ(claim.move_to(251), Status::kOk);
   EXPECT_FALSE(claim.address());
-  EXPECT_TRUE(claim.claim_due(kNow + kClaimTime));
+  EXPECT_TRUE(claim.claim_due(kBegin + kClaimTime));
   EXPECT_EQ(claim.source(), 251);
   EXPECT_EQ(claim.move_to(252), Status::kOutOfRange);
   EXPECT_EQ(claim.source(), 251);
 }
 
 TEST(AddressClaim, MovesToAnAddressAlsoWhenItHasNone) {
-  AddressClaim claim = driven_out(kNow);
+  AddressClaim claim = driven_out(kBegin);
   EXPECT_EQ(claim.move_to(0x40), Status::kOk);
-  EXPECT_TRUE(claim.claim_due(kNow));
+  EXPECT_TRUE(claim.claim_due(kBegin));
   EXPECT_EQ(claim.source(), 0x40);
 }
 
 TEST(AddressClaim, HoldsAnAddressAQuarterOfASecondAfterItsFirstClaimOfIt) {
   AddressClaim claim(kName, 0x40);
-  EXPECT_TRUE(claim.claim_due(kNow));
-  claim.accept(0x40, kName + 1, kNow);  // somebody with fewer rights: it claims again, and goes on waiting
-  EXPECT_FALSE(claim.claim_due(kNow + kLeastClaimGap + Duration{-1}));
-  EXPECT_TRUE(claim.claim_due(kNow + kLeastClaimGap));
-  EXPECT_FALSE(claim.claim_due(kNow + kClaimTime + Duration{-1}));
+  EXPECT_TRUE(claim.claim_due(kBegin));
+  claim.accept(0x40, kName + 1, kBegin);  // somebody with fewer rights: it claims again, and goes on waiting
+  EXPECT_FALSE(claim.claim_due(kBegin + kLeastClaimGap + Duration{-1}));
+  EXPECT_TRUE(claim.claim_due(kBegin + kLeastClaimGap));
+  EXPECT_FALSE(claim.claim_due(kBegin + kClaimTime + Duration{-1}));
   EXPECT_FALSE(claim.address());
-  EXPECT_FALSE(claim.claim_due(kNow + kClaimTime));
+  EXPECT_FALSE(claim.claim_due(kBegin + kClaimTime));
   EXPECT_EQ(claim.address(), 0x40);
 }
 
 TEST(AddressClaim, TriesAgainHalfAMinuteAfterItWasDrivenOut) {
-  AddressClaim claim = driven_out(kNow);
-  EXPECT_TRUE(claim.claim_due(kNow + kDelay));
-  EXPECT_FALSE(claim.claim_due(kNow + kClaimAgain + Duration{-1}));
+  AddressClaim claim = driven_out(kBegin);
+  EXPECT_TRUE(claim.claim_due(kBegin + kDelay));
+  EXPECT_FALSE(claim.claim_due(kBegin + kClaimAgain + Duration{-1}));
   EXPECT_EQ(claim.source(), kNullAddress);
-  EXPECT_TRUE(claim.claim_due(kNow + kClaimAgain));
+  EXPECT_TRUE(claim.claim_due(kBegin + kClaimAgain));
   EXPECT_EQ(claim.source(), 0x40) << "the one it prefers";
 }
 
 TEST(AddressClaim, IgnoresClaimsOfAddressesThatNobodyMayHave) {
   AddressClaim claim(kName, 251);
-  EXPECT_TRUE(claim.claim_due(kNow));
-  for (const std::uint8_t source : {std::uint8_t{252}, std::uint8_t{254}}) claim.accept(source, 1, kNow);
-  EXPECT_FALSE(claim.claim_due(kNow + kClaimTime));
-  claim.accept(251, 1, kNow + kClaimTime);
-  EXPECT_TRUE(claim.claim_due(kNow + kClaimTime));
+  EXPECT_TRUE(claim.claim_due(kBegin));
+  for (const std::uint8_t source : {std::uint8_t{252}, std::uint8_t{254}}) claim.accept(source, 1, kBegin);
+  EXPECT_FALSE(claim.claim_due(kBegin + kClaimTime));
+  claim.accept(251, 1, kBegin + kClaimTime);
+  EXPECT_TRUE(claim.claim_due(kBegin + kClaimTime));
   EXPECT_EQ(claim.source(), 0) << "after the last comes the first";
 }
 
