@@ -175,7 +175,7 @@ Radians bearing_of(double north, double east) {
   if (tangent != tangent) return Radians{std::numeric_limits<double>::quiet_NaN()};
   double angle = e <= n ? arctangent_to_one(tangent) : kPi / 2.0 - arctangent_to_one(tangent);
   if (north < 0.0) angle = kPi - angle;
-  return Radians{east < 0.0 ? -angle : angle};
+  return Radians{east < 0.0 && angle != kPi ? -angle : angle};
 }
 
 }  // namespace earshot

@@ -50,14 +50,14 @@ void compare_sources(const TrainedTask& trained, const TestedTask& tested, Diffe
   if (!trained.source) return all.say("does not say which source it was trained with and is tested with a " + kind + " one");
   if (*trained.source != searched) {
     return all.add("with a " + std::string(search::name_of(*trained.source)) + " source",
-                   "with a " + kind + " one: it never learned what is asked of it");
+                   "with a " + kind + " one: another search than it is made for");
   }
   if (searched == SourcePlacement::kChanging) return;
   const auto place = [](NorthEast p) { return in_metres(p.north) + " north, " + in_metres(p.east) + " east"; };
   const NorthEast source = tested.settings.source;
   if (trained.source_position && *trained.source_position != source) {
     all.add("with the source at " + place(*trained.source_position),
-            "with it at " + place(source) + ": it never learned what is asked of it");
+            "with it at " + place(source) + ": another search than it is made for");
   } else if (!trained.source_position && trained.environment_crc32 != tested.environment_crc32) {
     all.add(
         "with the source where " + (trained.environment.empty() ? "an environment that it does not name" : trained.environment) + " had it",

@@ -59,7 +59,8 @@ std::string curves_of(const policy::OceanTables& tables) {
     text << "set key outside right samplen 2\nplot" << few_curves(tables, std::ranges::max_element(tables.tables, {}, kPrior)->prior);
   } else {
     const auto [least, most] = std::ranges::minmax_element(tables.tables, {}, kDepth);
-    text << "set palette defined (0 '#c77d2b', 0.5 '#3f8fc5', 1 '#10204a')\nset logscale cb\nset cbtics (30, 100, 300, 1000, 3000)\n"
+    text << "set palette defined (0 '#c77d2b', 0.5 '#3f8fc5', 1 '#10204a')\nset logscale cb\nset cbtics (30, 50, 100, 200, 300, 500, 1000, "
+            "2000, 3000, 5000)\n"
          << "set cblabel 'sea floor (m)'\nset cbrange [" << 0.9F * least->sea_depth_m << ":" << 1.1F * most->sea_depth_m << "]\n"
          << "set key above\nplot" << many_curves(tables);
   }
@@ -71,7 +72,7 @@ std::string curves_of(const policy::OceanTables& tables) {
 
 void plot_curves(const std::filesystem::path& path, const policy::OceanTables& tables) {
   std::ostringstream title;
-  title << tables.tables.size() << " oceans, " << tables.frequency.value << " Hz at " << tables.receiver_depth.value << " m";
+  title << tables.tables.size() << " ocean tables, " << tables.frequency.value << " Hz at " << tables.receiver_depth.value << " m";
   std::ostringstream text;
   text << "set title " << plot::quoted(title.str()) << " noenhanced\n"
        << "set xlabel 'range (km)'\nset ylabel 'SNR (dB)'\nset yrange [-20:64]\nset xrange [0:" << reach(tables).value / 1000.0 << "]\n"
