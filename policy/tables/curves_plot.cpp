@@ -75,7 +75,8 @@ void plot_curves(const std::filesystem::path& path, const policy::OceanTables& t
   title << tables.tables.size() << " ocean tables, " << tables.frequency.value << " Hz at " << tables.receiver_depth.value << " m";
   std::ostringstream text;
   text << "set title " << plot::quoted(title.str()) << " noenhanced\n"
-       << "set xlabel 'range (km)'\nset ylabel 'SNR (dB)'\nset yrange [-20:64]\nset xrange [0:" << reach(tables).value / 1000.0 << "]\n"
+       << "set xlabel 'range (km)'\nset ylabel 'SNR (dB)'\nset yrange [-20:64]\nset xrange [0:"
+       << std::max(reach(tables), tables.range_step).value / 1000.0 << "]\n"
        << "set tics out nomirror\nset grid lc rgb '#dddddd'\n$snr << EOD\n"
        << data_of(tables) << "EOD\n"
        << curves_of(tables);

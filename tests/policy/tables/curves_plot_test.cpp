@@ -39,6 +39,12 @@ TEST(CurvesPlot, NamesNoneOfManyThatWeighTheSame) {
   EXPECT_EQ(drawn(tables).find(">deep<"), std::string::npos);
 }
 
+TEST(CurvesPlot, DrawsTablesOfOneRange) {
+  policy::OceanTables tables = policy::made_up_tables();
+  tables.range_count = 1;
+  EXPECT_NE(drawn(tables).find("shelf"), std::string::npos);
+}
+
 TEST(CurvesPlot, TakesANameForTextWhateverGnuplotWouldReadInIt) {
   policy::OceanTables tables = policy::made_up_tables();
   tables.tables[0] = policy::made_up_table("it's $one_{more} `ls`", 0.1F, 300.0F, {30, 20, 10});

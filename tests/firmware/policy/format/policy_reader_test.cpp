@@ -268,13 +268,16 @@ TEST(Parse, NamesWhatIsWrongInASection) {
   EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kElementsAt] = 10; }), PolicyFault::kUnknownFeature, "OBSV"));
   EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kElementsAt - 1] = 65; }), PolicyFault::kBadShape, "OBSV"));
   EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kElementsAt - 1] = 3; }), PolicyFault::kBadSectionLength, "OBSV"));
-  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { put(bytes, kElementsAt + 6, kNan); }), PolicyFault::kNotFinite, "OBSV"));
+  EXPECT_TRUE(
+      is(complaint_after([](Bytes& bytes) { put(bytes, kElementsAt + 6, static_cast<float>(kNan)); }), PolicyFault::kNotFinite, "OBSV"));
   EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { put(bytes, kStepLengthAt, 0.0); }), PolicyFault::kOutOfRange, "ACTN"));
   EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kDrawAt] = 3; }), PolicyFault::kUnknownDraw, "DRAW"));
   EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kFirstStepAt + 24] = 2; }), PolicyFault::kOutOfRange, "GOLD"));
   EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kFirstStepAt - 1] = 5; }), PolicyFault::kBadShape, "GOLD"));
   for (std::size_t i = 0; i < kParameters; ++i)
-    EXPECT_TRUE(is(complaint_after([i](Bytes& bytes) { put(bytes, kWeightsAt + 4 * i, kNan); }), PolicyFault::kNotFinite, "NETW")) << i;
+    EXPECT_TRUE(is(complaint_after([i](Bytes& bytes) { put(bytes, kWeightsAt + 4 * i, static_cast<float>(kNan)); }),
+                   PolicyFault::kNotFinite, "NETW"))
+        << i;
 }
 
 TEST(Parse, RefusesProvenanceThatIsTooLong) {
