@@ -7,6 +7,7 @@
 
 #include "tests/policy/explain/flown_policy.hpp"
 #include "tests/policy/report/flight_folder.hpp"
+#include "tests/policy/report/occurrences.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::report {
@@ -22,12 +23,6 @@ class PageTest : public testing::Test {
     std::vector<explain::RecordedDecision> taken = explain::flown(*policy_, 3, {});
     taken[1].overridden = true;
     write_flight(folder_, *policy_, taken, {});
-  }
-
-  static std::size_t count(const std::string& text, const std::string& part) {
-    std::size_t found = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
-    return found;
   }
 
   support::TemporaryFolder folder_;
