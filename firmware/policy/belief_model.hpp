@@ -36,7 +36,7 @@ struct BeliefModel {
 
   std::uint16_t cells_north = 50;  ///< cells_north * cells_east <= kMaxBeliefCells
   std::uint16_t cells_east = 50;
-  /// Share of SNRs that follow no model, 0 to 1.
+  /// Share of SNRs and bearings that follow no model, 0 to 1; of SNRs more where an ocean's table is wrong (ocean_belief: kOutliers).
   float outlier_share = 0.02F;
 };
 

@@ -28,6 +28,13 @@ constexpr std::size_t kLooksOfOthers = 200;
 /// steps within so many step lengths of one another are one place.
 constexpr float kCostOfReturn = 10.0F;
 constexpr double kSamePlace = 0.25;
+/// What way and reach cost at most once what is expected (as_expected()) has such a share, and what a later step costs of the one before at
+/// least. Steps without a detection, which always count one, then count for more: where the sea is known a vehicle goes by where it will
+/// hear, which saves some of them and costs little time. Where it is not, the sooner it gets anywhere the better (README.md).
+constexpr float kLeastAsExpected = 0.35F;
+constexpr float kStepAsExpected = 0.15F;
+constexpr float kLogStepDiscountAsExpected = -0.010050336F;  // ln 0.99
+constexpr float kReachAsExpected = 10.0F;
 /// Powers of two below the likeliest at which a hypothesis has no share.
 constexpr int kMostBelow = 60 * kOctave;
 
@@ -40,6 +47,19 @@ Hypothesis at_start(const OceanTables& tables, std::size_t n) {
   return {.table = static_cast<std::uint8_t>(n % tables.tables.size()),
           .level = kLevels[way % kLevels.size()],
           .spread = kSpreads[way / kLevels.size() % kSpreads.size()]};
+}
+
+/// That of several oceans which is the likeliest beforehand.
+std::uint8_t expected_table(const OceanTables& tables) {
+  std::uint8_t likeliest = 0;
+  for (std::uint8_t k = 0; k < tables.tables.size(); ++k)
+    likeliest = tables.tables[k].prior > tables.tables[likeliest].prior ? k : likeliest;
+  return likeliest;
+}
+
+/// All is as the mission expects: the ocean, a source as loud as that, which never pauses and rests, and no SNR far from what they say.
+Hypothesis as_expected(const OceanTables& tables) {
+  return {.table = expected_table(tables), .spread = 0};
 }
 
 /// None where the source swims.
@@ -62,12 +82,9 @@ void OceanBelief::start(const BeliefModel& model, const OceanTables& tables) {
   surprise_.start();
   std::fill_n(bearings_.log_weights.begin(), cell_count(model), std::int16_t{0});
   bearings_.scale = 0;
-  std::uint8_t likeliest = 0;
-  for (std::uint8_t k = 0; k < tables.tables.size(); ++k)
-    likeliest = tables.tables[k].prior > tables.tables[likeliest].prior ? k : likeliest;
   // The likeliest ocean in every way that is not rare, and as many others as there is room for.
   std::array<Hypothesis, kLanes> hypotheses;
-  hypotheses.fill({.table = likeliest});
+  hypotheses.fill({.table = expected_table(tables)});
   hypotheses[1].spread = 1;
   hypotheses[2].spread = 0;
   hypotheses[3].level = 1;
@@ -112,17 +129,29 @@ void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, No
   // Where the source is by the next look, from the corner of the area as the likeliest current has carried it.
   const NorthEast corner = way_of(likeliest_current(), model, heard_);
   find_marginal(model, corner, heard_, all_cells(model));
-  const std::size_t ranges = foresee(model, tables, position - corner);
+  BeliefModel weighed = model;
+  weighed.costs = costs_now(model, tables);
+  const std::size_t ranges = foresee(weighed, tables, position - corner);
   const std::span<const float> probabilities = std::span(marginal_).first(cell_count(model));
   summary_ = summary_of(model, probabilities);
   summary_.surprise_bits = surprise_.bits();
   summary_.likeliest = summary_.likeliest + corner;
   summary_.mean = summary_.mean + corner;
-  BeliefModel not_cut_off = model;
-  not_cut_off.costs.most_regret = kAnyRegret;
-  find_outlooks(not_cut_off, probabilities, {std::span(foreseen_).first(ranges), tables.range_step}, position - corner,
+  find_outlooks(weighed, probabilities, {std::span(foreseen_).first(ranges), tables.range_step}, position - corner,
                 std::span(outlooks_).first(model.actions.size()));
   find_regrets(model, position);
+}
+
+/// What a search costs as long as what is believed now is, regrets not cut off.
+BeliefCosts OceanBelief::costs_now(const BeliefModel& model, const OceanTables& tables) const {
+  BeliefCosts costs = model.costs;
+  costs.most_regret = kAnyRegret;
+  if (!has_bearings_ && share_of(as_expected(tables)) >= kLeastAsExpected) {
+    costs.step = std::min(costs.step, kStepAsExpected);
+    costs.log_step_discount = std::max(costs.log_step_discount, kLogStepDiscountAsExpected);
+    costs.reach = std::min(costs.reach, kReachAsExpected);
+  }
+  return costs;
 }
 
 /// What all of it costs, counted from the least. A vehicle that has been at a place without finding the source gains nothing by going back
@@ -166,6 +195,14 @@ void OceanBelief::take_in(const BeliefModel& model, const OceanTables& tables, c
     places.find_ranges(model, look.position, tables.range_step, ranges - 1, ranges_);
     block.weigh(model, lanes, likelihoods_.raised_by_range(), ranges_);
   });
+}
+
+/// Probability of a hypothesis; 0 where it is not held.
+float OceanBelief::share_of(const Hypothesis& hypothesis) const {
+  for (std::size_t i = 0; i < kHypotheses; ++i) {
+    if (this->hypothesis(i) == hypothesis) return share(i);
+  }
+  return 0.0F;
 }
 
 void OceanBelief::find_posteriors(const BeliefModel& model, const OceanTables& tables) {

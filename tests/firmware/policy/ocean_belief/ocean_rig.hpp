@@ -55,7 +55,8 @@ inline std::vector<double> likelihoods_by_hand(const BeliefModel& model, const O
   const std::vector<double> silences{0, 0.25, 0.5, 0.75};
   const double sigma = spreads[h.spread];
   const double silent = silences[h.silence];
-  const auto outlier = static_cast<double>(model.outlier_share);
+  const std::vector<double> outliers{1, 1, 10, 15};
+  const double outlier = std::min(static_cast<double>(model.outlier_share) * outliers[h.spread], 1.0);
   const double cell = std::max(model.area_size.north.value / model.cells_north, model.area_size.east.value / model.cells_east);
   const double step = tables.range_step.value;
   const int last = tables.range_count - 1;
