@@ -10,7 +10,8 @@
 
 namespace earshot::policy {
 
-/// What a search costs, for the outlook; a step on which nothing is detected costs one. The defaults are the paper's search.
+/// What a search costs, for the outlook; a step on which nothing is detected costs one. The defaults are the paper's search. Where all is
+/// as expected ocean_belief counts step and reach for less.
 struct BeliefCosts {
   float step = 3.0F;  ///< of a step, the first of many, 0 to 1e6
   /// ln of what each step after it costs of the one before, -10 to -1e-3: a likely source near by is worth more than two half as likely
