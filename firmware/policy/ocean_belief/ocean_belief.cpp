@@ -28,12 +28,13 @@ constexpr std::size_t kLooksOfOthers = 200;
 /// steps within so many step lengths of one another are one place.
 constexpr float kCostOfReturn = 10.0F;
 constexpr double kSamePlace = 0.25;
-/// What way and reach cost at most once what is expected (as_expected()) has such a share, and what a later step costs of the one before at
-/// least. Steps without a detection, which always count one, then count for more: where the sea is known a vehicle goes by where it will
-/// hear, which saves some of them and costs little time. Where it is not, the sooner it gets anywhere the better (README.md).
+/// What way and reach cost once what is expected (share_as_expected()) has such a share, and what a later step costs of the one before.
+/// Steps without a detection, which always count one, then count for more: where the sea is known a vehicle goes by where it will hear,
+/// which saves some of them and costs little time. Where it is not, the sooner it gets anywhere the better (README.md).
 constexpr float kLeastAsExpected = 0.35F;
 constexpr float kStepAsExpected = 0.15F;
 constexpr float kLogStepDiscountAsExpected = -0.010050336F;  // ln 0.99
+constexpr float kEndlessWayAsExpected = 15.0F;
 constexpr float kReachAsExpected = 10.0F;
 /// Powers of two below the likeliest at which a hypothesis has no share.
 constexpr int kMostBelow = 60 * kOctave;
@@ -57,9 +58,9 @@ std::uint8_t expected_table(const OceanTables& tables) {
   return likeliest;
 }
 
-/// All is as the mission expects: the ocean, a source as loud as that, which never pauses and rests, and no SNR far from what they say.
-Hypothesis as_expected(const OceanTables& tables) {
-  return {.table = expected_table(tables), .spread = 0};
+/// What a way costs that never ends.
+float cost_of_endless_way(const BeliefCosts& costs) {
+  return costs.step / (1.0F - exp(costs.log_step_discount));
 }
 
 /// None where the source swims.
@@ -142,15 +143,19 @@ void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, No
   find_regrets(model, position);
 }
 
-/// What a search costs as long as what is believed now is, regrets not cut off.
+/// What a search costs as long as what is believed now is, regrets not cut off. Where the policy's own way is as cheap already, or a source
+/// may lie so deep in the border that fetching it costs more than a cheaper reach is worth, its own costs stay; and where there are
+/// bearings.
 BeliefCosts OceanBelief::costs_now(const BeliefModel& model, const OceanTables& tables) const {
   BeliefCosts costs = model.costs;
   costs.most_regret = kAnyRegret;
-  if (!has_bearings_ && share_of(as_expected(tables)) >= kLeastAsExpected) {
-    costs.step = std::min(costs.step, kStepAsExpected);
-    costs.log_step_discount = std::max(costs.log_step_discount, kLogStepDiscountAsExpected);
-    costs.reach = std::min(costs.reach, kReachAsExpected);
+  if (has_bearings_ || model.border_width > model.step_length || cost_of_endless_way(costs) <= kEndlessWayAsExpected ||
+      share_as_expected(tables) < kLeastAsExpected) {
+    return costs;
   }
+  costs.step = kStepAsExpected;
+  costs.log_step_discount = kLogStepDiscountAsExpected;
+  costs.reach = std::min(costs.reach, kReachAsExpected);
   return costs;
 }
 
@@ -197,12 +202,16 @@ void OceanBelief::take_in(const BeliefModel& model, const OceanTables& tables, c
   });
 }
 
-/// Probability of a hypothesis; 0 where it is not held.
-float OceanBelief::share_of(const Hypothesis& hypothesis) const {
+/// Probability that all is as the mission expects: the likeliest ocean beforehand, or one of several as likely; a source as loud as that,
+/// which never pauses and rests; and no SNR far from what they say.
+float OceanBelief::share_as_expected(const OceanTables& tables) const {
+  const float most = tables.tables[expected_table(tables)].prior;
+  float sum = 0.0F;
   for (std::size_t i = 0; i < kHypotheses; ++i) {
-    if (this->hypothesis(i) == hypothesis) return share(i);
+    const Hypothesis& h = hypothesis(i);
+    if (tables.tables[h.table].prior == most && h == Hypothesis{.table = h.table, .spread = 0}) sum += share(i);
   }
-  return 0.0F;
+  return sum;
 }
 
 void OceanBelief::find_posteriors(const BeliefModel& model, const OceanTables& tables) {

@@ -98,7 +98,7 @@ class OceanBelief {
   [[nodiscard]] int posterior(std::size_t index) const { return posteriors_[index / kLanes][index % kLanes]; }
   void find_posteriors(const BeliefModel& model, const OceanTables& tables);
   void find_shares();
-  [[nodiscard]] float share_of(const Hypothesis& hypothesis) const;
+  [[nodiscard]] float share_as_expected(const OceanTables& tables) const;
   [[nodiscard]] BeliefCosts costs_now(const BeliefModel& model, const OceanTables& tables) const;
   [[nodiscard]] int log_explained(const BeliefModel& model, const OceanTables& tables) const;
   [[nodiscard]] HeldHypotheses held() const;
