@@ -34,7 +34,6 @@ constexpr double kSamePlace = 0.25;
 constexpr float kLeastAsExpected = 0.35F;
 constexpr float kStepAsExpected = 0.15F;
 constexpr float kLogStepDiscountAsExpected = -0.010050336F;  // ln 0.99
-constexpr float kEndlessWayAsExpected = 15.0F;
 constexpr float kReachAsExpected = 10.0F;
 /// Powers of two below the likeliest at which a hypothesis has no share.
 constexpr int kMostBelow = 60 * kOctave;
@@ -143,20 +142,19 @@ void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, No
   find_regrets(model, position);
 }
 
-/// What a search costs as long as what is believed now is, regrets not cut off. Where the policy's own way is as cheap already, or a source
-/// may lie so deep in the border that fetching it costs more than a cheaper reach is worth, its own costs stay; and where there are
-/// bearings.
+/// What a search costs as long as what is believed now is, regrets not cut off. The policy's own costs stay where its way is as cheap
+/// already, where there are bearings, and where the border is wider than a step: a source may lie so deep in it that fetching it costs more
+/// than a cheaper reach is worth.
 BeliefCosts OceanBelief::costs_now(const BeliefModel& model, const OceanTables& tables) const {
-  BeliefCosts costs = model.costs;
-  costs.most_regret = kAnyRegret;
-  if (has_bearings_ || model.border_width > model.step_length || cost_of_endless_way(costs) <= kEndlessWayAsExpected ||
-      share_as_expected(tables) < kLeastAsExpected) {
-    return costs;
-  }
-  costs.step = kStepAsExpected;
-  costs.log_step_discount = kLogStepDiscountAsExpected;
-  costs.reach = std::min(costs.reach, kReachAsExpected);
-  return costs;
+  BeliefCosts own = model.costs;
+  own.most_regret = kAnyRegret;
+  BeliefCosts cheap = own;
+  cheap.step = kStepAsExpected;
+  cheap.log_step_discount = kLogStepDiscountAsExpected;
+  cheap.reach = std::min(own.reach, kReachAsExpected);
+  const bool is_cheaper = cost_of_endless_way(cheap) < cost_of_endless_way(own);
+  const bool may_be = is_cheaper && !has_bearings_ && model.border_width <= model.step_length;
+  return may_be && share_as_expected(tables) >= kLeastAsExpected ? cheap : own;
 }
 
 /// What all of it costs, counted from the least. A vehicle that has been at a place without finding the source gains nothing by going back

@@ -65,20 +65,27 @@ class AsExpectedTest : public OceanBeliefRig {
     return same;
   }
 
-  /// Were others put in their place, policies of such costs would say the same.
-  void expect_own_costs(const BeliefCosts& costs, const BeliefCosts& as_cheap, const Looks& looks) {
-    const auto other = std::make_unique<OceanBelief>();
-    BeliefModel others = model;
-    model.costs = costs;
-    others.costs = as_cheap;
-    belief->start(model, tables);
-    other->start(others, tables);
-    for (const auto& [place, heard] : looks) {
-      belief->update(model, tables, place, heard);
-      other->update(others, tables, place, heard);
+  /// Were others put in the place of all of them or of some, a policy of those would say the same.
+  void expect_own_costs(const BeliefCosts& costs, const Looks& looks) {
+    BeliefCosts way_replaced = costs;
+    way_replaced.step = kCheap.step;
+    way_replaced.log_step_discount = kCheap.log_step_discount;
+    BeliefCosts reach_replaced = costs;
+    reach_replaced.reach = kCheap.reach;
+    for (const BeliefCosts& replaced : {kCheap, way_replaced, reach_replaced}) {
+      const auto other = std::make_unique<OceanBelief>();
+      BeliefModel others = model;
+      model.costs = costs;
+      others.costs = replaced;
+      belief->start(model, tables);
+      other->start(others, tables);
+      for (const auto& [place, heard] : looks) {
+        belief->update(model, tables, place, heard);
+        other->update(others, tables, place, heard);
+      }
+      EXPECT_GE(share_at_rest({0}), 0.35F);
+      EXPECT_FALSE(agree(*belief, *other)) << costs.step;
     }
-    EXPECT_GE(share_at_rest({0}), 0.35F);
-    EXPECT_FALSE(agree(*belief, *other)) << costs.step;
   }
 
   static inline const NorthEast kSource = at(7'000, 8'000);
@@ -109,38 +116,44 @@ TEST_F(AsExpectedTest, IsNoOtherOcean) {
   EXPECT_GE(share_at_rest({1}), 0.35F);
 }
 
+/// Without an end it costs 10.05, 14.07, 1.99 and 3.00; the one that would replace it 15.
 TEST_F(AsExpectedTest, AWayThatIsCheapAlreadyCostsWhatItDid) {
   add_table(tables, 1.0F, kTwoPerKilometre);
-  for (const auto& [step, log_discount] : {std::pair{0.1F, -0.01F}, {1.0F, -0.7F}, {3.0F, -10.0F}}) {
+  for (const auto& [step, log_discount] : {std::pair{0.1F, -0.01F}, {0.14F, -0.01F}, {1.0F, -0.7F}, {3.0F, -10.0F}}) {
     BeliefCosts costs = kDear;
     costs.step = step;
     costs.log_step_discount = log_discount;
-    BeliefCosts dearer = costs;
-    dearer.step = 1.4F * step;
-    expect_own_costs(costs, dearer, exact());
+    expect_own_costs(costs, exact());
   }
+  BeliefCosts hardly_dearer = kCheap;
+  hardly_dearer.step = 0.16F;
+  EXPECT_GT(looks_as_if(hardly_dearer, kCheap, exact(), {0}), 0);
 }
 
+/// What the others' costs are stays as it is, for no way is cheaper.
 TEST_F(AsExpectedTest, AReachThatIsWorthLessCountsForNoMore) {
   add_table(tables, 1.0F, kTwoPerKilometre);
   BeliefCosts worth_little = kDear;
   worth_little.reach = 2.0F;
-  expect_own_costs(worth_little, kDear, exact());
+  BeliefCosts cheap = kCheap;
+  cheap.reach = 2.0F;
+  EXPECT_GT(looks_as_if(worth_little, cheap, exact(), {0}), 0);
 }
 
 TEST_F(AsExpectedTest, WhereThereAreBearingsTheWayCostsWhatItDid) {
   add_table(tables, 1.0F, kTwoPerKilometre);
   Looks looks = exact();
   for (auto& [place, heard] : looks)
-    heard.bearing = messages::Bearing{.direction = Radians{std::atan2((kSource - place).east.value, (kSource - place).north.value)}, .deviation = Radians{0.5}};
-  expect_own_costs(kDear, kCheap, looks);
+    heard.bearing = messages::Bearing{.direction = Radians{std::atan2((kSource - place).east.value, (kSource - place).north.value)},
+                                      .deviation = Radians{0.5}};
+  expect_own_costs(kDear, looks);
 }
 
 /// A source may lie too deep in it for a cheap reach to be worth fetching.
 TEST_F(AsExpectedTest, WhereTheBorderIsWiderThanAStepTheWayCostsWhatItDid) {
   add_table(tables, 1.0F, kTwoPerKilometre);
   model.border_width = Meters{1'001.0};
-  expect_own_costs(kDear, kCheap, exact());
+  expect_own_costs(kDear, exact());
 }
 
 TEST_F(AsExpectedTest, HasTheSameBitsOnEveryMachine) {
