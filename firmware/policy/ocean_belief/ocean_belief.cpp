@@ -26,7 +26,7 @@ constexpr float kAnyRegret = 1e9F;
 constexpr std::size_t kLooksOfOthers = 200;
 /// What it costs to go back to where the vehicle listened before, in steps on which nothing is detected, for each time that it did; ends of
 /// steps within so many step lengths of one another are one place.
-constexpr float kCostOfReturn = 10.0F;
+constexpr float kCostOfReturn = 0.1F;
 constexpr double kSamePlace = 0.25;
 /// What way and reach cost once what is expected (share_as_expected()) has such a share, and what a later step costs of the one before.
 /// Steps without a detection, which always count one, then count for more: where the sea is known a vehicle goes by where it will hear,
@@ -139,7 +139,7 @@ void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, No
   summary_.mean = summary_.mean + corner;
   find_outlooks(weighed, probabilities, {std::span(foreseen_).first(ranges), tables.range_step}, position - corner,
                 std::span(outlooks_).first(model.actions.size()));
-  find_regrets(model, position);
+  find_regrets(weighed, model.costs.most_regret, position);
 }
 
 /// What a search costs as long as what is believed now is, regrets not cut off. The policy's own costs stay where its way is as cheap
@@ -159,7 +159,7 @@ BeliefCosts OceanBelief::costs_now(const BeliefModel& model, const OceanTables& 
 
 /// What all of it costs, counted from the least. A vehicle that has been at a place without finding the source gains nothing by going back
 /// and forth between two of them: that looks cheap at every step where the way to the source is by way of the border.
-void OceanBelief::find_regrets(const BeliefModel& model, NorthEast position) {
+void OceanBelief::find_regrets(const BeliefModel& model, float most_regret, NorthEast position) {
   std::array<PossiblePlace, kHypotheses> places;
   for (std::size_t i = 0; i < kHypotheses; ++i) {
     const Drift current = current_of(hypothesis(i));
@@ -172,10 +172,10 @@ void OceanBelief::find_regrets(const BeliefModel& model, NorthEast position) {
     const NorthEast end = position + model.step_length * model.actions[a];
     const auto visits = std::count_if(looks_.begin(), looks_.end(),
                                       [&](const Look& look) { return range_between(look.position, end) < kSamePlace * model.step_length; });
-    outlooks[a].regret += kCostOfReturn * static_cast<float>(visits);
+    outlooks[a].regret += kCostOfReturn * model.costs.reach * static_cast<float>(visits);
     least = std::min(least, outlooks[a].regret);
   }
-  for (ActionOutlook& outlook : outlooks) outlook.regret = std::min(outlook.regret - least, model.costs.most_regret);
+  for (ActionOutlook& outlook : outlooks) outlook.regret = std::min(outlook.regret - least, most_regret);
 }
 
 /// What a look says of the source where it is now. @param index  of the look, counted from 0

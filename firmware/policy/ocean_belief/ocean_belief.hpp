@@ -113,7 +113,7 @@ class OceanBelief {
   [[nodiscard]] Drift likeliest_current() const;
   void find_marginal(const BeliefModel& model, NorthEast corner, std::uint32_t looks, const CellWindow& window);
   std::size_t foresee(const BeliefModel& model, const OceanTables& tables, NorthEast position);
-  void find_regrets(const BeliefModel& model, NorthEast position);
+  void find_regrets(const BeliefModel& model, float most_regret, NorthEast position);
 
   using Posteriors = std::array<int, kLanes>;  ///< log2 of what is proportional to the probability of each hypothesis, in 1/512
 
