@@ -10,8 +10,7 @@
 
 namespace earshot::policy {
 
-/// What a search costs, for the outlook; a step on which nothing is detected costs one. The defaults are the paper's search. Once all is as
-/// expected ocean_belief puts a cheaper way and reach in their place.
+/// What a search costs, for the outlook; a step on which nothing is detected costs one. The defaults are the paper's search.
 struct BeliefCosts {
   float step = 3.0F;  ///< of a step, the first of many, 0 to 1e6
   /// ln of what each step after it costs of the one before, -10 to -1e-3: a likely source near by is worth more than two half as likely
@@ -37,8 +36,7 @@ struct BeliefModel {
 
   std::uint16_t cells_north = 50;  ///< cells_north * cells_east <= kMaxBeliefCells
   std::uint16_t cells_east = 50;
-  /// Share of SNRs and bearings that follow no model, 0 to 1; of SNRs more, up to half, where an ocean's table is wrong
-  /// (ocean_belief: kOutliers).
+  /// Share of SNRs that follow no model, 0 to 1.
   float outlier_share = 0.02F;
 };
 

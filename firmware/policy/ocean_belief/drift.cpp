@@ -17,9 +17,9 @@ constexpr int velocities_within(int most) {
 // Prior probabilities: of no drift, and of each that there is. Of these a few can be held, and stand for those about them that cannot:
 // with a fifth of this for all that swim, sources at 1.5 m/s were found 58 % of the times instead of 70. A current must be heard to be
 // there: one that is believed wrongly takes the vehicle over the edge (README.md has what was measured).
-constexpr float kNone = 0.2813F;
-constexpr float kOneCurrent = 0.0077F / static_cast<float>(velocities_within(kMostCurrent));
-constexpr float kOneSwum = 0.711F / static_cast<float>(velocities_within(kMostSwum));
+constexpr float kNone = 0.275F;
+constexpr float kOneCurrent = 0.03F / static_cast<float>(velocities_within(kMostCurrent));
+constexpr float kOneSwum = 0.695F / static_cast<float>(velocities_within(kMostSwum));
 
 bool is_possible(const Drift& drift) {
   const int most = drift.is_current ? kMostCurrent : kMostSwum;

@@ -25,11 +25,6 @@ struct Hypothesis {
 inline constexpr std::array<float, 7> kLevelOffsets_db{-9.0F, -6.0F, -3.0F, 0.0F, 3.0F, 6.0F, 9.0F};
 /// Standard deviation of what is measured about that: fluctuation, and what the table says wrongly.
 inline constexpr std::array<float, 4> kSpreads_db{1.0F, 2.0F, 4.0F, 7.0F};
-/// So many times as many SNRs follow no model with each of these: where a table is known to be wrong by decibels, some of what is heard has
-/// nothing to do with it, such as behind a mountain.
-inline constexpr std::array<float, kSpreads_db.size()> kOutliers{1.0F, 1.0F, 10.0F, 15.0F};
-/// No more of them than this, or than the model's own share: a hypothesis by which nothing can be told would be no explanation.
-inline constexpr float kMostOutliers = 0.5F;
 /// Share of the looks that meet a pause in the call.
 inline constexpr std::array<float, 4> kSilenceShares{0.0F, 0.25F, 0.5F, 0.75F};
 

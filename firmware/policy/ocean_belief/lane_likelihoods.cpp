@@ -38,8 +38,7 @@ EARSHOT_WIDE void LaneLikelihoods::tabulate(const BeliefModel& model, const Ocea
     }
     const OceanTable& table = tables.tables[h.table];
     for (std::size_t i = 0; i < smoothed; ++i) exact[i] = table.snr_db(i);
-    const float outliers = std::max(model.outlier_share, std::min(model.outlier_share * kOutliers[h.spread], kMostOutliers));
-    to_likelihoods({kLevelOffsets_db[h.level], kSpreads_db[h.spread], kSilenceShares[h.silence], outliers}, reception, exact);
+    to_likelihoods({kLevelOffsets_db[h.level], kSpreads_db[h.spread], kSilenceShares[h.silence], model.outlier_share}, reception, exact);
     smooth(exact, half, seen);
     to_logs(seen.first(count), kLeastLogLikelihood, logs);
     for (std::size_t i = 0; i < count; ++i) raised_[i][l] = static_cast<std::int16_t>(tempered(logs[i]) - kLeastLogLikelihood);

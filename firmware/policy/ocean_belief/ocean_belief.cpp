@@ -26,15 +26,8 @@ constexpr float kAnyRegret = 1e9F;
 constexpr std::size_t kLooksOfOthers = 200;
 /// What it costs to go back to where the vehicle listened before, in steps on which nothing is detected, for each time that it did; ends of
 /// steps within so many step lengths of one another are one place.
-constexpr float kCostOfReturn = 0.1F;
+constexpr float kCostOfReturn = 10.0F;
 constexpr double kSamePlace = 0.25;
-/// What way and reach cost once what is expected (share_as_expected()) has such a share, and what a later step costs of the one before.
-/// Steps without a detection, which always count one, then count for more: where the sea is known a vehicle goes by where it will hear,
-/// which saves some of them and costs little time. Where it is not, the sooner it gets anywhere the better (README.md).
-constexpr float kLeastAsExpected = 0.35F;
-constexpr float kStepAsExpected = 0.15F;
-constexpr float kLogStepDiscountAsExpected = -0.010050336F;  // ln 0.99
-constexpr float kReachAsExpected = 10.0F;
 /// Powers of two below the likeliest at which a hypothesis has no share.
 constexpr int kMostBelow = 60 * kOctave;
 
@@ -47,19 +40,6 @@ Hypothesis at_start(const OceanTables& tables, std::size_t n) {
   return {.table = static_cast<std::uint8_t>(n % tables.tables.size()),
           .level = kLevels[way % kLevels.size()],
           .spread = kSpreads[way / kLevels.size() % kSpreads.size()]};
-}
-
-/// That of several oceans which is the likeliest beforehand.
-std::uint8_t expected_table(const OceanTables& tables) {
-  std::uint8_t likeliest = 0;
-  for (std::uint8_t k = 0; k < tables.tables.size(); ++k)
-    likeliest = tables.tables[k].prior > tables.tables[likeliest].prior ? k : likeliest;
-  return likeliest;
-}
-
-/// What a way costs that never ends.
-float cost_of_endless_way(const BeliefCosts& costs) {
-  return costs.step / (1.0F - exp(costs.log_step_discount));
 }
 
 /// None where the source swims.
@@ -82,9 +62,12 @@ void OceanBelief::start(const BeliefModel& model, const OceanTables& tables) {
   surprise_.start();
   std::fill_n(bearings_.log_weights.begin(), cell_count(model), std::int16_t{0});
   bearings_.scale = 0;
+  std::uint8_t likeliest = 0;
+  for (std::uint8_t k = 0; k < tables.tables.size(); ++k)
+    likeliest = tables.tables[k].prior > tables.tables[likeliest].prior ? k : likeliest;
   // The likeliest ocean in every way that is not rare, and as many others as there is room for.
   std::array<Hypothesis, kLanes> hypotheses;
-  hypotheses.fill({.table = expected_table(tables)});
+  hypotheses.fill({.table = likeliest});
   hypotheses[1].spread = 1;
   hypotheses[2].spread = 0;
   hypotheses[3].level = 1;
@@ -129,37 +112,22 @@ void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, No
   // Where the source is by the next look, from the corner of the area as the likeliest current has carried it.
   const NorthEast corner = way_of(likeliest_current(), model, heard_);
   find_marginal(model, corner, heard_, all_cells(model));
-  BeliefModel weighed = model;
-  weighed.costs = costs_now(model, tables);
-  const std::size_t ranges = foresee(weighed, tables, position - corner);
+  const std::size_t ranges = foresee(model, tables, position - corner);
   const std::span<const float> probabilities = std::span(marginal_).first(cell_count(model));
   summary_ = summary_of(model, probabilities);
   summary_.surprise_bits = surprise_.bits();
   summary_.likeliest = summary_.likeliest + corner;
   summary_.mean = summary_.mean + corner;
-  find_outlooks(weighed, probabilities, {std::span(foreseen_).first(ranges), tables.range_step}, position - corner,
+  BeliefModel not_cut_off = model;
+  not_cut_off.costs.most_regret = kAnyRegret;
+  find_outlooks(not_cut_off, probabilities, {std::span(foreseen_).first(ranges), tables.range_step}, position - corner,
                 std::span(outlooks_).first(model.actions.size()));
-  find_regrets(weighed, model.costs.most_regret, position);
-}
-
-/// What a search costs as long as what is believed now is, regrets not cut off. The policy's own costs stay where its way is as cheap
-/// already, where there are bearings, and where the border is wider than a step: a source may lie so deep in it that fetching it costs more
-/// than a cheaper reach is worth.
-BeliefCosts OceanBelief::costs_now(const BeliefModel& model, const OceanTables& tables) const {
-  BeliefCosts own = model.costs;
-  own.most_regret = kAnyRegret;
-  BeliefCosts cheap = own;
-  cheap.step = kStepAsExpected;
-  cheap.log_step_discount = kLogStepDiscountAsExpected;
-  cheap.reach = std::min(own.reach, kReachAsExpected);
-  const bool is_cheaper = cost_of_endless_way(cheap) < cost_of_endless_way(own);
-  const bool may_be = is_cheaper && !has_bearings_ && model.border_width <= model.step_length;
-  return may_be && share_as_expected(tables) >= kLeastAsExpected ? cheap : own;
+  find_regrets(model, position);
 }
 
 /// What all of it costs, counted from the least. A vehicle that has been at a place without finding the source gains nothing by going back
 /// and forth between two of them: that looks cheap at every step where the way to the source is by way of the border.
-void OceanBelief::find_regrets(const BeliefModel& model, float most_regret, NorthEast position) {
+void OceanBelief::find_regrets(const BeliefModel& model, NorthEast position) {
   std::array<PossiblePlace, kHypotheses> places;
   for (std::size_t i = 0; i < kHypotheses; ++i) {
     const Drift current = current_of(hypothesis(i));
@@ -172,10 +140,10 @@ void OceanBelief::find_regrets(const BeliefModel& model, float most_regret, Nort
     const NorthEast end = position + model.step_length * model.actions[a];
     const auto visits = std::count_if(looks_.begin(), looks_.end(),
                                       [&](const Look& look) { return range_between(look.position, end) < kSamePlace * model.step_length; });
-    outlooks[a].regret += kCostOfReturn * model.costs.reach * static_cast<float>(visits);
+    outlooks[a].regret += kCostOfReturn * static_cast<float>(visits);
     least = std::min(least, outlooks[a].regret);
   }
-  for (ActionOutlook& outlook : outlooks) outlook.regret = std::min(outlook.regret - least, most_regret);
+  for (ActionOutlook& outlook : outlooks) outlook.regret = std::min(outlook.regret - least, model.costs.most_regret);
 }
 
 /// What a look says of the source where it is now. @param index  of the look, counted from 0
@@ -198,18 +166,6 @@ void OceanBelief::take_in(const BeliefModel& model, const OceanTables& tables, c
     places.find_ranges(model, look.position, tables.range_step, ranges - 1, ranges_);
     block.weigh(model, lanes, likelihoods_.raised_by_range(), ranges_);
   });
-}
-
-/// Probability that all is as the mission expects: the likeliest ocean beforehand, or one of several as likely; a source as loud as that,
-/// which never pauses and rests; and no SNR far from what they say.
-float OceanBelief::share_as_expected(const OceanTables& tables) const {
-  const float most = tables.tables[expected_table(tables)].prior;
-  float sum = 0.0F;
-  for (std::size_t i = 0; i < kHypotheses; ++i) {
-    const Hypothesis& h = hypothesis(i);
-    if (tables.tables[h.table].prior == most && h == Hypothesis{.table = h.table, .spread = 0}) sum += share(i);
-  }
-  return sum;
 }
 
 void OceanBelief::find_posteriors(const BeliefModel& model, const OceanTables& tables) {

@@ -98,8 +98,6 @@ class OceanBelief {
   [[nodiscard]] int posterior(std::size_t index) const { return posteriors_[index / kLanes][index % kLanes]; }
   void find_posteriors(const BeliefModel& model, const OceanTables& tables);
   void find_shares();
-  [[nodiscard]] float share_as_expected(const OceanTables& tables) const;
-  [[nodiscard]] BeliefCosts costs_now(const BeliefModel& model, const OceanTables& tables) const;
   [[nodiscard]] int log_explained(const BeliefModel& model, const OceanTables& tables) const;
   [[nodiscard]] HeldHypotheses held() const;
   void draw_candidates(const BeliefModel& model, const OceanTables& tables);
@@ -113,7 +111,7 @@ class OceanBelief {
   [[nodiscard]] Drift likeliest_current() const;
   void find_marginal(const BeliefModel& model, NorthEast corner, std::uint32_t looks, const CellWindow& window);
   std::size_t foresee(const BeliefModel& model, const OceanTables& tables, NorthEast position);
-  void find_regrets(const BeliefModel& model, float most_regret, NorthEast position);
+  void find_regrets(const BeliefModel& model, NorthEast position);
 
   using Posteriors = std::array<int, kLanes>;  ///< log2 of what is proportional to the probability of each hypothesis, in 1/512
 

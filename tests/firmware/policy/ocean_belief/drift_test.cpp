@@ -44,10 +44,10 @@ TEST(DriftPriors, AddUpToOne) {
   EXPECT_NEAR(sum, 1.0, 2e-3);  // three logarithms, each rounded by half of 0.14 % at most
 }
 
-TEST(DriftPriors, AreLessThanAHundredthOfCurrentsAndMoreThanAQuarterOfNone) {
-  EXPECT_NEAR(prior_of({}), 0.2813, 1e-3);
-  EXPECT_NEAR(prior_of({.north = 3, .is_current = true}), 0.0077 / kCurrents, 2e-7);
-  EXPECT_NEAR(prior_of({.north = 3}), 0.711 / kSwums, 2e-6);
+TEST(DriftPriors, AreThreeHundredthsOfCurrentsAndMoreThanAQuarterOfNone) {
+  EXPECT_NEAR(prior_of({}), 0.275, 1e-3);
+  EXPECT_NEAR(prior_of({.north = 3, .is_current = true}), 0.03 / kCurrents, 5e-7);
+  EXPECT_NEAR(prior_of({.north = 3}), 0.695 / kSwums, 2e-6);
 }
 
 TEST(DriftDraws, TryEveryDriftAsOftenAsAnotherOfItsKind) {

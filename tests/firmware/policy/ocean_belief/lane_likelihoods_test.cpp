@@ -59,14 +59,6 @@ TEST_F(LaneLikelihoodsTest, CountLessThanLooksThatKnowNothingOfOneAnother) {
   EXPECT_EQ(tempered(0), 0);
 }
 
-/// Of spreads of 4 and 7 dB 10 and 15 times as many SNRs follow no model, up to half of them, or as many as of the others.
-TEST_F(LaneLikelihoodsTest, AreByHandThoseOfManyOutliers) {
-  for (const float share : {0.04F, 0.1F, 0.6F, 1.0F}) {
-    model.outlier_share = share;
-    for (const double snr_db : {4.0, 17.3}) expect_by_hand({.snr = Decibels{snr_db}});
-  }
-}
-
 TEST_F(LaneLikelihoodsTest, AreByHandThoseOfASoundTooFaint) {
   for (const double floor_db : {-5.0, 12.0, 31.0}) expect_by_hand({.snr = Decibels{floor_db}, .too_faint = true});
 }

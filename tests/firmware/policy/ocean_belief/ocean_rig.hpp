@@ -55,9 +55,7 @@ inline std::vector<double> likelihoods_by_hand(const BeliefModel& model, const O
   const std::vector<double> silences{0, 0.25, 0.5, 0.75};
   const double sigma = spreads[h.spread];
   const double silent = silences[h.silence];
-  const std::vector<double> outliers{1, 1, 10, 15};
-  const auto share = static_cast<double>(model.outlier_share);
-  const double outlier = std::max(share, std::min(share * outliers[h.spread], 0.5));
+  const auto outlier = static_cast<double>(model.outlier_share);
   const double cell = std::max(model.area_size.north.value / model.cells_north, model.area_size.east.value / model.cells_east);
   const double step = tables.range_step.value;
   const int last = tables.range_count - 1;
