@@ -113,7 +113,6 @@ TEST(BearingOf, TheZeroVectorIsNorthAndOfNanIsNan) {
 }
 
 TEST(BearingOf, AnInfiniteVectorIsThatOfItsInfiniteAxisAndOfTwoNone) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(bearing_of(5, kInfinity).value, kPi / 2);
   EXPECT_EQ(bearing_of(-kInfinity, 5).value, kPi);
   EXPECT_TRUE(std::isnan(bearing_of(kInfinity, -kInfinity).value));
