@@ -6,6 +6,7 @@
 
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/checksum_text.hpp"
+#include "firmware/host/file/file_checksum.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/program/version.hpp"
@@ -62,7 +63,7 @@ std::string search_of(const freeze::TrainedActor& actor, const Options& options)
   if (actor.search && options.search) throw BadInput("carries its own search description; --search is for models that carry none");
   if (actor.search) return *actor.search;
   if (options.search) return host::read_text(*options.search, host::kJsonFile);
-  throw BadInput("does not say what it was trained to search: save it with earshot.sb3.save or export_onnx, or give --search");
+  throw BadInput("does not say what it was trained to search: save it with earshot_gym.sb3.save or export_onnx, or give --search");
 }
 
 policy::ActionDraw draw_of(const Options& options) {
@@ -79,12 +80,19 @@ auto naming(const std::filesystem::path& file, Work work) {
   }
 }
 
+/// Of the model and, one after another, of the files that hold its weights.
+std::uint32_t crc32_of(const std::string& bytes, const freeze::TrainedActor& actor) {
+  std::uint32_t crc32 = host::crc32_of(bytes);
+  for (const std::filesystem::path& file : actor.data_files) crc32 = host::crc32_of_file(file, crc32);
+  return crc32;
+}
+
 std::unique_ptr<policy::FrozenPolicy> freeze_foreign(const std::string& bytes, const std::filesystem::path& file, const Options& options) {
   const freeze::TrainedActor actor = freeze::read_model(bytes, file.string());
   return naming(file, [&] {
     description::SearchDescription search = description::from_text(search_of(actor, options));
     search.provenance.emplace_back("model", file.filename().string());
-    search.provenance.emplace_back("model_crc32", host::crc32_text(host::crc32_of(bytes)));
+    search.provenance.emplace_back("model_crc32", host::crc32_text(crc32_of(bytes, actor)));
     return freeze::freeze(actor, search, draw_of(options));
   });
 }

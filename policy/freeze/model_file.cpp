@@ -1,5 +1,7 @@
 #include "policy/freeze/model_file.hpp"
 
+#include <filesystem>
+
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/freeze/onnx_model.hpp"
 #include "policy/freeze/sb3_model.hpp"
@@ -23,7 +25,8 @@ bool is_foreign_model(std::string_view bytes, const std::string& file) {
 
 TrainedActor read_model(std::string_view bytes, const std::string& file) {
   try {
-    return is_zip(bytes) || file.ends_with(".zip") ? read_sb3_model(bytes) : read_onnx_model(bytes);
+    if (is_zip(bytes) || file.ends_with(".zip")) return read_sb3_model(bytes);
+    return read_onnx_model(bytes, std::filesystem::path(file).parent_path());
   } catch (const BadInput& e) {
     throw BadInput(file + ": " + printable(e.what()));
   }

@@ -2,95 +2,27 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <map>
 #include <set>
 
 #include "firmware/host/toml/table_reader.hpp"
+#include "policy/freeze/onnx_tensor.hpp"
 #include "policy/freeze/protobuf.hpp"
 
-// Field numbers are those of onnx.proto3 (ONNX 1.16), the schema of every version up to it.
+// Field numbers are those of onnx.proto3 (ONNX 1.17), the schema of every version up to it.
 
 namespace earshot::freeze {
 namespace {
 
 using host::BadInput;
-using Wire = ProtobufReader::Wire;
-using Field = ProtobufReader::Field;
+using Tensor = OnnxTensor;
 
-constexpr std::uint64_t kFloat = 1;  // TensorProto.FLOAT
-constexpr std::uint64_t kMaxSide = 1U << 16U;
 constexpr std::size_t kMaxNodes = 64;  ///< operators of a graph; the networks that fly have six
+constexpr std::string_view kRemedy = ": write the logits alone (earshot_gym.sb3.export_onnx does), or freeze the model's .zip";
 
-std::string text_of(const Field& field) {
-  if (field.wire != Wire::kBytes) throw BadInput("protobuf: a text that is a number");
-  return std::string(field.bytes);
-}
-
-struct Tensor {
-  std::string name;
-  std::vector<std::uint64_t> shape;
-  std::vector<float> values;  // row-major
-};
-
-void append_floats(std::string_view bytes, std::vector<float>& values) {
-  static_assert(std::endian::native == std::endian::little);
-  if (bytes.size() % sizeof(float) != 0) throw BadInput("half a number at the end of its data");
-  const std::size_t before = values.size();
-  values.resize(before + bytes.size() / sizeof(float));
-  if (!bytes.empty()) std::memcpy(values.data() + before, bytes.data(), bytes.size());
-}
-
-void read_dims(const Field& field, std::vector<std::uint64_t>& shape) {
-  if (field.wire == Wire::kVarint) return shape.push_back(field.value);
-  for (ProtobufReader packed(field.bytes); !packed.at_end();) shape.push_back(packed.varint());
-}
-
-void check_size(const Tensor& tensor) {
-  std::uint64_t size = 1;
-  for (const std::uint64_t side : tensor.shape) {
-    if (side == 0 || side > kMaxSide || size > kMaxSide * kMaxSide) throw BadInput("of a size that cannot be");
-    size *= side;
-  }
-  if (tensor.values.size() != size) throw BadInput("not as many numbers as its shape says");
-}
-
-Tensor read_tensor(std::string_view bytes) {
-  Tensor tensor;
-  std::uint64_t type = 0;
-  ProtobufReader reader(bytes);
-  try {
-    while (const auto field = reader.next()) {
-      switch (field->number) {
-        case 1:
-          read_dims(*field, tensor.shape);
-          break;
-        case 2:
-          type = field->value;
-          break;
-        case 4:  // float_data
-        case 9:  // raw_data
-          append_floats(field->bytes, tensor.values);
-          break;
-        case 8:
-          tensor.name = text_of(*field);
-          break;
-        case 12:  // doc_string
-          break;
-        case 14:  // data_location
-          if (field->value == 0) break;
-          [[fallthrough]];
-        default:
-          throw BadInput("field " + std::to_string(field->number) + " is not one that plain float32 weights in the file need");
-      }
-    }
-    if (type != kFloat) throw BadInput("not float32");
-    check_size(tensor);
-  } catch (const BadInput& e) {
-    throw BadInput("initializer " + tensor.name + ": " + e.what());
-  }
-  return tensor;
-}
+// TensorProto.DataType
+constexpr std::uint64_t kFloat = 1;
+constexpr std::uint64_t kDouble = 11;
 
 struct Attribute {
   std::string name;
@@ -128,33 +60,62 @@ Node read_node(std::string_view bytes) {
       throw BadInput("operator domain " + text_of(*field) + " is unknown");
     }
   }
-  static const std::set<std::string> kKnown = {"Gemm", "MatMul", "Add", "Tanh", "Flatten", "Identity"};
-  if (!kKnown.contains(node.operation)) {
-    throw BadInput("operator " + node.operation + " is unknown; Gemm, MatMul, Add and Tanh fly");
-  }
   if (node.outputs.size() != 1) throw BadInput("operator " + node.operation + " without its one output");
   return node;
 }
 
-std::string name_of_value(std::string_view bytes) {
+/// An input or output of the graph.
+struct Value {
   std::string name;
+  std::uint64_t type = 0;  ///< of a tensor's elements; 0: nothing says it
+};
+
+/// The content of a message's field of that number; empty where it has none.
+std::string_view part_of(std::string_view message, std::uint32_t number) {
+  std::string_view part;
+  for (ProtobufReader reader(message); const auto field = reader.next();) {
+    if (field->number == number) part = field->bytes;
+  }
+  return part;
+}
+
+Value read_value(std::string_view bytes) {
+  Value value;
   ProtobufReader reader(bytes);
   while (const auto field = reader.next()) {
-    if (field->number == 1) name = text_of(*field);
+    if (field->number == 1) value.name = text_of(*field);
+    if (field->number != 2) continue;
+    for (ProtobufReader tensor(part_of(field->bytes, 1)); const auto of_tensor = tensor.next();) {
+      if (of_tensor->number == 1) value.type = of_tensor->value;
+    }
   }
-  return name;
+  return value;
 }
 
 struct Graph {
   std::vector<Node> nodes;
   std::map<std::string, Tensor> initializers;
-  std::vector<std::string> inputs;
-  std::vector<std::string> outputs;
+  std::vector<Value> inputs;
+  std::vector<Value> outputs;
 };
+
+/// One observation goes in, one row of logits comes out, and nothing between is unknown.
+void check_is_network(const Graph& graph) {
+  if (graph.inputs.size() != 1 || graph.outputs.size() != 1) {
+    throw BadInput("graph: not one input (observation) and one output (logits) but " + std::to_string(graph.inputs.size()) + " and " +
+                   std::to_string(graph.outputs.size()) + std::string(kRemedy));
+  }
+  static const std::set<std::string> kKnown = {"Gemm", "MatMul", "Add", "Tanh", "Flatten", "Identity", "Cast"};
+  for (const Node& node : graph.nodes) {
+    if (!kKnown.contains(node.operation)) {
+      throw BadInput("operator " + node.operation + " is unknown; Gemm, MatMul, Add and Tanh fly" + std::string(kRemedy));
+    }
+  }
+}
 
 /// Every value has one origin: chain_of() follows names.
 void check_outputs(const Graph& graph) {
-  std::set<std::string> given(graph.inputs.begin(), graph.inputs.end());
+  std::set<std::string> given = {graph.inputs[0].name};
   for (const auto& [name, tensor] : graph.initializers) given.insert(name);
   for (const Node& node : graph.nodes) {
     if (given.insert(node.outputs[0]).second) continue;
@@ -162,7 +123,16 @@ void check_outputs(const Graph& graph) {
   }
 }
 
-Graph read_graph(std::string_view bytes) {
+/// PyTorch writes weights that are equal once, and gives them their other names by Identity: such a name becomes weights of its own.
+void name_equal_weights(Graph& graph) {
+  std::erase_if(graph.nodes, [&graph](const Node& node) {
+    if (node.operation != "Identity" || node.inputs.size() != 1 || !node.attributes.empty()) return false;
+    const auto weights = graph.initializers.find(node.inputs[0]);
+    return weights != graph.initializers.end() && graph.initializers.emplace(node.outputs[0], weights->second).second;
+  });
+}
+
+Graph read_graph(std::string_view bytes, OnnxTensorReader& tensors) {
   Graph graph;
   ProtobufReader reader(bytes);
   while (const auto field = reader.next()) {
@@ -172,16 +142,16 @@ Graph read_graph(std::string_view bytes) {
         graph.nodes.push_back(read_node(field->bytes));
         break;
       case 5: {
-        Tensor tensor = read_tensor(field->bytes);
+        Tensor tensor = tensors.read(field->bytes);
         const std::string name = tensor.name;
         if (!graph.initializers.emplace(name, std::move(tensor)).second) throw BadInput("initializer " + name + ": given twice");
         break;
       }
       case 11:
-        graph.inputs.push_back(name_of_value(field->bytes));
+        graph.inputs.push_back(read_value(field->bytes));
         break;
       case 12:
-        graph.outputs.push_back(name_of_value(field->bytes));
+        graph.outputs.push_back(read_value(field->bytes));
         break;
       case 2:   // name
       case 10:  // doc_string
@@ -192,17 +162,18 @@ Graph read_graph(std::string_view bytes) {
         throw BadInput("graph: field " + std::to_string(field->number) + " is not one that a plain network needs");
     }
   }
-  std::erase_if(graph.inputs, [&graph](const std::string& name) { return graph.initializers.contains(name); });
-  if (graph.inputs.size() != 1 || graph.outputs.size() != 1) throw BadInput("graph: not one input (observation) and one output (logits)");
+  std::erase_if(graph.inputs, [&graph](const Value& value) { return graph.initializers.contains(value.name); });
+  check_is_network(graph);
   check_outputs(graph);
+  name_equal_weights(graph);
   return graph;
 }
 
 /// The nodes in the order in which they work on the observation.
 std::vector<const Node*> chain_of(const Graph& graph) {
   std::vector<const Node*> chain;
-  std::string current = graph.inputs[0];
-  while (current != graph.outputs[0] && chain.size() < graph.nodes.size()) {
+  std::string current = graph.inputs[0].name;
+  while (current != graph.outputs[0].name && chain.size() < graph.nodes.size()) {
     const Node* next = nullptr;
     for (const Node& node : graph.nodes) {
       if (std::ranges::find(node.inputs, current) == node.inputs.end()) continue;
@@ -213,7 +184,7 @@ std::vector<const Node*> chain_of(const Graph& graph) {
     chain.push_back(next);
     current = next->outputs[0];
   }
-  if (current != graph.outputs[0] || chain.size() != graph.nodes.size()) throw BadInput("graph: not one chain from input to output");
+  if (current != graph.outputs[0].name || chain.size() != graph.nodes.size()) throw BadInput("graph: not one chain from input to output");
   return chain;
 }
 
@@ -264,9 +235,18 @@ std::vector<float> added(const Graph& graph, const Node& node) {
   return initializer(graph, node, graph.initializers.contains(node.inputs[0]) ? 0 : 1, 1).values;
 }
 
+/// A float32 is the same number as a double, and as itself; what made whole numbers or halves of the observations would change them.
+bool is_cast_of_float(const Node& node, std::uint64_t input_type) {
+  const bool is_to_float = node.attributes.size() == 1 && node.attributes[0].name == "to" && node.attributes[0].integer == kFloat;
+  if (is_to_float && (input_type == kFloat || input_type == kDouble)) return true;
+  throw BadInput("operator Cast: only of observations that are float32 (or double) to float32: train on a Box of float32");
+}
+
 /// Changes nothing for observations [batch x size].
-bool is_without_effect(const Node& node) {
+/// @param input_type  of the graph's input
+bool is_without_effect(const Node& node, std::uint64_t input_type) {
   if (node.inputs.size() != 1) return false;
+  if (node.operation == "Cast") return is_cast_of_float(node, input_type);
   if (node.operation == "Identity") return node.attributes.empty();
   return node.operation == "Flatten" &&
          std::ranges::all_of(node.attributes, [](const Attribute& a) { return a.name == "axis" && a.integer == 1; });
@@ -277,7 +257,7 @@ TrainedActor actor_from(const Graph& graph) {
   TrainedActor actor;
   for (const Node* node : chain_of(graph)) {
     const std::string& operation = node->operation;
-    if (actor.layers.empty() && is_without_effect(*node)) continue;
+    if (actor.layers.empty() && is_without_effect(*node, graph.inputs[0].type)) continue;
     if (expect == Expect::kLayer && operation == "Gemm") {
       actor.layers.push_back(gemm(graph, *node));
       expect = Expect::kTanh;
@@ -303,13 +283,7 @@ TrainedActor actor_from(const Graph& graph) {
 
 /// Whether one of the model's metadata_props is ours; then `search` holds it.
 void read_metadata(std::string_view bytes, std::optional<std::string>& search) {
-  std::string key;
-  std::string value;
-  ProtobufReader reader(bytes);
-  while (const auto field = reader.next()) {
-    if (field->number == 1) key = text_of(*field);
-    if (field->number == 2) value = text_of(*field);
-  }
+  const auto [key, value] = text_pair_of(bytes);
   if (key != kSearchMetadata) return;
   if (search) throw BadInput("metadata: " + key + " given twice");
   search = value;
@@ -317,14 +291,15 @@ void read_metadata(std::string_view bytes, std::optional<std::string>& search) {
 
 }  // namespace
 
-TrainedActor read_onnx_model(std::string_view bytes) {
+TrainedActor read_onnx_model(std::string_view bytes, const std::filesystem::path& folder) {
+  OnnxTensorReader tensors(folder);
   std::optional<TrainedActor> actor;
   std::optional<std::string> search;
   ProtobufReader reader(bytes);
   while (const auto field = reader.next()) {
     if (field->number == 7) {
       if (actor) throw BadInput("more than one graph");
-      actor = actor_from(read_graph(field->bytes));
+      actor = actor_from(read_graph(field->bytes, tensors));
     } else if (field->number == 14) {
       read_metadata(field->bytes, search);
     } else if (field->number == 25) {
@@ -333,6 +308,7 @@ TrainedActor read_onnx_model(std::string_view bytes) {
   }
   if (!actor) throw BadInput("not an ONNX model, or cut short");
   actor->search = search;
+  actor->data_files = tensors.data_files();
   return *actor;
 }
 

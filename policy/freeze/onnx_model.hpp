@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string_view>
 
 #include "policy/freeze/trained_actor.hpp"
@@ -11,9 +12,10 @@ namespace earshot::freeze {
 inline constexpr std::string_view kSearchMetadata = "earshot";
 
 /// The actor of an ONNX model: one chain from the one input to the one output (logits) of Gemm, or MatMul and Add, with a Tanh between
-/// layers; a Flatten or Identity may stand first. Weights are float32 and in the file. Throws host::BadInput, naming what it does
-/// not know, for any other operator, attribute or data type. Oracle: OnnxModel.HoldsTheWeightsOfTheModelItWasExportedFrom (torch 1.13's
-/// exporter)
-[[nodiscard]] TrainedActor read_onnx_model(std::string_view bytes);
+/// layers; a Flatten, an Identity or a Cast to float32 that changes nothing may stand first. Weights are float32, in the file or beside it.
+/// Throws host::BadInput, naming what it does not know and what to do, for any other operator, attribute or data type.
+/// @param folder  the model's: files of weights ("external data") are looked for there and nowhere else
+/// Oracle: OnnxModel.HoldsTheWeightsOfTheModelItWasExportedFrom (torch 1.13's exporter)
+[[nodiscard]] TrainedActor read_onnx_model(std::string_view bytes, const std::filesystem::path& folder);
 
 }  // namespace earshot::freeze

@@ -44,4 +44,19 @@ std::string_view ProtobufReader::take(std::uint64_t size) {
   return taken;
 }
 
+std::string text_of(const ProtobufReader::Field& field) {
+  if (field.wire != ProtobufReader::Wire::kBytes) throw BadInput("protobuf: a text that is a number");
+  return std::string(field.bytes);
+}
+
+std::pair<std::string, std::string> text_pair_of(std::string_view message) {
+  std::pair<std::string, std::string> texts;
+  ProtobufReader reader(message);
+  while (const auto field = reader.next()) {
+    if (field->number == 1) texts.first = text_of(*field);
+    if (field->number == 2) texts.second = text_of(*field);
+  }
+  return texts;
+}
+
 }  // namespace earshot::freeze

@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 
 namespace earshot::freeze {
 
@@ -28,5 +30,11 @@ class ProtobufReader {
   std::string_view take(std::uint64_t size);
   std::string_view rest_;
 };
+
+/// The content of a field that is a text. Throws host::BadInput for a number.
+[[nodiscard]] std::string text_of(const ProtobufReader::Field& field);
+
+/// The texts of fields 1 and 2, key and value: an entry of a map from text to text.
+[[nodiscard]] std::pair<std::string, std::string> text_pair_of(std::string_view message);
 
 }  // namespace earshot::freeze

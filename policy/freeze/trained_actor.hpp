@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,7 +19,8 @@ struct DenseLayer {
 /// The actor of a policy that was trained elsewhere: dense layers with a tanh after each but the last, which gives the logits.
 struct TrainedActor {
   std::vector<DenseLayer> layers;
-  std::optional<std::string> search;  ///< text of the search description that the file carries (policy/description)
+  std::optional<std::string> search;              ///< text of the search description that the file carries (policy/description)
+  std::vector<std::filesystem::path> data_files;  ///< that hold weights of it, besides the model itself
 };
 
 /// Throws host::BadInput unless each layer's inputs are the outputs of the one before.

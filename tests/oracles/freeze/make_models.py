@@ -10,6 +10,10 @@ memory.json       its decisions (predict, deterministic) for 10 000 observations
                   sb3_model_test.cpp repeats, one digit each; CRC-32 of every weight's bytes as NumPy has them
 named_tanh.zip    activation and layers named in policy_kwargs, hidden layers 32 and 16
 plain_save.zip    saved by Stable-Baselines3 itself: says nothing of the search
+documented.onnx   the same policy as Stable-Baselines3's documentation exports it: actions, values, log-probabilities
+with_cast.onnx    its features extractor, layers and action_net: logits, of observations cast to float32
+external.onnx     not made here: memory.onnx with its weights in external.onnx.data, as onnx.save_model writes it with
+                  save_as_external_data=True, location="external.onnx.data", size_threshold=0
 relu.zip, three_layers.zip, named_extractor.zip, own_policy.zip, continuous.zip   what cannot be frozen
 
 Left out of every zip: the optimiser, and what names the machine it was made on (system_info.txt; functions, whose
@@ -59,6 +63,27 @@ class OwnPolicy(ActorCriticPolicy):
     pass
 
 
+class DocumentedExport(torch.nn.Module):
+    """As in Stable-Baselines3's guide, "Exporting models"."""
+
+    def __init__(self, policy: ActorCriticPolicy) -> None:
+        super().__init__()
+        self.policy = policy
+
+    def forward(self, observation: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]:
+        return self.policy(observation, deterministic=True)
+
+
+class Logits(DocumentedExport):
+    def forward(self, observation: torch.Tensor) -> torch.Tensor:
+        features = self.policy.extract_features(observation)
+        return self.policy.action_net(self.policy.mlp_extractor.policy_net(features))
+
+
+def export(module: torch.nn.Module, file: Path) -> None:
+    torch.onnx.export(module, torch.zeros(1, OBSERVATION_SIZE), file, opset_version=17, input_names=["input"])
+
+
 def decisions_of(model: PPO) -> dict:
     observations = np.array(
         [[3.0 * uniform(element, i) - 1.5 for element in range(OBSERVATION_SIZE)] for i in range(DECISIONS)],
@@ -103,7 +128,10 @@ def main() -> None:
 
     small, tanh = {"pi": [32, 16], "vf": [4, 4]}, torch.nn.Tanh
     earshot_gym.sb3.save(untrained(net_arch=small, activation_fn=tanh, ortho_init=False), folder / "named_tanh.zip")
-    untrained(net_arch=[4, 4]).save(folder / "plain_save.zip")
+    plain = untrained(net_arch=[4, 4])
+    plain.save(folder / "plain_save.zip")
+    export(DocumentedExport(plain.policy), folder / "documented.onnx")
+    export(Logits(plain.policy), folder / "with_cast.onnx")
     earshot_gym.sb3.save(untrained(net_arch=[4, 4], activation_fn=torch.nn.ReLU), folder / "relu.zip")
     earshot_gym.sb3.save(untrained(net_arch=[4, 4, 4]), folder / "three_layers.zip")
     named = untrained(net_arch=[4, 4], features_extractor_class=FlattenExtractor)

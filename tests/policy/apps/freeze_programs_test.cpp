@@ -146,6 +146,18 @@ TEST_F(Programs, FreezeReadsModelsTrainedElsewhere) {
   EXPECT_EQ(run("evaluate b.policy" + kOcean + " --episodes 5"), 0) << content(folder / "err");
 }
 
+/// As torch.onnx.export of 2.9 writes them.
+TEST_F(Programs, FreezeReadsAnOnnxModelWhoseWeightsStandBesideIt) {
+  const std::string models = kSource + "/tests/policy/freeze/models/";
+  ASSERT_EQ(run("freeze " + models + "external.onnx -o a.policy --key a.key --new-key"), 0) << content(folder / "err");
+  // CRC-32 of both files, one after the other: cat external.onnx external.onnx.data | gzip -c | tail -c8 | od -An -tx4 -N4
+  EXPECT_NE(content(folder / "a.policy").find("model_crc32 = 9e53bd85\n"), std::string::npos);
+  fs::copy_file(models + "external.onnx", folder / "alone.onnx");
+  refuses("freeze alone.onnx -o b.policy --key a.key",
+          {"alone.onnx: initializer 0.weight: its weights are in external.onnx.data", "not beside the model"});
+  EXPECT_FALSE(fs::exists(folder / "b.policy"));
+}
+
 TEST_F(Programs, FreezeRefusesModelsItCannotBeSureOfInOneLine) {
   const std::string models = kSource + "/tests/policy/freeze/models/";
   ASSERT_EQ(run("freeze --key a.key --new-key"), 0);
@@ -159,7 +171,8 @@ TEST_F(Programs, FreezeRefusesModelsItCannotBeSureOfInOneLine) {
   refuses_model("text.onnx", {"text.onnx"});
   refuses_model(models + "relu.zip", {"relu.zip", "activation_fn", "ReLU"});
   refuses_model(models + "own_policy.zip", {"own_policy.zip", "policy_class"});
-  refuses_model(models + "plain_save.zip", {"plain_save.zip", "--search"});
+  refuses_model(models + "documented.onnx", {"documented.onnx", "3", "earshot_gym.sb3.export_onnx"});
+  refuses_model(models + "plain_save.zip", {"plain_save.zip", "earshot_gym.sb3.save or export_onnx", "--search"});
   refuses_model(models + "plain_save.zip --search bad.json", {"plain_save.zip", "search description"});
   refuses_model(models + "memory.zip --search bad.json", {"memory.zip", "--search"});
 }

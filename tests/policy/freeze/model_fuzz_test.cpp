@@ -110,5 +110,10 @@ TEST(ModelFuzz, AMangledOnnxModelIsReadOrRefused) {
   fuzz(test::model("memory.onnx"), "model.onnx", [](const std::string& bytes) { return bytes; });
 }
 
+TEST(ModelFuzz, AMangledOnnxModelWhoseWeightsStandBesideItIsReadOrRefused) {
+  fuzz(test::model("external.onnx"), EARSHOT_SOURCE_DIR "/tests/policy/freeze/models/external.onnx",
+       [](const std::string& bytes) { return bytes; });
+}
+
 }  // namespace
 }  // namespace earshot::freeze

@@ -5,38 +5,20 @@
 #include <span>
 
 #include "firmware/core/crc32.hpp"
+#include "policy/freeze/sb3_model.hpp"
 #include "tests/policy/freeze/bytes.hpp"
+#include "tests/policy/freeze/onnx_bytes.hpp"
 
 namespace earshot::freeze {
 namespace {
 
+using test::bytes_of;
+using test::field;
+using test::real_field;
 using test::refusal;
+using test::tensor;
 using namespace std::string_literals;
 
-// Messages of onnx.proto3, written by hand.
-
-std::string varint(std::uint64_t value) {
-  std::string bytes;
-  for (; value > 0x7F; value >>= 7U) bytes.push_back(static_cast<char>((value & 0x7FU) | 0x80U));
-  bytes.push_back(static_cast<char>(value));
-  return bytes;
-}
-std::string field(unsigned number, const std::string& content) {
-  return varint(number << 3U | 2U) + varint(content.size()) + content;
-}
-std::string field(unsigned number, std::uint64_t value) {
-  return varint(number << 3U) + varint(value);
-}
-std::string real_field(unsigned number, float value) {
-  return varint(number << 3U | 5U) + std::string(reinterpret_cast<const char*>(&value), 4);
-}
-
-std::string tensor(const std::string& name, std::initializer_list<std::uint64_t> shape, const std::vector<float>& values,
-                   std::uint64_t type = 1) {
-  std::string bytes;
-  for (const std::uint64_t side : shape) bytes += field(1, side);
-  return bytes + field(2, type) + field(8, name) + field(9, {reinterpret_cast<const char*>(values.data()), 4 * values.size()});
-}
 std::string node(const std::string& operation, std::initializer_list<std::string> inputs, const std::string& output,
                  const std::string& attributes = "") {
   std::string bytes;
@@ -58,8 +40,12 @@ const std::string kTurned = integer_attribute("transB", 1);
 std::string model_of(const std::string& graph) {
   return field(1, 8) + field(7, graph);
 }
+/// Of a model that stands in no folder of its own.
+TrainedActor read_bytes(std::string_view bytes) {
+  return read_onnx_model(bytes, "");
+}
 TrainedActor read(const std::string& graph) {
-  return read_onnx_model(model_of(graph));
+  return read_bytes(model_of(graph));
 }
 std::string refused(const std::string& graph) {
   return refusal([&] { (void)read(graph); });
@@ -74,8 +60,7 @@ void expect_the_layer(const std::string& graph) {
   EXPECT_EQ(actor.layers[0].bias, (std::vector<float>{7, 8}));
 }
 
-TEST(OnnxModel, HoldsTheWeightsOfTheModelItWasExportedFrom) {
-  const TrainedActor actor = read_onnx_model(test::model("memory.onnx"));
+void expect_the_trained_weights(const TrainedActor& actor) {
   const auto oracle = test::model_oracle().at("weights_crc32");
   const auto expect = [&](const std::vector<float>& values, const char* name) {
     const std::uint32_t crc = crc32(std::span(reinterpret_cast<const std::uint8_t*>(values.data()), 4 * values.size()));
@@ -88,7 +73,60 @@ TEST(OnnxModel, HoldsTheWeightsOfTheModelItWasExportedFrom) {
   expect(actor.layers[1].bias, "mlp_extractor.policy_net.2.bias");
   expect(actor.layers[2].weights, "action_net.weight");
   expect(actor.layers[2].bias, "action_net.bias");
+}
+
+TEST(OnnxModel, HoldsTheWeightsOfTheModelItWasExportedFrom) {
+  const TrainedActor actor = read_bytes(test::model("memory.onnx"));
+  expect_the_trained_weights(actor);
   EXPECT_TRUE(actor.search.has_value());
+  EXPECT_TRUE(actor.data_files.empty());
+}
+
+TEST(OnnxModel, HoldsTheWeightsOfAFileBesideIt) {
+  const std::filesystem::path folder = EARSHOT_SOURCE_DIR "/tests/policy/freeze/models";
+  const TrainedActor actor = read_onnx_model(test::model("external.onnx"), folder);
+  expect_the_trained_weights(actor);
+  EXPECT_EQ(actor.data_files, std::vector{folder / "external.onnx.data"});
+}
+
+/// What PyTorch makes of Stable-Baselines3's own layers: observations cast to float32, and the biases, which are all zero before the
+/// first training, written once.
+TEST(OnnxModel, HoldsTheWeightsOfStableBaselines3sOwnLayers) {
+  const TrainedActor actor = read_bytes(test::model("with_cast.onnx"));
+  const TrainedActor saved = read_sb3_model(test::model("plain_save.zip"));
+  ASSERT_EQ(actor.layers.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(actor.layers[i].weights, saved.layers[i].weights);
+    EXPECT_EQ(actor.layers[i].bias, saved.layers[i].bias);
+  }
+}
+
+TEST(OnnxModel, SaysWhatToDoInPlaceOfTheExportThatStableBaselines3Documents) {
+  const std::string said = refusal([] { (void)read_bytes(test::model("documented.onnx")); });
+  EXPECT_NE(said.find("one output (logits) but 1 and 3"), std::string::npos) << said;
+  EXPECT_NE(said.find("earshot_gym.sb3.export_onnx"), std::string::npos) << said;
+  EXPECT_NE(said.find("freeze the model's .zip"), std::string::npos) << said;
+}
+
+TEST(OnnxModel, TakesACastToFloatWhereItChangesNothing) {
+  const auto input_of = [](std::uint64_t type) { return field(11, field(1, "x"s) + field(2, field(1, field(1, type)))); };
+  const std::string rest = field(12, field(1, "y"s)) + kWeights + node("Gemm", {"f", "w", "b"}, "y", kTurned);
+  const auto cast = [](std::uint64_t to) { return node("Cast", {"x"}, "f", integer_attribute("to", to)); };
+  expect_the_layer(input_of(1) + rest + cast(1));
+  expect_the_layer(input_of(11) + rest + cast(1));
+  const std::string why = "operator Cast: only of observations that are float32 (or double) to float32: train on a Box of float32";
+  for (const std::uint64_t type : {2, 3, 6, 7, 9, 10, 16}) EXPECT_EQ(refused(input_of(type) + rest + cast(1)), why) << type;
+  for (const std::uint64_t type : {2, 6, 7, 10, 11, 16}) EXPECT_EQ(refused(input_of(1) + rest + cast(type)), why) << type;
+  EXPECT_EQ(refused(field(11, field(1, "x"s)) + rest + cast(1)), why) << "nothing says what is cast";
+  EXPECT_EQ(refused(input_of(1) + rest + node("Cast", {"x"}, "f")), why);
+  EXPECT_EQ(refused(input_of(1) + rest + node("Cast", {"x"}, "f", integer_attribute("to", 1) + integer_attribute("saturate", 1))), why);
+}
+
+TEST(OnnxModel, TakesWeightsByTheirOtherName) {
+  const std::string named = node("Identity", {"w"}, "v") + node("Identity", {"v"}, "u") + node("Identity", {"b"}, "c");
+  expect_the_layer(kEnds + kWeights + named + node("Gemm", {"x", "u", "c"}, "y", kTurned));
+  EXPECT_NE(refused(kEnds + kWeights + node("Identity", {"w"}, "b") + node("Gemm", {"x", "w", "b"}, "y", kTurned)).find("its output b"),
+            std::string::npos);
 }
 
 TEST(OnnxModel, ReadsOneLayerHoweverItIsWritten) {
@@ -112,7 +150,7 @@ TEST(OnnxModel, ReadsWhatOtherExportersWriteBesideIt) {
                    node("Gemm", {"f", "w", "b"}, "y", kTurned));
   // Sides in one packed field, values as floats, a note, data in the file itself.
   const std::vector<float> values{1, 2, 3, 4, 5, 6};
-  const std::string floats{reinterpret_cast<const char*>(values.data()), 24};
+  const std::string floats = bytes_of(values);
   const std::string packed = field(1, "\x02\x03"s) + field(2, 1) + field(4, floats) + field(8, "w"s) + field(12, "a note"s) + field(14, 0);
   expect_the_layer(kEnds + field(5, packed) + field(5, tensor("b", {2}, {7, 8})) + layer);
 }
@@ -131,12 +169,12 @@ TEST(OnnxModel, ReadsLayersWithTanhBetween) {
 TEST(OnnxModel, SaysWhatItsMetadataSayItWasTrainedToSearch) {
   const auto entry = [](const std::string& key, const std::string& value) { return field(14, field(1, key) + field(2, value)); };
   const std::string model = model_of(kEnds + kWeights + node("Gemm", {"x", "w", "b"}, "y", kTurned));
-  EXPECT_FALSE(read_onnx_model(model + entry("other", "x")).search.has_value());
-  EXPECT_EQ(read_onnx_model(model + entry("other", "x") + entry("earshot", "{}")).search, "{}");
-  EXPECT_EQ(read_onnx_model(entry("earshot", "{}") + model).search, "{}");
-  EXPECT_NE(refusal([&] { (void)read_onnx_model(model + entry("earshot", "{}") + entry("earshot", "{}")); }).find("given twice"),
+  EXPECT_FALSE(read_bytes(model + entry("other", "x")).search.has_value());
+  EXPECT_EQ(read_bytes(model + entry("other", "x") + entry("earshot", "{}")).search, "{}");
+  EXPECT_EQ(read_bytes(entry("earshot", "{}") + model).search, "{}");
+  EXPECT_NE(refusal([&] { (void)read_bytes(model + entry("earshot", "{}") + entry("earshot", "{}")); }).find("given twice"),
             std::string::npos);
-  EXPECT_NE(refusal([&] { (void)read_onnx_model(model + model); }).find("more than one graph"), std::string::npos);
+  EXPECT_NE(refusal([&] { (void)read_bytes(model + model); }).find("more than one graph"), std::string::npos);
 }
 
 TEST(OnnxModel, RefusesAGraphOfMoreThanItsInputAndItsOutput) {
@@ -169,6 +207,7 @@ TEST(OnnxModel, RefusesOtherOperatorsByName) {
   const std::string layer = kEnds + kWeights + node("Gemm", {"x", "w", "b"}, "t", kTurned);
   for (const std::string operation : {"Relu", "Softmax", "ArgMax", "Sigmoid", "Constant", "If", "Loop"}) {
     EXPECT_NE(refused(layer + node(operation, {"t"}, "y")).find("operator " + operation), std::string::npos);
+    EXPECT_NE(refused(layer + node(operation, {"t"}, "y")).find("freeze the model's .zip"), std::string::npos);
   }
   EXPECT_NE(refused(layer + node("Tanh", {"t"}, "y", field(7, "com.microsoft"s))).find("com.microsoft"), std::string::npos);
 }
@@ -253,18 +292,17 @@ TEST(OnnxModel, RefusesWeightsThatAreNotPlainFloatsInTheFile) {
   EXPECT_NE(refused(rest).find("not in the file"), std::string::npos);
   EXPECT_NE(refused(rest + field(5, tensor("w", {2, 3}, {1, 2, 3, 4, 5, 6}, 11))).find("not float32"), std::string::npos);
   EXPECT_NE(refused(rest + field(5, tensor("w", {2, 3}, {1, 2, 3, 4, 5}))).find("not as many numbers"), std::string::npos);
-  EXPECT_NE(refused(rest + field(5, tensor("w", {2, 3}, {}) + field(13, "x"s))).find("field 13"), std::string::npos);  // external_data
-  EXPECT_NE(refused(rest + field(5, tensor("w", {2, 3}, {1, 2, 3, 4, 5, 6}) + field(14, 1))).find("field 14"), std::string::npos);
+  EXPECT_NE(refused(rest + field(5, tensor("w", {2, 3}, {1, 2, 3, 4, 5, 6}) + field(3, ""s))).find("field 3"),
+            std::string::npos);  // segment
   EXPECT_NE(refused(rest + field(5, tensor("w", {6}, {1, 2, 3, 4, 5, 6}))).find("another shape"), std::string::npos);
 }
 
 TEST(OnnxModel, RefusesWhatIsNoModel) {
-  EXPECT_NE(refusal([] { (void)read_onnx_model(""); }).find("not an ONNX model"), std::string::npos);
-  EXPECT_NE(refusal([] { (void)read_onnx_model("swordfish"); }), "");
-  EXPECT_NE(refusal([] { (void)read_onnx_model(field(25, ""s)); }).find("functions"), std::string::npos);
+  EXPECT_NE(refusal([] { (void)read_bytes(""); }).find("not an ONNX model"), std::string::npos);
+  EXPECT_NE(refusal([] { (void)read_bytes("swordfish"); }), "");
+  EXPECT_NE(refusal([] { (void)read_bytes(field(25, ""s)); }).find("functions"), std::string::npos);
   const std::string whole = test::model("memory.onnx");
-  EXPECT_NE(refusal([&] { (void)read_onnx_model(std::string_view(whole).substr(0, whole.size() / 2)); }).find("cut short"),
-            std::string::npos);
+  EXPECT_NE(refusal([&] { (void)read_bytes(std::string_view(whole).substr(0, whole.size() / 2)); }).find("cut short"), std::string::npos);
 }
 
 }  // namespace

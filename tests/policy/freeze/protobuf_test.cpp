@@ -48,6 +48,12 @@ TEST(Protobuf, ReadsNumbersOfEightBytesAndAsLongAsTheyMayBe) {
   EXPECT_TRUE(reader.at_end());
 }
 
+TEST(Protobuf, ReadsAPairOfTextsInEitherOrder) {
+  EXPECT_EQ(text_pair_of("\x0a\x01k\x12\x02vw"s), std::pair("k"s, "vw"s));
+  EXPECT_EQ(text_pair_of("\x12\x02vw\x1a\x01x\x0a\x01k"s), std::pair("k"s, "vw"s));
+  EXPECT_NE(refusal([] { (void)text_pair_of("\x08\x01"s); }).find("a text that is a number"), std::string::npos);
+}
+
 TEST(Protobuf, KnowsFieldsUpToTheLastNumberThereIs) {
   const std::string last = "\xf8\xff\xff\xff\x0f\x07"s;  // 2^29 - 1, a varint
   ProtobufReader reader(last);
