@@ -122,7 +122,7 @@ std::string on_bus_of(const PortSettings& other, const std::string& place, const
 
 void read_ports(TableReader root, MissionFile& file) {
   std::vector<std::string> places;
-  for (TableReader table : root.tables("port")) {
+  for (TableReader table : root.tables("port", config::kMaxPorts - 1)) {
     const PortSettings port = read_port(table, file.mission.navigation_timeout);
     const char* const key = port.kind == PortKind::kCan ? "interface" : "url";
     for (std::size_t i = 0; i < file.ports.size(); ++i) {
@@ -134,7 +134,6 @@ void read_ports(TableReader root, MissionFile& file) {
     places.push_back(table.place_of(key));
   }
   if (file.ports.empty()) root.problem("port", "a mission needs at least one [[port]]");
-  if (file.ports.size() + 1 > config::kMaxPorts) root.problem("port", "at most " + std::to_string(config::kMaxPorts - 1) + " ports");
 }
 
 bool has_port_for(const MissionFile& file, Role role) {

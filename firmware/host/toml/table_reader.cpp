@@ -312,7 +312,7 @@ std::optional<TableReader> TableReader::optional_table(std::string_view key) {
   return table(key);
 }
 
-std::vector<TableReader> TableReader::tables(std::string_view key) {
+std::vector<TableReader> TableReader::tables(std::string_view key, std::size_t most) {
   const toml::node* node = node_->find(key);
   std::vector<TableReader> readers;
   if (node == nullptr) {
@@ -323,8 +323,11 @@ std::vector<TableReader> TableReader::tables(std::string_view key) {
     node_->note_value(key, *node, "must be an array of tables");
     return readers;
   }
+  if (const std::size_t there = node->as_array()->size(); there > most)
+    node_->note_value(key, *node, "has " + std::to_string(there) + " tables, must have at most " + std::to_string(most));
   std::size_t index = 0;
   for (const toml::node& element : *node->as_array()) {
+    if (index == most) break;
     const std::string name = std::string(key) + " " + std::to_string(++index);
     if (!element.is_table()) node_->note_value(name, element, "must be a table");
     readers.push_back(TableReader(node_->add_child(element.as_table(), node_->full(name) + ": ")));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -20,6 +21,8 @@ struct TableNode;  ///< one TOML table and which of its keys were asked for
 /// `TomlFile::finish` can report every problem at once. Numbers must be finite. Each key names its unit ("depth_m").
 class TableReader {
  public:
+  static constexpr std::size_t kAnyNumber = static_cast<std::size_t>(-1);
+
   [[nodiscard]] double number(std::string_view key, Range range = {});
   [[nodiscard]] double number_or(std::string_view key, double fallback, Range range = {});
   [[nodiscard]] std::int64_t integer(std::string_view key, std::int64_t lowest, std::int64_t highest);
@@ -41,8 +44,8 @@ class TableReader {
   /// The table under `key`; a missing one is noted and reads as empty.
   [[nodiscard]] TableReader table(std::string_view key);
   [[nodiscard]] std::optional<TableReader> optional_table(std::string_view key);
-  /// Each table of an array of tables.
-  [[nodiscard]] std::vector<TableReader> tables(std::string_view key);
+  /// Each table of an array of tables. Of more than `most` the number is noted, and the first `most` are given.
+  [[nodiscard]] std::vector<TableReader> tables(std::string_view key, std::size_t most = kAnyNumber);
 
   /// Where a key stands that is there, for what turns out wrong after reading: "mission.toml:31: policy.file".
   [[nodiscard]] std::string place_of(std::string_view key) const;

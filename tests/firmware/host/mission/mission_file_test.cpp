@@ -76,7 +76,17 @@ TEST(MissionFile, HasRoomForSevenPorts) {
     return complaint("[origin]", text + "[origin]");
   };
   EXPECT_EQ(ports(6), "");
-  EXPECT_NE(ports(7).find("at most 7 ports"), std::string::npos);
+  EXPECT_NE(ports(7).find("port: has 8 tables, must have at most 7"), std::string::npos) << ports(7);
+}
+
+TEST(MissionFile, ComparesNoPortsBeyondThoseThatItHasRoomFor) {
+  constexpr int kPorts = 25'000;
+  std::string text;
+  for (int i = 0; i < kPorts; ++i) text += "[[port]]\nname = \"same\"\nkind = \"can\"\ninterface = \"can0\"\nroles = [\"snr\"]\n\n";
+  const std::string said = complaint("[origin]", text + "[origin]");
+  EXPECT_NE(said.find("port: has 25001 tables, must have at most 7"), std::string::npos) << said;
+  EXPECT_NE(said.find("port 7: "), std::string::npos) << said;
+  EXPECT_EQ(said.find("port 8: "), std::string::npos) << said;
 }
 
 TEST(MissionFile, HasNoOriginNearAPole) {

@@ -226,6 +226,18 @@ TEST(TableReader, ReadsEachTableOfAnArray) {
             ":4: layer 2: thickness_m = 0: must be a finite number above 0");
 }
 
+TEST(TableReader, GivesNoMoreTablesOfAnArrayThanThereIsRoomFor) {
+  std::size_t given = 0;
+  const auto read = [&given](TableReader& root) {
+    const std::vector<TableReader> layers = root.tables("layer", 2);
+    given = layers.size();
+  };
+  EXPECT_EQ(complaint("[[layer]]\n[[layer]]\n", read), "");
+  EXPECT_EQ(given, 2U);
+  EXPECT_EQ(complaint("\n[[layer]]\n[[layer]]\n[[layer]]\nof_no_interest = 1\n", read), ":2: layer: has 3 tables, must have at most 2");
+  EXPECT_EQ(given, 2U);
+}
+
 TEST(TableReader, ReportsTheCallersOwnFindings) {
   const auto read = [](TableReader& root) {
     static_cast<void>(root.number("search_depth_m"));
