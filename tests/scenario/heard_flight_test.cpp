@@ -175,6 +175,9 @@ TEST_F(HeardFlight, GivenWhatCannotBeHeardNothingFliesAndTheMessageNamesIt) {
   const fs::path no_table = folder_ / "no_table.toml";
   expect_refused({"--hear", "synthetic", "--mission", kMissions / "hear_calls.toml"},
                  "hear_calls.toml: hydrophone: learns the noise in the pauses between calls");
+  const fs::path higher = fs::path(EARSHOT_SOURCE_DIR) / "policy/worlds/oceans/hz_35.toml";
+  expect_refused({"--hear", "synthetic", "--environment", higher, "--mission", kMissions / "hear_tone.toml"},
+                 "hear_tone.toml: hydrophone: listens from 18 to 22 Hz, and source.frequency_hz of " + higher.string() + " is 35");
   expect_refused({"--hear", "--quiet"}, "must be synthetic or name a file");
   std::string text = support::read_text(kMissions / "hear_tone.toml");
   text.erase(text.find("[hydrophone]"), text.find("[origin]") - text.find("[hydrophone]"));

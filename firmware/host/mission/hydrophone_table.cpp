@@ -10,6 +10,7 @@
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/detector/hydrophone/listening_plan.hpp"
+#include "firmware/host/mission/rule_words.hpp"
 
 namespace earshot::host {
 namespace {
@@ -31,6 +32,8 @@ constexpr const char* kExpectedNoise = "expected_noise_db_re_1upa";
 constexpr const char* kSelfNoiseSpeed = "self_noise_speed_mps";
 constexpr const char* kChannels = "channels";
 constexpr const char* kThreshold = "detection_threshold_db";
+constexpr const char* kFrequency = "source_frequency_hz";
+constexpr const char* kSpeed = "speed_mps";
 constexpr std::array kJudgedKeys{kPreset,  kSensitivity,   "gain_db",        "full_scale_v", "adc_bits",    kHighPassCorner,
                                  kBandLow, kBandHigh,      kIntegrationTime, kFloorWindow,   kLongestPause, kM,
                                  kN,       kExpectedNoise, kSelfNoiseSpeed,  kChannels};
@@ -128,20 +131,56 @@ bool is_anything_noted(const TableReader& table) {
   return false;
 }
 
+/// "search.source_frequency_hz = 20 (mission.toml:20)", and that nothing says so where the key is left out.
+std::string said_in(const TableReader& search, const char* key, double value) {
+  const std::string said = std::string("search.") + key + " = " + shortly(value);
+  if (!search.has(key)) return said + ", which counts where it is left out";
+  const std::string place = search.place_of(key);
+  return said + " (" + place.substr(0, place.rfind(": ")) + ")";
+}
+
+/// The band is the preset's where no key of its own says so.
+void require_band_of_source(TableReader& hydrophone, const TableReader& search, const detector::Band& band, Hertz frequency) {
+  const bool is_below = frequency < band.low;
+  if (!is_below && frequency <= band.high) return;
+  const char* const key = is_below ? kBandLow : kBandHigh;
+  const std::string limit = std::string(is_below ? "at most " : "at least ") + shortly(frequency.value);
+  const std::string must = hydrophone.has(key) ? "must be " + limit : std::string(key) + " must be " + limit;
+  hydrophone.problem(hydrophone.has(key) ? key : kPreset,
+                     must + ": what is searched for lies outside of the band of " + shortly(band.low.value) + " to " +
+                         shortly(band.high.value) +
+                         " Hz, and the vehicle would hear nothing of it: " + said_in(search, kFrequency, frequency.value));
+}
+
+void require_open_gate(TableReader& hydrophone, const TableReader& search, MetersPerSecond gate, MetersPerSecond speed) {
+  if (speed <= gate) return;
+  hydrophone.problem(kSelfNoiseSpeed, "must be at least " + shortly(speed.value) +
+                                          ": faster than that the vehicle measures nothing, and it searches at " +
+                                          said_in(search, kSpeed, speed.value));
+}
+
+/// Of settings that no detector refuses: whether they hear what the mission searches for.
+void require_hearing(TableReader& hydrophone, const TableReader& search, const SoundSettings& settings, const config::Mission& mission) {
+  if (!search.is_noted(kFrequency)) require_band_of_source(hydrophone, search, settings.band, mission.source_frequency);
+  if (!search.is_noted(kSpeed)) require_open_gate(hydrophone, search, settings.gate.speed, mission.search_speed);
+}
+
 }  // namespace
 
-SoundSettings read_hydrophone(TableReader hydrophone, TableReader search, Decibels detection_threshold) {
+SoundSettings read_hydrophone(TableReader hydrophone, TableReader search, const config::Mission& mission) {
   SoundSettings settings = preset_named_by(hydrophone);
   settings.calibration = read_calibration(hydrophone);
   read_overrides(hydrophone, settings);
   read_channels(hydrophone, settings);
-  settings.detection_threshold = detection_threshold;
+  settings.detection_threshold = mission.detection_threshold;
   if (is_anything_noted(hydrophone) || search.is_noted(kThreshold)) return settings;
   const SettingsFault fault = check(settings);
   if (fault == SettingsFault::kThreshold) {
     search.problem(kThreshold, to_string(fault));
   } else if (fault != SettingsFault::kNone) {
     hydrophone.problem(key_of(fault), reason_of(fault, settings));
+  } else {
+    require_hearing(hydrophone, search, settings, mission);
   }
   return settings;
 }

@@ -1,17 +1,18 @@
 #pragma once
 
+#include "firmware/config/mission.hpp"
 #include "firmware/core/time.hpp"
-#include "firmware/core/units.hpp"
 #include "firmware/detector/hydrophone/settings.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 
 namespace earshot::host {
 
 /// Reads a mission's table `hydrophone`: the chain from water to numbers, and what is listened for. What is wrong is noted, also what the
-/// detector's check() finds.
-/// @param search               table with the key `detection_threshold_db`, where the threshold is complained of
-/// @param detection_threshold  the mission's own: what counts as heard is said in one place
-[[nodiscard]] detector::SoundSettings read_hydrophone(TableReader hydrophone, TableReader search, Decibels detection_threshold);
+/// detector's check() finds, and what could not hear what the mission searches for: a band without its frequency, a gate that is closed at
+/// its speed.
+/// @param search   table with the mission's threshold, frequency and speed, where the threshold is complained of
+/// @param mission  its search as it was read: what counts as heard, at what frequency and speed, is said in one place
+[[nodiscard]] detector::SoundSettings read_hydrophone(TableReader hydrophone, TableReader search, const config::Mission& mission);
 
 /// How old a look may become while nothing is wrong but one lost block: what has been heard before it, the filters' beginning, one
 /// integration time until the next look, and the filters' delay. @pre check(settings) finds no fault

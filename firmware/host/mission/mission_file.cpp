@@ -180,7 +180,7 @@ void read_origin(TableReader origin, MissionFile& file) {
 }
 
 void read_hearing(TableReader hydrophone, const TableReader& search, MissionFile& file) {
-  file.hearing = read_hydrophone(hydrophone, search, file.mission.detection_threshold);
+  file.hearing = read_hydrophone(hydrophone, search, file.mission);
   const auto hydrophones = std::ranges::count_if(file.ports, [](const PortSettings& port) { return port.roles.has(Role::kHydrophone); });
   if (hydrophones != 1)
     hydrophone.problem("preset",

@@ -313,6 +313,18 @@ void require_pauses(const Options& o, const fly::FlightPlan& plan, const detecto
       " never pauses: take the mission hear_tone.toml, or an environment with conditions.calls (policy/worlds/pulses.toml)");
 }
 
+/// A recording is heard as it is; a source that is simulated has its environment's frequency.
+void require_band_of_source(const Options& o, const fly::FlightPlan& plan, const detector::SoundSettings& listening) {
+  const double has_hz = plan.scenario.environment.source.frequency.value;
+  const bool is_in_band = has_hz >= listening.band.low.value && has_hz <= listening.band.high.value;
+  if (is_in_band || !fly::recording_of(*o.hear).empty()) return;
+  std::ostringstream text;
+  text << "--hear synthetic: " << o.mission.string() << ": hydrophone: listens from " << listening.band.low.value << " to "
+       << listening.band.high.value << " Hz, and source.frequency_hz of " << o.environment.string() << " is " << has_hz
+       << ": the vehicle would hear nothing of it";
+  throw host::BadInput(text.str());
+}
+
 /// Both processes would say the same about a bad file: say it once, before either starts.
 host::MissionFile checked_mission(const Options& o) {
   const fly::FlightPlan plan = fly::load_flight_plan(o.mission, o.environment, o.vehicle);
@@ -322,6 +334,7 @@ host::MissionFile checked_mission(const Options& o) {
   if (o.hear) {
     host::require_hydrophone(mission, o.mission);
     require_pauses(o, plan, *mission.hearing);
+    require_band_of_source(o, plan, *mission.hearing);
     (void)fly::calls_of(fly::recording_of(*o.hear), plan.scenario.conditions, plan.scenario.environment.source.frequency, *mission.hearing);
   }
   host::leave_out_hydrophones(mission);

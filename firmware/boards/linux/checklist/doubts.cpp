@@ -13,6 +13,7 @@
 #include "firmware/config/capacities.hpp"
 #include "firmware/core/polygon.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/policy/tables/ocean_tables.hpp"
 
 namespace earshot::board {
 namespace {
@@ -127,6 +128,41 @@ void doubt_ports(const host::MissionFile& file, Doubts& doubts) {
   }
 }
 
+/// What can be heard, but not well: a mission file in which nothing could be heard has been refused.
+void doubt_hearing(const host::MissionFile& file, Doubts& doubts) {
+  if (!file.hearing) return;
+  const detector::SoundSettings& hearing = *file.hearing;
+  const double frequency_hz = file.mission.source_frequency.value;
+  // The ocean tables count for sources that lie so far from the mission's frequency.
+  const double farthest_hz = policy::kFrequencyTolerance * frequency_hz;
+  doubt_if(frequency_hz - farthest_hz < hearing.band.low.value || frequency_hz + farthest_hz > hearing.band.high.value, doubts,
+           formatted(
+               "search.source_frequency_hz, %g Hz, lies within %g %% of an end of the hydrophone's band, %g to %g Hz: at the end half of a "
+               "sound is lost, and beyond it all",
+               frequency_hz, 100.0 * policy::kFrequencyTolerance, hearing.band.low.value, hearing.band.high.value));
+  const config::ListeningWindow& window = file.mission.listening;
+  const bool needs_pauses = hearing.noise_reference == detector::NoiseReference::kPast;
+  doubt_if(
+      needs_pauses && window.listening == config::Listening::kNewest, doubts,
+      "search.listening is \"newest\", and hydrophone.preset is one of calls: a decision that falls into a pause between two calls hears "
+      "nothing");
+  doubt_if(window.listening != config::Listening::kNewest && window.length < hearing.integration_time, doubts,
+           formatted("search.listening_window_s, %g s, is shorter than hydrophone.integration_time_s, %g s: its looks are all of one sound",
+                     window.length.to_seconds(), hearing.integration_time.to_seconds()));
+  const double leg_s = file.mission.step_length.value / file.mission.search_speed.value;
+  doubt_if(leg_s < hearing.integration_time.to_seconds(), doubts,
+           formatted(
+               "hydrophone.integration_time_s, %g s, is longer than a step of %g m at %g m/s, %.1f s: a decision hears the leg before, too",
+               hearing.integration_time.to_seconds(), file.mission.step_length.value, file.mission.search_speed.value, leg_s));
+  const double gate_mps = hearing.gate.speed.value;
+  const double current_mps = file.mission.safety.vehicle.max_current.value;
+  doubt_if(
+      gate_mps < file.mission.search_speed.value + current_mps, doubts,
+      formatted("hydrophone.self_noise_speed_mps, %g m/s, is less than search.speed_mps and vehicle.max_current_mps together: the vehicle "
+                "knows its speed over ground, and measures nothing where a current pushes it",
+                gate_mps));
+}
+
 }  // namespace
 
 std::vector<std::string> doubts_about(const host::MissionFile& file) {
@@ -139,6 +175,7 @@ std::vector<std::string> doubts_about(const host::MissionFile& file) {
   std::ranges::move(doubts_about_rules(file.mission), std::back_inserter(doubts));
   doubt_key(file, doubts);
   doubt_ports(file, doubts);
+  doubt_hearing(file, doubts);
   return doubts;
 }
 

@@ -70,6 +70,16 @@ std::string complaint_about(const std::string& line) {
   return place == std::string::npos ? what : what.substr(place + 2);
 }
 
+/// A mission for another frequency.
+std::string searching_at(const std::string& frequency_hz, const std::string& mission) {
+  return replaced(mission, "source_frequency_hz = 20.0", "source_frequency_hz = " + frequency_hz);
+}
+
+/// The same without the key: 20 Hz.
+std::string searching_at_20_hz_unsaid(const std::string& mission) {
+  return replaced(mission, "source_frequency_hz = 20.0", "");
+}
+
 TEST(HydrophoneTable, GivesThePresetWithTheChainAndTheMissionsOwnThreshold) {
   const std::string mission = mission_with(std::string(kPort) + kTable);
   const MissionFile file = mission_of(replaced(mission, "detection_threshold_db = 10.0", "detection_threshold_db = 7.0"));
@@ -129,10 +139,12 @@ TEST(HydrophoneTable, TakesThePresetsOfAllSources) {
     double low_hz;
     double high_hz;
     std::int64_t integration_s;
+    const char* source_hz;
   };
-  for (const Preset& preset : {Preset{"fin_whale", 15, 30, 1}, Preset{"blue_whale", 14, 17, 2}, Preset{"antarctic_blue_whale", 17, 29, 2},
-                               Preset{"continuous_tone", 18, 22, 4}}) {
-    const MissionFile file = mission_of(mission_with(std::string(kPort) + replaced(kTable, "fin_whale", preset.name)));
+  for (const Preset& preset : {Preset{"fin_whale", 15, 30, 1, "20.0"}, Preset{"blue_whale", 14, 17, 2, "15.5"},
+                               Preset{"antarctic_blue_whale", 17, 29, 2, "20.0"}, Preset{"continuous_tone", 18, 22, 4, "20.0"}}) {
+    const MissionFile file =
+        mission_of(searching_at(preset.source_hz, mission_with(std::string(kPort) + replaced(kTable, "fin_whale", preset.name))));
     ASSERT_TRUE(file.hearing);
     EXPECT_EQ(file.hearing->band, (detector::Band{.low = Hertz{preset.low_hz}, .high = Hertz{preset.high_hz}})) << preset.name;
     EXPECT_EQ(file.hearing->integration_time, Duration::seconds(preset.integration_s)) << preset.name;
@@ -201,6 +213,59 @@ TEST(HydrophoneTable, RefusesAMissionThatWouldEndWithOneLostBlock) {
   EXPECT_NE(complaint_of(text).find("limits.snr_timeout_s = 4.0: must be at least 5 where the hydrophone is listened to"),
             std::string::npos)
       << complaint_of(text);
+}
+
+// A vehicle for 35 Hz that listened at 18 to 22 Hz passed for ready to dive, and heard nothing for 9.4 h.
+TEST(HydrophoneTable, RefusesAPresetWhoseBandDoesNotHoldWhatIsSearchedFor) {
+  const std::string mission = mission_with(std::string(kPort) + replaced(kTable, "fin_whale", "continuous_tone"));
+  const std::string above = complaint_of(searching_at("35.0", mission));
+  EXPECT_NE(above.find("hydrophone.preset = 'continuous_tone': band_high_hz must be at least 35: what is searched for lies outside of the "
+                       "band of 18 to 22 Hz, and the vehicle would hear nothing of it: search.source_frequency_hz = 35 ("),
+            std::string::npos)
+      << above;
+  EXPECT_NE(above.find("mission.toml:20)"), std::string::npos) << "where it stands: " << above;
+  const std::string below = complaint_of(searching_at("17.9", mission));
+  EXPECT_NE(below.find("hydrophone.preset = 'continuous_tone': band_low_hz must be at most 17.9"), std::string::npos) << below;
+  EXPECT_EQ(complaint_of(searching_at("18.0", mission)), "");
+  EXPECT_EQ(complaint_of(searching_at("22.0", mission)), "");
+}
+
+TEST(HydrophoneTable, RefusesABandOfItsOwnThatDoesNotHoldWhatIsSearchedFor) {
+  const std::string high = complaint_about("band_high_hz = 19.0");
+  EXPECT_EQ(high.find("hydrophone.band_high_hz = 19.0: must be at least 20: what is searched for lies outside of the band of 15 to 19 Hz"),
+            0U)
+      << high;
+  const std::string low = complaint_about("band_low_hz = 21.0");
+  EXPECT_EQ(low.find("hydrophone.band_low_hz = 21.0: must be at most 20: what is searched for lies outside of the band of 21 to 30 Hz"), 0U)
+      << low;
+}
+
+// No detector listens above 1 kHz.
+TEST(HydrophoneTable, RefusesWhatIsSearchedForAboveEveryBand) {
+  const std::string what = complaint_of(searching_at("10000.0", mission_with(std::string(kPort) + kTable)));
+  EXPECT_NE(what.find("hydrophone.preset = 'fin_whale': band_high_hz must be at least 10000"), std::string::npos) << what;
+}
+
+TEST(HydrophoneTable, SaysWhichFrequencyCountsWhereTheMissionNamesNone) {
+  const std::string mission = mission_with(std::string(kPort) + replaced(kTable, "fin_whale", "blue_whale"));
+  const std::string what = complaint_of(searching_at_20_hz_unsaid(mission));
+  EXPECT_NE(what.find("hydrophone.preset = 'blue_whale': band_high_hz must be at least 20"), std::string::npos) << what;
+  EXPECT_NE(what.find("search.source_frequency_hz = 20, which counts where it is left out"), std::string::npos) << what;
+}
+
+TEST(HydrophoneTable, RefusesAVehicleThatSearchesFasterThanItHears) {
+  const std::string what = complaint_about("self_noise_speed_mps = 1.9");
+  EXPECT_EQ(what.find("hydrophone.self_noise_speed_mps = 1.9: must be at least 2: faster than that the vehicle measures nothing, and it "
+                      "searches at search.speed_mps = 2 ("),
+            0U)
+      << what;
+  EXPECT_EQ(complaint_about("self_noise_speed_mps = 2.0"), "");
+}
+
+TEST(HydrophoneTable, ComplainsOfNoBandWhereTheFrequencyItselfIsWrong) {
+  const std::string what = complaint_of(searching_at("0.5", mission_with(std::string(kPort) + kTable)));
+  EXPECT_NE(what.find("search.source_frequency_hz"), std::string::npos) << what;
+  EXPECT_EQ(what.find("hydrophone."), std::string::npos) << what;
 }
 
 TEST(HydrophoneTable, OfTheMissionThatShowsItIsTaken) {

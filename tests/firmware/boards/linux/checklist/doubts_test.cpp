@@ -129,5 +129,50 @@ TEST(Doubts, NameAKeyThatIsNoSecret) {
   EXPECT_TRUE(doubts_about(file).empty()) << doubts_about(file)[0];
 }
 
+TEST(Doubts, DoubtsNothingOfTheHearingInTheMissionsThatShip) {
+  for (const char* const name : {"hear_at_sea.toml", "hear_calls.toml", "hear_tone.toml"}) {
+    const host::MissionFile file = host::load_mission(kMissions + name);
+    EXPECT_FALSE(is_doubted(file, "hydrophone.")) << name;
+    EXPECT_FALSE(is_doubted(file, "hydrophone's band")) << name;
+  }
+}
+
+// A tone of 21.0 Hz less and more 5 %: 19.95 to 22.05 Hz, of which 18 to 22 Hz is heard.
+TEST(Doubts, DoubtsASoundAtAnEndOfTheBand) {
+  host::MissionFile file = host::load_mission(kMissions + "hear_tone.toml");
+  file.mission.source_frequency = Hertz{20.9};
+  EXPECT_FALSE(is_doubted(file, "hydrophone's band"));
+  file.mission.source_frequency = Hertz{21.0};
+  EXPECT_TRUE(is_doubted(file, "search.source_frequency_hz, 21 Hz, lies within 5 % of an end of the hydrophone's band, 18 to 22 Hz"));
+  file.mission.source_frequency = Hertz{18.9};
+  EXPECT_TRUE(is_doubted(file, "search.source_frequency_hz, 18.9 Hz"));
+}
+
+TEST(Doubts, DoubtsCallsOfWhichOneInstantIsHeard) {
+  host::MissionFile file = host::load_mission(kMissions + "hear_calls.toml");
+  file.mission.listening = {};
+  EXPECT_TRUE(is_doubted(file, "search.listening is \"newest\""));
+  file.hearing->noise_reference = detector::NoiseReference::kFlanks;
+  EXPECT_FALSE(is_doubted(file, "search.listening is \"newest\"")) << "a tone has no pauses";
+}
+
+TEST(Doubts, DoubtsAnIntegrationTimeThatNeitherWindowNorLegHolds) {
+  host::MissionFile file = host::load_mission(kMissions + "hear_tone.toml");
+  file.mission.listening.length = Duration::seconds(4);
+  EXPECT_FALSE(is_doubted(file, "hydrophone.integration_time_s"));
+  file.mission.listening.length = Duration::seconds(3);
+  EXPECT_TRUE(is_doubted(file, "search.listening_window_s, 3 s, is shorter than hydrophone.integration_time_s, 4 s"));
+  file.mission.step_length = Meters{7.0};
+  EXPECT_TRUE(is_doubted(file, "hydrophone.integration_time_s, 4 s, is longer than a step of 7 m at 2 m/s, 3.5 s"));
+}
+
+TEST(Doubts, DoubtsAGateThatACurrentCloses) {
+  host::MissionFile file = host::load_mission(kMissions + "hear_at_sea.toml");
+  EXPECT_FALSE(is_doubted(file, "hydrophone.self_noise_speed_mps"));
+  file.mission.safety.vehicle.max_current = MetersPerSecond{1.1};
+  EXPECT_TRUE(
+      is_doubted(file, "hydrophone.self_noise_speed_mps, 3 m/s, is less than search.speed_mps and vehicle.max_current_mps together"));
+}
+
 }  // namespace
 }  // namespace earshot::board
