@@ -1,11 +1,14 @@
 #include "sim/recording/recorder.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <string_view>
 
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/input_file.hpp"
+#include "sim/recording/clock_text.hpp"
 #include "sim/recording/text_scanner.hpp"
 #include "sim/recording/utc.hpp"
 
@@ -21,15 +24,6 @@ bool is_sensitivity(double db) {
 
 bool is_voltage(double volts) {
   return volts >= 1e-6 && volts <= 1e3;
-}
-
-/// "yyyy-mm-ddTHH:MM:SS", with a blank in place of the T as well.
-std::optional<Time> iso_time(std::string_view text) {
-  Calendar c;
-  TextScanner scanner(text);
-  scanner.blanks().digits(4, c.year).word("-").digits(2, c.month).word("-").digits(2, c.day);
-  scanner.word(scanner.comes_next("T") ? "T" : " ").digits(2, c.hour).word(":").digits(2, c.minute).word(":").digits(2, c.second);
-  return scanner.is_ok() ? utc(c) : std::nullopt;
 }
 
 void read_iclisten(const SoundTexts& texts, const SoundFormat& format, RecorderNotes& notes) {
@@ -50,34 +44,39 @@ void read_iclisten(const SoundTexts& texts, const SoundFormat& format, RecorderN
     const double scaled = scanner.decimal(count).is_ok() && count > 0.0 ? volts * std::exp2(format.bits - 1) / count : 0.0;
     if (is_voltage(scaled)) notes.full_scale_volts = scaled;
   }
-  notes.start = iso_time(texts.date);
-  if (notes.start) notes.start_from = "its header";
+  if (const std::optional<ClockTime> date = read_iso(texts.date)) {
+    notes.start = date->utc;
+    notes.start_from = "its header";
+  }
 }
 
-/// "+2", "-3", "+5:30", or nothing before the bracket that closes.
-Duration read_zone(TextScanner& comment) {
-  int hours = 0;
-  int minutes = 0;
-  if (comment.comes_next(")")) return {};
-  const bool is_west = comment.comes_next("-");
-  comment.integer(hours);
-  if (comment.comes_next(":")) comment.word(":").digits(2, minutes);
-  return Duration::seconds(3600LL * hours + 60LL * (is_west ? -minutes : minutes));
+/// "HH:MM:SS dd/mm/yyyy" and the zone in brackets; the first firmware told none and ran in UTC. Some write milliseconds.
+std::optional<Time> audiomoth_time(std::string_view text) {
+  Calendar c;
+  int fraction = 0;
+  TextScanner comment(text);
+  comment.after("Recorded at ").digits(2, c.hour).word(":").digits(2, c.minute).word(":").digits(2, c.second);
+  if (comment.comes_next(".")) comment.word(".").digits(3, fraction);
+  comment.word(" ").digits(2, c.day).word("/").digits(2, c.month).word("/").digits(4, c.year).blanks();
+  Duration zone;
+  if (comment.comes_next("(")) {
+    const std::optional<Duration> told = read_zone(comment.word("("));
+    if (!told || !comment.blanks().word(")").is_ok()) return std::nullopt;
+    zone = *told;
+  }
+  const std::optional<Time> clock = comment.is_ok() ? utc(c) : std::nullopt;
+  return clock ? std::optional(Time{clock->us + Duration::milliseconds(fraction).us - zone.us}) : std::nullopt;
 }
 
 void read_audiomoth(const SoundTexts& texts, RecorderNotes& notes) {
-  if (texts.comment.find("AudioMoth") == std::string::npos) return;
-  notes.recorder = "AudioMoth";
-  Calendar c;
-  TextScanner comment(texts.comment);
-  comment.after("Recorded at ").digits(2, c.hour).word(":").digits(2, c.minute).word(":").digits(2, c.second).word(" ");
-  comment.digits(2, c.day).word("/").digits(2, c.month).word("/").digits(4, c.year).word(" (UTC");
-  const Duration zone = read_zone(comment);
-  const std::optional<Time> local = comment.word(")").is_ok() ? utc(c) : std::nullopt;
-  if (local) {
-    notes.start = Time{local->us - zone.us};
-    notes.start_from = "its comment";
-  }
+  const auto is_named = [&texts](const char* name) {
+    return texts.comment.find(name) != std::string::npos || texts.artist.find(name) != std::string::npos;
+  };
+  // Where a deployment has a number, it stands in place of the device's.
+  if (!is_named("AudioMoth") && !is_named("HydroMoth") && texts.comment.find("Recorded at ") == std::string::npos) return;
+  notes.recorder = is_named("HydroMoth") ? "HydroMoth" : "AudioMoth";
+  notes.start = audiomoth_time(texts.comment);
+  if (notes.start) notes.start_from = "its comment";
   int gain = 0;
   TextScanner setting(texts.comment);
   if (setting.after("at gain setting ").integer(gain).is_ok()) notes.gain = "gain setting " + std::to_string(gain);
@@ -118,28 +117,53 @@ void read_soundtrap(const std::filesystem::path& path, RecorderNotes& notes) {
   const std::filesystem::path log = path.parent_path() / (path.stem().string() + ".log.xml");
   if (!std::filesystem::exists(log)) return;
   const std::string xml = host::read_text(log, kLogFile);
-  if (const std::optional<Time> start = iso_time(attribute(xml, "SamplingStartTimeUTC"))) {
+  if (const std::optional<ClockTime> start = read_iso(attribute(xml, "SamplingStartTimeUTC"))) {
     int microseconds = 0;
     const bool has_fraction = TextScanner(attribute(xml, "SamplingStartTimeSubS")).blanks().integer(microseconds).is_ok();
     const bool is_fraction = has_fraction && microseconds >= 0 && microseconds < 1'000'000;
-    notes.start = Time{start->us + (is_fraction ? microseconds : 0)};
+    notes.start = Time{start->utc.us + (is_fraction ? microseconds : 0)};
     notes.start_from = log.filename().string();
   }
   if (const std::string_view gain = attribute(xml, "Gain"); !gain.empty()) notes.gain = "gain " + std::string(gain);
 }
 
-/// The first "yyyymmdd_HHMMSS" in a name, with a T or a dash between as well.
-std::optional<Time> dated_name(std::string_view name) {
-  for (std::size_t at = 0; at < name.size(); ++at) {
-    Calendar c;
-    TextScanner scanner(name.substr(at));
-    scanner.digits(4, c.year).digits(2, c.month).digits(2, c.day);
-    const bool is_parted = scanner.comes_next("_") || scanner.comes_next("T") || scanner.comes_next("-");
-    if (!is_parted) continue;
-    scanner.word(scanner.rest().substr(0, 1)).digits(2, c.hour).digits(2, c.minute).digits(2, c.second);
-    if (const std::optional<Time> time = scanner.is_ok() ? utc(c) : std::nullopt) return time;
+/// What stands behind "Key:" in a line of its own.
+std::string_view guano_value(std::string_view guano, std::string_view key) {
+  while (!guano.empty()) {
+    const std::size_t end = std::min(guano.find_first_of("\r\n"), guano.size());
+    const std::string_view line = guano.substr(0, end);
+    guano.remove_prefix(std::min(end + 1, guano.size()));
+    if (!line.starts_with(key) || !line.substr(key.size()).starts_with(":")) continue;
+    TextScanner value(line.substr(key.size() + 1));
+    return value.blanks().rest();
   }
-  return std::nullopt;
+  return {};
+}
+
+void read_guano_maker(std::string_view guano, RecorderNotes& notes) {
+  notes.recorder = guano_value(guano, "Make");
+  const std::string_view model = guano_value(guano, "Model");
+  if (!notes.recorder.empty() && !model.empty()) notes.recorder += ' ';
+  notes.recorder += model;
+}
+
+/// The first that states its zone, else the first of all, which is taken as UTC.
+void read_stated_time(const std::filesystem::path& path, const SoundTexts& texts, RecorderNotes& notes) {
+  struct Statement {
+    std::optional<ClockTime> time;
+    const char* from;
+  };
+  const std::array statements{Statement{read_iso(guano_value(texts.guano, "Timestamp")), "its GUANO Timestamp"},
+                              Statement{read_iso(texts.date), "its header (ICRD)"},
+                              Statement{time_in_name(path.stem().string()), "its name"},
+                              Statement{read_iso(texts.origin), "its header (bext)"}};
+  for (const bool has_zone : {true, false}) {
+    for (const Statement& statement : statements) {
+      if (notes.start || !statement.time || statement.time->has_zone != has_zone) continue;
+      notes.start = statement.time->utc;
+      notes.start_from = statement.from + std::string(has_zone ? "" : ", taken as UTC");
+    }
+  }
 }
 
 }  // namespace
@@ -149,9 +173,8 @@ RecorderNotes notes_of(const std::filesystem::path& path, const SoundTexts& text
   read_iclisten(texts, format, notes);
   if (notes.recorder.empty()) read_audiomoth(texts, notes);
   if (notes.recorder.empty()) read_soundtrap(path, notes);
-  if (notes.start) return notes;
-  notes.start = dated_name(path.stem().string());
-  if (notes.start) notes.start_from = "its name, taken as UTC";
+  if (notes.recorder.empty()) read_guano_maker(texts.guano, notes);
+  if (!notes.start) read_stated_time(path, texts, notes);
   return notes;
 }
 

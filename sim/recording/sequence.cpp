@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "firmware/host/file/bad_input.hpp"
+#include "sim/recording/clock_text.hpp"
 #include "sim/recording/utc.hpp"
 
 namespace earshot::recording {
@@ -18,13 +19,43 @@ Duration duration_of(std::uint64_t frames, Hertz rate) {
   return {static_cast<std::int64_t>(std::llround(static_cast<double>(frames) / rate.value * kMicroseconds))};
 }
 
-Part part_of(const std::filesystem::path& path) {
-  const SoundFile file(path);
-  return {.path = path,
-          .format = file.format(),
-          .notes = notes_of(path, file.texts(), file.format()),
-          .frames = file.frames(),
-          .missing_frames = file.missing_frames()};
+std::optional<Time> stated_start(const std::filesystem::path& path, const StatedTimes& stated) {
+  if (stated.begin || stated.name_format.empty()) return stated.begin;
+  const std::optional<ClockTime> time = time_by_format(stated.name_format, path.filename().string());
+  if (!time) throw host::BadInput(path.string() + ": its name has no time as --time-format has it: " + stated.name_format);
+  return time->utc;
+}
+
+/// One, or as many as its recorder's own table of times tells gaps between.
+std::vector<Part> parts_of(const std::filesystem::path& path, const SoundFile& file, const StatedTimes& stated) {
+  Part whole{.path = path,
+             .format = file.format(),
+             .notes = notes_of(path, file.texts(), file.format()),
+             .file_frames = file.frames(),
+             .first_frame = 0,
+             .frames = file.frames(),
+             .missing_frames = file.missing_frames(),
+             .frames_behind = file.frames_behind(),
+             .told_length = file.told_length()};
+  if (const std::optional<Time> start = stated_start(path, stated)) {
+    whole.notes.start = start;
+    whole.notes.start_from = stated.begin ? "--begin" : "its name by --time-format";
+    return {whole};
+  }
+  std::vector<Part> parts;
+  for (const ClockedRun& run : file.runs()) {
+    Part part = whole;
+    part.notes.recorder = "HARP";
+    part.notes.start = run.start;
+    part.notes.start_from = "its table of raw files";
+    part.first_frame = run.first_frame;
+    part.frames = run.frames;
+    part.missing_frames = 0;
+    parts.push_back(std::move(part));
+  }
+  if (parts.empty()) return {whole};
+  parts.back().missing_frames = whole.missing_frames;
+  return parts;
 }
 
 void require_alike(const Part& part, const Part& first) {
@@ -62,14 +93,27 @@ std::string seconds_text(Duration duration) {
 
 }  // namespace
 
-Sequence::Sequence(const std::vector<std::filesystem::path>& paths) {
-  for (const std::filesystem::path& path : paths) {
-    Part part = part_of(path);
-    require_once(parts_, part);
-    if (!parts_.empty()) require_alike(part, parts_.front());
-    parts_.push_back(std::move(part));
+void Sequence::add(const std::filesystem::path& path, const StatedTimes& stated) {
+  std::unique_ptr<SoundFile> file;
+  try {
+    file = std::make_unique<SoundFile>(path);
+  } catch (const host::BadInput& e) {
+    if (!std::filesystem::exists(path)) throw;
+    unreadable_.emplace_back(e.what());
+    return;
   }
-  if (parts_.empty()) throw host::BadInput("no sound file is named");
+  std::vector<Part> parts = parts_of(path, *file, stated);
+  require_once(parts_, parts.front());
+  if (!parts_.empty()) require_alike(parts.front(), parts_.front());
+  for (Part& part : parts) parts_.push_back(std::move(part));
+  ++files_;
+}
+
+Sequence::Sequence(const std::vector<std::filesystem::path>& paths, const StatedTimes& stated) {
+  if (stated.begin && paths.size() > 1)
+    throw host::BadInput("--begin: is of one file; --time-format takes the times off the names of several");
+  for (const std::filesystem::path& path : paths) add(path, stated);
+  if (parts_.empty()) throw host::BadInput(unreadable_.empty() ? "no sound file is named" : unreadable_.front());
   if (std::ranges::all_of(parts_, [](const Part& part) { return part.notes.start.has_value(); }))
     std::ranges::stable_sort(parts_, {}, [](const Part& part) { return *part.notes.start; });
   for (std::size_t i = 1; i < parts_.size(); ++i) {
@@ -87,18 +131,32 @@ Sequence::Place Sequence::place_of(Time in_sequence) const {
   const auto after = std::ranges::upper_bound(parts_, in_sequence, {}, [this](const Part& part) { return time_of(part.begin); });
   const std::size_t index = after == parts_.begin() ? 0 : static_cast<std::size_t>(after - parts_.begin()) - 1;
   const Part& part = parts_[index];
-  Place place{.part = index, .offset = std::max(in_sequence - time_of(part.begin), Duration{}), .utc = {}};
-  if (part.notes.start) place.utc = *part.notes.start + place.offset;
+  const Duration in_part = std::max(in_sequence - time_of(part.begin), Duration{});
+  Place place{.part = index, .offset = in_part + duration_of(part.first_frame, sample_rate()), .utc = {}};
+  if (part.notes.start) place.utc = *part.notes.start + in_part;
   return place;
+}
+
+bool Sequence::is_whole() const {
+  return unreadable_.empty() && std::ranges::all_of(parts_, [](const Part& part) { return part.told_length == ToldLength::kRight; });
 }
 
 std::vector<std::string> Sequence::remarks() const {
   std::vector<std::string> remarks;
+  for (const std::string& reason : unreadable_) remarks.push_back(reason + ": left out, the others are listened to");
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const Part& part = parts_[i];
     if (part.missing_frames > 0)
       remarks.push_back(part.path.string() + ": was cut short: its header tells of " +
                         seconds_text(duration_of(part.missing_frames, part.format.sample_rate)) + " more than it holds");
+    if (part.first_frame == 0 && part.told_length == ToldLength::kTooShort)
+      remarks.push_back(part.path.string() + ": holds " + seconds_text(duration_of(part.frames_behind, part.format.sample_rate)) +
+                        " of samples behind the end that its header tells; they are listened to: its recorder was killed, or the size "
+                        "wrapped at 4 GiB");
+    if (part.first_frame == 0 && part.told_length == ToldLength::kUnknown)
+      remarks.push_back(part.path.string() + ": its header does not tell its length: it is listened to up to its end, " +
+                        seconds_text(duration_of(part.file_frames, part.format.sample_rate)) +
+                        "; whether its recorder took more is not known");
     if (i == 0) continue;
     const std::optional<Duration> gap = gap_between(parts_[i - 1], part);
     if (!gap) {
@@ -124,8 +182,10 @@ bool SequenceReader::open_next() {
   if (part_ == sequence_->parts().size()) return false;
   const Part& part = sequence_->parts()[part_];
   file_ = std::make_unique<SoundFile>(part.path);
-  if (file_->format().channels != part.format.channels || file_->frames() != part.frames)
+  if (file_->format().channels != part.format.channels || file_->frames() != part.file_frames)
     throw host::BadInput(part.path.string() + ": has changed while it was listened to");
+  if (part.first_frame > 0 && !file_->go_to(part.first_frame))
+    throw host::BadInput(part.path.string() + ": cannot be read from its sample " + std::to_string(part.first_frame) + " on");
   read_ = 0;
   follows_on_ = part.follows_on && missing_frames_ == 0;
   return true;

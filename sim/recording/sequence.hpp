@@ -16,15 +16,25 @@
 
 namespace earshot::recording {
 
-/// One file of a sequence.
+/// A file of a sequence, or the part of one that its recorder took without a gap.
 struct Part {
   std::filesystem::path path;
   SoundFormat format;
-  RecorderNotes notes;
-  std::uint64_t frames = 0;
-  std::uint64_t missing_frames = 0;  ///< that its header tells of
-  std::uint64_t begin = 0;           ///< frames of the sequence before it
-  bool follows_on = false;           ///< the part before ends where this one begins, as the recorder's clock has it
+  RecorderNotes notes;               ///< the start is that of this part
+  std::uint64_t file_frames = 0;     ///< of the file as a whole
+  std::uint64_t first_frame = 0;     ///< in the file
+  std::uint64_t frames = 0;          ///< of this part
+  std::uint64_t missing_frames = 0;  ///< that the header tells of, behind this part
+  std::uint64_t frames_behind = 0;   ///< of these that the header does not tell of
+  ToldLength told_length = ToldLength::kRight;
+  std::uint64_t begin = 0;  ///< frames of the sequence before it
+  bool follows_on = false;  ///< the part before ends where this one begins, as the recorder's clock has it
+};
+
+/// What somebody says of when files begin, in place of what they say themselves.
+struct StatedTimes {
+  std::optional<Time> begin{};  ///< of the only file
+  std::string name_format{};    ///< of the files' names, see time_by_format()
 };
 
 /// Files of one recorder, one after the other. Time runs from the start of the sequence through the sound that there is, as Raven counts
@@ -35,11 +45,18 @@ class Sequence {
   /// How far the end of a file and the beginning of the next may lie apart for sound without a gap: recorders tell whole seconds.
   static constexpr Duration kClockStep = Duration::seconds(1);
 
-  /// Looks into every file. Throws host::BadInput where one cannot be read, is named twice, or differs from the first in sample rate or
+  /// Looks into every file. One of several that is there and cannot be read is left out: see unreadable(). Throws host::BadInput where none
+  /// can be read, and where one is not there, is named twice, has no time as `stated` has it, or differs from the first in sample rate or
   /// channels.
-  explicit Sequence(const std::vector<std::filesystem::path>& paths);
+  explicit Sequence(const std::vector<std::filesystem::path>& paths, const StatedTimes& stated = {});
 
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
+  /// How many files the parts are of.
+  [[nodiscard]] std::size_t files() const { return files_; }
+  /// Why files were left out: "FILE: reason".
+  [[nodiscard]] const std::vector<std::string>& unreadable() const { return unreadable_; }
+  /// Whether all that the recorder took is here, as far as the headers tell.
+  [[nodiscard]] bool is_whole() const;
   [[nodiscard]] Hertz sample_rate() const { return parts_.front().format.sample_rate; }
   [[nodiscard]] std::size_t channels() const { return parts_.front().format.channels; }
   [[nodiscard]] std::uint64_t frames() const { return parts_.back().begin + parts_.back().frames; }
@@ -59,7 +76,11 @@ class Sequence {
   [[nodiscard]] std::vector<std::string> remarks() const;
 
  private:
+  void add(const std::filesystem::path& path, const StatedTimes& stated);
+
   std::vector<Part> parts_;
+  std::size_t files_ = 0;
+  std::vector<std::string> unreadable_;
 };
 
 /// A piece of one channel of a sequence.

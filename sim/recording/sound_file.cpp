@@ -3,12 +3,15 @@
 #include <sndfile.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <optional>
 #include <vector>
 
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/input_file.hpp"
-#include "sim/recording/riff.hpp"
 
 namespace earshot::recording {
 
@@ -23,17 +26,44 @@ host::BadInput refused(const std::filesystem::path& path, const std::string& why
 }  // namespace
 
 struct SoundFile::Handle {
+  /// Samples as libsndfile reads them without a header.
+  struct Window {
+    std::ifstream stream;
+    std::uint64_t begin = 0;
+    std::uint64_t bytes = 0;
+    std::uint64_t at = 0;  ///< from the begin
+  };
+
   SNDFILE* file = nullptr;
+  Window window;
   Handle() = default;
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
   ~Handle() { close(); }
 
-  /// @return what its header says
-  SF_INFO open(const std::filesystem::path& path) {
+  /// @return what its header says; nothing where libsndfile cannot read it
+  std::optional<SF_INFO> try_open(const std::filesystem::path& path) {
     SF_INFO info{};
     // Absolute: libsndfile takes - for standard input.
     file = sf_open(std::filesystem::absolute(path).c_str(), SFM_READ, &info);
+    return file == nullptr ? std::nullopt : std::optional(info);
+  }
+
+  SF_INFO open(const std::filesystem::path& path) {
+    const std::optional<SF_INFO> info = try_open(path);
+    if (!info) throw refused(path, std::string("is no sound file that can be read: ") + sf_strerror(nullptr));
+    return *info;
+  }
+
+  /// Reads samples past the header. @param info  how they lie
+  SF_INFO open_samples(const std::filesystem::path& path, const RiffData& data, SF_INFO info) {
+    close();
+    window.stream.open(path, std::ios::binary);
+    window.begin = data.begin;
+    window.bytes = data.there;
+    window.at = 0;
+    SF_VIRTUAL_IO io{.get_filelen = length_of, .seek = seek, .read = read_bytes, .write = nullptr, .tell = tell};
+    file = sf_open_virtual(&io, SFM_READ, &info, &window);
     if (file == nullptr) throw refused(path, std::string("is no sound file that can be read: ") + sf_strerror(nullptr));
     return info;
   }
@@ -41,6 +71,27 @@ struct SoundFile::Handle {
   void close() {
     if (file != nullptr) sf_close(file);
     file = nullptr;
+  }
+
+ private:
+  static sf_count_t length_of(void* user) { return static_cast<sf_count_t>(static_cast<Window*>(user)->bytes); }
+  static sf_count_t tell(void* user) { return static_cast<sf_count_t>(static_cast<Window*>(user)->at); }
+  static sf_count_t seek(sf_count_t offset, int whence, void* user) {
+    Window& window = *static_cast<Window*>(user);
+    const std::uint64_t from = whence == SEEK_SET ? 0 : whence == SEEK_CUR ? window.at : window.bytes;
+    window.at = static_cast<std::uint64_t>(std::max<sf_count_t>(static_cast<sf_count_t>(from) + offset, 0));
+    return static_cast<sf_count_t>(window.at);
+  }
+  static sf_count_t read_bytes(void* into, sf_count_t count, void* user) {
+    Window& window = *static_cast<Window*>(user);
+    if (window.at >= window.bytes) return 0;
+    const std::uint64_t most = std::min<std::uint64_t>(static_cast<std::uint64_t>(count), window.bytes - window.at);
+    window.stream.clear();
+    window.stream.seekg(static_cast<std::streamoff>(window.begin + window.at));
+    window.stream.read(static_cast<char*>(into), static_cast<std::streamsize>(most));
+    const auto read = std::max<std::streamsize>(window.stream.gcount(), 0);
+    window.at += static_cast<std::uint64_t>(read);
+    return read;
   }
 };
 
@@ -70,26 +121,42 @@ std::string text_of(SNDFILE* file, int which) {
   return text == nullptr ? std::string() : std::string(text);
 }
 
+int stored_bits_of(int subtype) {
+  if (subtype == SF_FORMAT_DOUBLE) return 64;
+  return subtype == SF_FORMAT_FLOAT ? 32 : bits_of(subtype);
+}
+
+/// How libsndfile is to read a WAV file's samples without its header; nothing where they are coded.
+std::optional<SF_INFO> raw_format(const RiffFormat& format) {
+  constexpr int kWhole = 1;
+  constexpr int kFloating = 3;
+  if (format.channels < 1 || format.bytes_per_frame % format.channels != 0) return std::nullopt;
+  const int bytes = format.bytes_per_frame / format.channels;
+  int subtype = 0;
+  if (format.coding == kWhole && bytes >= 1 && bytes <= 4)
+    subtype = std::array{SF_FORMAT_PCM_U8, SF_FORMAT_PCM_16, SF_FORMAT_PCM_24, SF_FORMAT_PCM_32}[static_cast<std::size_t>(bytes) - 1];
+  if (format.coding == kFloating && bytes == 4) subtype = SF_FORMAT_FLOAT;
+  if (format.coding == kFloating && bytes == 8) subtype = SF_FORMAT_DOUBLE;
+  if (subtype == 0) return std::nullopt;
+  SF_INFO info{};
+  info.samplerate = format.sample_rate_hz;
+  info.channels = format.channels;
+  info.format = SF_FORMAT_RAW | subtype | SF_ENDIAN_LITTLE;
+  return info;
+}
+
 SoundFormat format_of(const SF_INFO& info, const std::filesystem::path& path) {
   const int subtype = info.format & SF_FORMAT_SUBMASK;
   const bool is_float = subtype == SF_FORMAT_FLOAT || subtype == SF_FORMAT_DOUBLE;
   const int bits = bits_of(subtype);
-  if (bits == 0 || (info.format & SF_FORMAT_TYPEMASK) == SF_FORMAT_RAW)
-    throw refused(path, "its samples are coded with loss, which changes levels: convert it to WAV or FLAC from the original");
+  if (bits == 0) throw refused(path, "its samples are coded with loss, which changes levels: convert it to WAV or FLAC from the original");
   if (info.channels < 1) throw refused(path, "it has no channel");
   if (info.samplerate < 1) throw refused(path, "its sample rate is no number above 0 Hz");
   return {.sample_rate = Hertz{static_cast<double>(info.samplerate)},
           .channels = static_cast<std::size_t>(info.channels),
           .bits = bits,
+          .stored_bits = stored_bits_of(subtype),
           .is_float = is_float};
-}
-
-/// What the file's length says is missing of a WAV file.
-std::uint64_t missing_frames_of(const std::filesystem::path& path, std::uint64_t frames) {
-  const std::optional<RiffData> data = riff_data(path);
-  if (!data || data->there >= data->told || frames == 0) return 0;
-  const double share = static_cast<double>(data->told) / static_cast<double>(std::max<std::uint64_t>(data->there, 1));
-  return static_cast<std::uint64_t>(std::llround(static_cast<double>(frames) * share)) - frames;
 }
 
 /// Room for some whole frames.
@@ -99,25 +166,73 @@ std::vector<float> piece_of(const SoundFormat& format) {
 
 }  // namespace
 
+std::string to_string(const SoundFormat& format) {
+  return std::to_string(format.stored_bits) + (format.is_float ? " bit floating point" : " bit");
+}
+
 SoundFile::SoundFile(const std::filesystem::path& path) : handle_(std::make_unique<Handle>()) {
   { const host::InputFile is_regular(path, host::kAnySize); }
-  const SF_INFO info = handle_->open(path);
-  format_ = format_of(info, path);
-  frames_ = static_cast<std::uint64_t>(std::max<sf_count_t>(info.frames, 0));
-  if (info.frames == SF_COUNT_MAX) {  // a FLAC file that was written into a pipe does not say how long it is
-    frames_ = 0;
-    std::vector<float> piece = piece_of(format_);
-    while (const std::size_t frames = read(piece)) frames_ += frames;
-    handle_->close();
-    (void)handle_->open(path);
+  const std::optional<RiffFile> riff = read_riff(path);
+  if (riff) {
+    open_riff(path, *riff);
+  } else {
+    const SF_INFO info = handle_->open(path);
+    format_ = format_of(info, path);
+    frames_ = static_cast<std::uint64_t>(std::max<sf_count_t>(info.frames, 0));
+    if (info.frames == SF_COUNT_MAX) count_frames(path);
   }
   if (frames_ == 0) throw refused(path, "holds no sample");
-  missing_frames_ = missing_frames_of(path, frames_);
-  texts_ = {.artist = text_of(handle_->file, SF_STR_ARTIST),
-            .album = text_of(handle_->file, SF_STR_ALBUM),
-            .comment = text_of(handle_->file, SF_STR_COMMENT),
-            .date = text_of(handle_->file, SF_STR_DATE),
-            .software = text_of(handle_->file, SF_STR_SOFTWARE)};
+  if (riff) texts_ = texts_of(path, *riff);
+  const auto take = [this](std::string& text, int which) {
+    if (text.empty()) text = text_of(handle_->file, which);
+  };
+  take(texts_.artist, SF_STR_ARTIST);
+  take(texts_.album, SF_STR_ALBUM);
+  take(texts_.comment, SF_STR_COMMENT);
+  take(texts_.date, SF_STR_DATE);
+  take(texts_.software, SF_STR_SOFTWARE);
+  if (!riff || !riff->format || texts_.harp.empty()) return;
+  format_.sample_rate = harp_rate(texts_.harp, format_.channels).value_or(format_.sample_rate);
+  runs_ = harp_runs(texts_.harp, {.begin = riff->data.begin,
+                                  .frame_bytes = static_cast<std::uint64_t>(std::max(riff->format->bytes_per_frame, 1)),
+                                  .frames = frames_,
+                                  .channels = format_.channels,
+                                  .sample_rate = format_.sample_rate});
+}
+
+/// A FLAC file that was written into a pipe, or by a recorder that was killed, does not say how long it is.
+void SoundFile::count_frames(const std::filesystem::path& path) {
+  frames_ = 0;
+  told_length_ = ToldLength::kUnknown;
+  std::vector<float> piece = piece_of(format_);
+  while (const std::size_t frames = read(piece)) frames_ += frames;
+  handle_->close();
+  (void)handle_->open(path);
+}
+
+void SoundFile::open_riff(const std::filesystem::path& path, const RiffFile& riff) {
+  const RiffData& data = riff.data;
+  const std::optional<SF_INFO> raw = riff.format ? raw_format(*riff.format) : std::nullopt;
+  const bool is_told_right = data.told && data.there <= *data.told;
+  std::optional<SF_INFO> info = raw && !is_told_right ? std::nullopt : handle_->try_open(path);
+  if (!info) info = raw ? handle_->open_samples(path, data, *raw) : handle_->open(path);
+  format_ = format_of(*info, path);
+  frames_ = static_cast<std::uint64_t>(std::max<sf_count_t>(info->frames, 0));
+  const std::uint64_t frame_bytes =
+      riff.format && riff.format->bytes_per_frame > 0 ? static_cast<std::uint64_t>(riff.format->bytes_per_frame) : 1;
+  if (!data.told) {
+    told_length_ = ToldLength::kUnknown;
+  } else if (*data.told > data.there && frames_ > 0) {
+    missing_frames_ = (*data.told - data.there) / frame_bytes;
+    if (missing_frames_ > 0) told_length_ = ToldLength::kTooLong;
+  } else if (data.there > *data.told) {
+    frames_behind_ = (data.there - *data.told) / frame_bytes;
+    if (frames_behind_ > 0) told_length_ = ToldLength::kTooShort;
+  }
+}
+
+bool SoundFile::go_to(std::uint64_t frame) {
+  return sf_seek(handle_->file, static_cast<sf_count_t>(frame), SEEK_SET) == static_cast<sf_count_t>(frame);
 }
 
 SoundFile::~SoundFile() = default;

@@ -8,6 +8,8 @@
 #include "sim/annotation/selection_table.hpp"
 #include "sim/apps/listen/outputs.hpp"
 #include "sim/plot/gnuplot.hpp"
+#include "sim/recording/clock_text.hpp"
+#include "sim/recording/sound_folder.hpp"
 
 namespace earshot::listen {
 namespace {
@@ -44,6 +46,21 @@ void describe_hearing(program::CommandLine& line, Arguments& a) {
   line.at("--full-scale-db").excludes(line.at("--calibration"));
 }
 
+void describe_times(program::CommandLine& line, Arguments& a) {
+  line.option("--begin", &a.begin,
+              "when the file begins, such as 2021-02-05T03:59:46+10:00; without a zone it is UTC; default: what the file says")
+      .checked([](const std::string& text) {
+        return recording::read_iso(text) ? std::string() : text + ": is no time such as 2021-02-05T03:59:46Z or 2021-02-05T03:59:46+10:00";
+      });
+  line.option("--time-format", &a.time_format,
+              "how the files' names tell when they begin, such as %y%m%d_%H%M%S or %Y%j%H%M%S%z; without %z it is UTC; %f is a fraction")
+      .checked([](const std::string& text) {
+        const std::string fault = recording::fault_of_format(text);
+        return fault.empty() ? fault : text + ": " + fault;
+      });
+  line.at("--begin").excludes(line.at("--time-format"));
+}
+
 void describe_outputs(program::CommandLine& line, Arguments& a) {
   line.option("--csv", &a.csv, "write the detections, a line each");
   line.option("--raven", &a.raven, "write them as a Raven selection table");
@@ -75,10 +92,19 @@ void describe(program::CommandLine& line, Arguments& a) {
       "  earshot listen song.wav --threshold 6 --raven song.txt --spectrogram song.png\n"
       "  earshot listen 5100.*.wav --full-scale-db 176.1 --csv detections.csv --levels levels.nc\n"
       "  earshot listen song.flac --score annotations.txt --roc roc.png --json score.json");
-  line.option("FILE", &a.files, "recordings, WAV or FLAC; several of one recorder are one sequence").required().takes(1, -1);
+  line.option("FILE", &a.files, "recordings, WAV or FLAC, or folders of such; several of one recorder are one sequence")
+      .required()
+      .takes(1, -1);
+  describe_times(line, a);
   describe_hearing(line, a);
   describe_outputs(line, a);
   describe_score(line, a);
+}
+
+void open_folders(Arguments& a) {
+  const std::vector<std::filesystem::path> named(a.files.begin(), a.files.end());
+  a.files.clear();
+  for (const std::filesystem::path& path : recording::recordings_in(named)) a.files.push_back(path.string());
 }
 
 void require_writable(const Arguments& a) {

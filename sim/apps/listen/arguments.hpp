@@ -14,7 +14,9 @@ namespace earshot::listen {
 
 /// What the command line of `earshot listen` says.
 struct Arguments {
-  std::vector<std::string> files;
+  std::vector<std::string> files;  ///< or folders
+  std::string begin;               ///< of the only file; empty: as the file says
+  std::string time_format;         ///< of the files' names; empty: as the files say
   std::string preset = "fin";
   std::vector<double> band_hz;  ///< low and high, or nothing
   std::optional<double> threshold_db;
@@ -35,6 +37,9 @@ struct Arguments {
 };
 
 void describe(program::CommandLine& line, Arguments& arguments);
+
+/// In place of each folder its recordings. Throws host::BadInput.
+void open_folders(Arguments& arguments);
 
 /// Refuses outputs that cannot be written, are named twice or are one of the recordings, before the work and not after it. Throws
 /// host::BadInput.

@@ -25,16 +25,16 @@ void write_outputs(const listen::Result& result, const Arguments& arguments) {
 
 /// Says on standard error what somebody must know of the files. @return the exit status
 int warn(const listen::Plan& plan, const listen::Heard& heard) {
-  bool is_incomplete = heard.missing_frames > 0;
+  const bool is_incomplete = heard.missing_frames > 0 || !plan.sequence.is_whole();
   for (const std::string& remark : plan.remarks) std::cerr << "earshot listen: " << host::printable(remark) << '\n';
-  for (const recording::Part& part : plan.sequence.parts()) is_incomplete = is_incomplete || part.missing_frames > 0;
   if (heard.missing_frames > 0)
     std::cerr << "earshot listen: " << heard.missing_frames
               << " samples that the headers tell of could not be read: a file is cut short or damaged\n";
   return is_incomplete ? program::kIncomplete : program::kDone;
 }
 
-int run(const Arguments& arguments) {
+int run(Arguments& arguments) {
+  open_folders(arguments);
   require_writable(arguments);
   const listen::Plan plan = plan_for(arguments);
   if (!arguments.roc.empty() && plan.truth.empty())
@@ -55,7 +55,9 @@ int main(int argc, char** argv) {
       "earshot listen",
       "Hears calls in recordings with the detector that flies on the vehicle, and prints each with its time, level and SNR.\n"
       "Without any option it listens from 15 to 30 Hz for pulses of a second, which finds fin whales, and most that is loud there longer.\n"
-      "Exit status: 0 listened to all, 1 listened to what there is of files that are cut short, 2 something cannot be listened to.");
+      "Exit status: 0 listened to all, 1 listened to what there is of files that are cut short, unreadable or of a length that their "
+      "header does not "
+      "tell right, 2 something cannot be listened to.");
   describe(line, arguments);
   return program::run(line, argc, argv, [&] {
     arguments.history = program::as_typed(argc, argv);

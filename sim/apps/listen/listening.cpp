@@ -8,6 +8,8 @@
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/program/progress_bar.hpp"
 #include "sim/annotation/selection_table.hpp"
+#include "sim/apps/listen/decimator.hpp"
+#include "sim/recording/clock_text.hpp"
 #include "sim/spectrum/short_time_spectrum.hpp"
 
 namespace earshot::listen {
@@ -29,16 +31,30 @@ constexpr Duration kShort = Duration::seconds(600);
 constexpr Hertz kLowestThirdOctave{10.0};
 /// Shares of full scale: below what any ADC's highest step is.
 constexpr float kNearlyFullScale = 0.99F;
+/// No hydrophone's recorder takes more; beyond it a number is damage.
+constexpr Hertz kHighestSampleRate{1'000'000.0};
 /// A picture reaches so many times as high as the band.
 constexpr double kPictureOverBand = 3.0;
 
 std::string name_of(const Sequence& sequence) {
   const std::string first = sequence.parts().front().path.string();
-  return sequence.parts().size() == 1 ? first : first + " and " + std::to_string(sequence.parts().size() - 1) + " more";
+  return sequence.files() == 1 ? first : first + " and " + std::to_string(sequence.files() - 1) + " more";
 }
 
 host::BadInput unheard(const Sequence& sequence, const std::string& why) {
   return host::BadInput(name_of(sequence) + ": cannot be listened to: " + why);
+}
+
+/// The recording's own, or what it is decimated to.
+Hertz listening_rate(const Sequence& sequence) {
+  return sequence.sample_rate() / static_cast<double>(decimation_for(sequence.sample_rate()));
+}
+
+/// Steps of the ADC as the noise of one would be at the rate that is listened to: four times the rate spreads it as a bit more does.
+int bits_at_listening_rate(const Sequence& sequence) {
+  const int bits = sequence.parts().front().format.bits;
+  const double more = std::floor(std::log2(static_cast<double>(decimation_for(sequence.sample_rate()))) / 2.0);
+  return std::min(bits + static_cast<int>(more), std::max(bits, 24));
 }
 
 std::string band_text(detector::Band band) {
@@ -50,17 +66,18 @@ std::string band_text(detector::Band band) {
 
 void require_audible(const Sequence& sequence, const detector::SoundSettings& settings, detector::Band asked) {
   std::ostringstream rate;
+  rate.precision(9);
   rate << "it is sampled at " << sequence.sample_rate().value << " Hz";
-  if (sequence.sample_rate() > messages::kHighestSampleRate) {
-    rate << ", and the detector takes up to " << messages::kHighestSampleRate.value << " Hz: resample it";
+  if (sequence.sample_rate() > kHighestSampleRate) {
+    rate << ", and no more than " << kHighestSampleRate.value << " Hz are taken: resample it";
     throw unheard(sequence, rate.str());
   }
   const detector::SettingsFault fault = detector::check(settings);
   if (fault == detector::SettingsFault::kNone) return;
   if (settings.band != asked) throw unheard(sequence, rate.str() + ", too slowly for the band of " + band_text(asked));
   if (fault == detector::SettingsFault::kCalibration)
-    throw unheard(sequence, detector::to_string(detector::check(settings.calibration, Decibels{0.0}, sequence.sample_rate(), settings.band,
-                                                                settings.expected_noise)));
+    throw unheard(sequence, detector::to_string(detector::check(settings.calibration, Decibels{0.0}, listening_rate(sequence),
+                                                                settings.band, settings.expected_noise)));
   throw host::BadInput(detector::to_string(fault));
 }
 
@@ -92,13 +109,14 @@ class Listeners {
  public:
   Listeners(const Plan& plan, const Arguments& arguments)
       : plan_(plan),
-        ear_(plan.settings, plan.sequence.sample_rate()),
+        decimator_(decimation_for(plan.sequence.sample_rate()), full_scale_of(plan.sequence)),
+        ear_(plan.settings, listening_rate(plan.sequence)),
         windows_(plan.sequence.sample_rate(), plan.sequence.duration() < kShort ? 8 : 2) {
     if (!arguments.roc.empty()) {
       for (int threshold_db = kLowestThreshold_db; threshold_db <= kHighestThreshold_db; ++threshold_db) {
         detector::SoundSettings settings = plan.settings;
         settings.detection_threshold = Decibels{static_cast<double>(threshold_db)};
-        others_.emplace_back(settings, plan.sequence.sample_rate());
+        others_.emplace_back(settings, listening_rate(plan.sequence));
       }
     }
     if (!arguments.spectrogram.empty())
@@ -106,21 +124,26 @@ class Listeners {
     if (!arguments.levels.empty()) levels_ = levels_for(arguments.levels_interval_s);
   }
 
-  [[nodiscard]] std::size_t lead() const { return ear_.lead(); }
-  [[nodiscard]] std::size_t tail() const { return ear_.tail(); }
+  /// Samples of the recording.
+  [[nodiscard]] std::size_t lead() const { return (ear_.lead() + reach()) * decimator_.factor(); }
+  [[nodiscard]] std::size_t tail() const { return (ear_.tail() + reach()) * decimator_.factor(); }
 
   void prepare(std::span<const float> before) {
-    for_each([before](Ear& ear) { ear.prepare(before); });
+    const std::span<const float> lower = at_listening_rate(before);
+    for_each([lower](Ear& ear) { ear.prepare(lower); });
   }
   void learn_noise(const Piece& piece) {
-    for_each([&piece](Ear& ear) { ear.learn_noise(piece); });
+    if (const std::optional<Piece> lower = at_listening_rate(piece)) for_each([&lower](Ear& ear) { ear.learn_noise(*lower); });
   }
   void begin_again() {
+    decimator_.restart();
+    next_lower_ = 0;
+    is_broken_ = false;
     for_each([](Ear& ear) { ear.begin_again(); });
   }
 
   void hear(const Piece& piece) {
-    for_each([&piece](Ear& ear) { ear.hear(piece); });
+    if (const std::optional<Piece> lower = at_listening_rate(piece)) for_each([&lower](Ear& ear) { ear.hear(*lower); });
     if (!spectrogram_ && !levels_) return;
     if (!piece.follows_on) windows_.restart();
     windows_.take(piece.samples, piece.begin, [this](std::span<const float> psd, std::uint64_t begin) {
@@ -130,7 +153,8 @@ class Listeners {
   }
 
   void finish(std::span<const float> after) {
-    for_each([after](Ear& ear) { ear.finish(after); });
+    const std::span<const float> lower = at_listening_rate(after);
+    for_each([lower](Ear& ear) { ear.finish(lower); });
     if (levels_) levels_->finish();
   }
 
@@ -140,6 +164,34 @@ class Listeners {
   [[nodiscard]] std::unique_ptr<spectrum::BandLevels> levels() { return std::move(levels_); }
 
  private:
+  /// A sample of full scale, less what its last steps may lack.
+  [[nodiscard]] static float full_scale_of(const Sequence& sequence) {
+    return static_cast<float>(1.0 - 1.5 * std::exp2(1 - sequence.parts().front().format.bits));
+  }
+
+  [[nodiscard]] std::size_t reach() const { return decimator_.factor() == 1 ? 0 : 2 * Decimator::kReach; }
+
+  [[nodiscard]] std::span<const float> at_listening_rate(std::span<const float> samples) {
+    return decimator_.factor() == 1 ? samples : decimator_.take(samples);
+  }
+
+  /// Nothing where the piece completes no sample.
+  [[nodiscard]] std::optional<Piece> at_listening_rate(const Piece& piece) {
+    const std::size_t factor = decimator_.factor();
+    if (factor == 1) return piece;
+    if (!piece.follows_on && piece.begin > 0) {
+      decimator_.restart();
+      is_broken_ = true;
+      next_lower_ = (piece.begin + factor - 1) / factor;
+    }
+    const std::span<const float> lower = decimator_.take(piece.samples);
+    if (lower.empty()) return std::nullopt;
+    const Piece given{.begin = next_lower_, .part = piece.part, .follows_on = !is_broken_, .samples = lower};
+    is_broken_ = false;
+    next_lower_ += lower.size();
+    return given;
+  }
+
   template <typename Do>
   void for_each(Do what) {
     what(ear_);
@@ -153,6 +205,9 @@ class Listeners {
   }
 
   const Plan& plan_;
+  Decimator decimator_;
+  std::uint64_t next_lower_ = 0;  ///< number of the sample that the decimator gives next
+  bool is_broken_ = false;        ///< it does not follow on the last
   Ear ear_;
   std::vector<Ear> others_;
   spectrum::ShortTimeSpectrum windows_;
@@ -246,11 +301,17 @@ void require_heard(const Ear& ear, const Plan& plan) {
   throw unheard(plan.sequence, detector::to_string(obstacle));
 }
 
+recording::StatedTimes stated_times(const Arguments& arguments) {
+  recording::StatedTimes stated{.name_format = arguments.time_format};
+  if (!arguments.begin.empty()) stated.begin = recording::read_iso(arguments.begin)->utc;
+  return stated;
+}
+
 }  // namespace
 
 Plan plan_for(const Arguments& arguments) {
   const std::vector<std::filesystem::path> paths(arguments.files.begin(), arguments.files.end());
-  Plan plan{.sequence = Sequence(paths),
+  Plan plan{.sequence = Sequence(paths, stated_times(arguments)),
             .channel = arguments.channel - 1,
             .chain = {},
             .settings = settings_of(arguments),
@@ -269,7 +330,7 @@ Plan plan_for(const Arguments& arguments) {
   plan.settings.calibration = {.sensitivity = -kNominalFullScale,
                                .fixed_gain = Decibels{0.0},
                                .full_scale_volts = 1.0,
-                               .adc_bits = sequence.parts().front().format.bits,
+                               .adc_bits = bits_at_listening_rate(sequence),
                                .high_pass_corner = plan.chain.high_pass_corner};
   require_audible(sequence, plan.settings, plan.asked);
   if (!arguments.truth.empty()) plan.truth = read_truth(arguments.truth, sequence.duration());

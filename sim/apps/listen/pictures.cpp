@@ -12,7 +12,7 @@ namespace {
 
 std::string title_of(const Plan& plan) {
   const std::string first = host::printable(plan.sequence.parts().front().path.filename().string());
-  const std::size_t more = plan.sequence.parts().size() - 1;
+  const std::size_t more = plan.sequence.files() - 1;
   return more == 0 ? first : first + " and " + std::to_string(more) + " more";
 }
 

@@ -37,6 +37,7 @@ ordered_json files_json(const recording::Sequence& sequence) {
                          {"samples", part.frames},
                          {"recorder", part.notes.recorder},
                          {"start_utc", nullptr}};
+    if (part.first_frame > 0) file["first_sample"] = part.first_frame;
     if (part.notes.start) {
       file["start_utc"] = recording::to_iso(*part.notes.start);
       file["start_from"] = part.notes.start_from;
@@ -79,13 +80,17 @@ void print_recording(std::ostream& out, const Result& result) {
   const recording::Sequence& sequence = result.plan.sequence;
   const recording::Part& first = sequence.parts().front();
   out << "recording:   " << first.path.string();
-  if (sequence.parts().size() > 1) out << " and " << sequence.parts().size() - 1 << " more files";
-  out << ": " << sequence.duration().to_seconds() << " s at " << sequence.sample_rate().value << " Hz, " << first.format.bits << " bit";
+  if (sequence.files() > 1) out << " and " << sequence.files() - 1 << " more files";
+  out << ": " << sequence.duration().to_seconds() << " s at " << sequence.sample_rate().value << " Hz, "
+      << recording::to_string(first.format);
   if (sequence.channels() > 1) out << ", channel " << result.plan.channel + 1 << " of " << sequence.channels();
   out << '\n';
   if (!first.notes.recorder.empty())
     out << "recorder:    " << first.notes.recorder << (first.notes.gain.empty() ? "" : ", ") << first.notes.gain << '\n';
-  if (first.notes.start) out << "begins:      " << recording::to_iso(*first.notes.start) << ", from " << first.notes.start_from << '\n';
+  if (first.notes.start)
+    out << "begins:      " << recording::to_iso(*first.notes.start) << ", from " << first.notes.start_from << '\n';
+  else
+    out << "begins:      not known: neither the header nor the name tells (--begin, --time-format)\n";
 }
 
 void print_levels(std::ostream& out, const Result& result, const Arguments& arguments) {

@@ -6,6 +6,8 @@
 #include <filesystem>
 
 #include "firmware/host/file/bad_input.hpp"
+#include "sim/recording/harp.hpp"
+#include "sim/recording/sound_folder.hpp"
 #include "sim/recording/utc.hpp"
 #include "tests/sim/recording/wav_bytes.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -80,6 +82,92 @@ TEST(Sequence, RefusesFilesThatAreNotOfOneRecorder) {
   tests::write(folder / "two.wav", WavBytes{.sample_rate = 100, .channels = 2, .samples = std::string(400, '\1')}.bytes());
   EXPECT_NE(refusal_of({slow, folder / "two.wav"}).find("two.wav: has 2 channels, "), std::string::npos);
   EXPECT_NE(refusal_of({slow, folder.path() / "." / "slow.wav"}).find("is named twice"), std::string::npos);
+}
+
+TEST(Sequence, LeavesOutOneOfSeveralThatCannotBeRead) {
+  const TemporaryFolder folder;
+  tests::write(folder / "b.wav", "torn");
+  const Sequence sequence({ten_seconds(folder / "a.wav"), folder / "b.wav", ten_seconds(folder / "c.wav")});
+  EXPECT_EQ(sequence.files(), 2U);
+  ASSERT_EQ(sequence.unreadable().size(), 1U);
+  EXPECT_NE(sequence.unreadable()[0].find("b.wav: is no sound file"), std::string::npos);
+  EXPECT_FALSE(sequence.is_whole());
+  EXPECT_NE(refusal_of({folder / "b.wav"}).find("is no sound file"), std::string::npos);
+  EXPECT_NE(refusal_of({folder / "a.wav", folder / "nowhere.wav"}).find("nowhere.wav: no such file"), std::string::npos)
+      << "a slip of the pen";
+}
+
+TEST(Sequence, TakesTheTimesThatSomebodyStates) {
+  const TemporaryFolder folder;
+  const Paths paths = {ten_seconds(folder / "b_210205_000010.wav"), ten_seconds(folder / "a_210205_000000.wav")};
+  const Sequence sequence(paths, {.name_format = "%y%m%d_%H%M%S"});
+  EXPECT_EQ(sequence.parts()[0].path, paths[1]);
+  EXPECT_EQ(to_iso(*sequence.parts()[1].notes.start), "2021-02-05T00:00:10.000Z");
+  const Sequence one({paths[0]}, {.begin = Time{1'000'000}});
+  EXPECT_EQ(one.parts()[0].notes.start, Time{1'000'000});
+  EXPECT_THROW(Sequence(paths, {.begin = Time{0}}), host::BadInput);
+  EXPECT_THROW(Sequence(paths, {.name_format = "%Y%m%d_%H%M%S"}), host::BadInput);
+}
+
+/// One raw file of a HARP's table.
+std::string raw_file(int minute, int second, std::uint64_t at, std::uint64_t bytes) {
+  const auto byte = [](int value) { return std::string(1, static_cast<char>(value)); };
+  return byte(21) + byte(2) + byte(5) + byte(3) + byte(minute) + byte(second) + tests::little_endian(250, 2) + tests::little_endian(at, 4) +
+         tests::little_endian(bytes, 4) + tests::little_endian(1, 4) + tests::little_endian(100, 4) + std::string(8, '\0');
+}
+
+TEST(HarpTable, PartsAFileWhereItsRawFilesLieApart) {
+  const TemporaryFolder folder;
+  // The samples begin behind 12 bytes of RIFF, a table of 8 + 56 + 3 * 32, a format of 24 and 8 of their own chunk.
+  const std::uint64_t begin = 12 + 8 + 56 + 96 + 24 + 8;
+  const std::string head = std::string(36, '\1') + tests::little_endian(3, 2) + std::string(18, '\0');
+  const std::string table = head + raw_file(0, 0, begin, 1000) + raw_file(0, 5, begin + 1000, 600) + raw_file(1, 0, begin + 1600, 400);
+  std::vector<int> samples(1000, 1);
+  samples[800] = 16384;
+  tests::write(
+      folder / "site.x.wav",
+      WavBytes{.sample_rate = 100, .before_format = tests::chunk("harp", table), .samples = tests::int16_samples(samples)}.bytes());
+  const Sequence sequence({folder / "site.x.wav"});
+  ASSERT_EQ(sequence.parts().size(), 2U) << "the first two follow on";
+  EXPECT_EQ(sequence.files(), 1U);
+  EXPECT_EQ(to_iso(*sequence.parts()[0].notes.start), "2021-02-05T03:00:00.250Z");
+  EXPECT_EQ(to_iso(*sequence.parts()[1].notes.start), "2021-02-05T03:01:00.250Z");
+  EXPECT_FALSE(sequence.parts()[1].follows_on);
+  const Sequence::Place place = sequence.place_of(Time{9'000'000});
+  EXPECT_EQ(place.offset, Duration::seconds(9)) << "of the file";
+  EXPECT_EQ(to_iso(*place.utc), "2021-02-05T03:01:01.250Z");
+  ASSERT_EQ(sequence.remarks().size(), 1U);
+  EXPECT_NE(sequence.remarks()[0].find("begins 52 s after the end of"), std::string::npos) << sequence.remarks()[0];
+  SequenceReader reader(sequence, 0, 1.0);
+  const std::optional<Piece> first = reader.next();
+  const std::optional<Piece> second = reader.next();
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(first->samples.size(), 800U);
+  EXPECT_EQ(second->samples[0], 0.5F);
+  EXPECT_FALSE(second->follows_on);
+  EXPECT_EQ(second->samples.size(), 200U);
+  EXPECT_FALSE(reader.next());
+  EXPECT_EQ(reader.missing_frames(), 0U);
+}
+
+TEST(HarpTable, IsNotTakenWhereItDoesNotFitTheSamples) {
+  const std::string head = std::string(36, '\1') + tests::little_endian(2, 2) + std::string(18, '\0');
+  const HarpSamples samples{.begin = 100, .frame_bytes = 2, .frames = 100, .channels = 1, .sample_rate = Hertz{100}};
+  EXPECT_EQ(harp_runs(head + raw_file(0, 0, 100, 100) + raw_file(0, 9, 200, 100), samples).size(), 2U);
+  EXPECT_TRUE(harp_runs(head + raw_file(0, 0, 102, 100) + raw_file(0, 9, 200, 100), samples).empty()) << "beside the samples";
+  EXPECT_TRUE(harp_runs(head + raw_file(0, 0, 100, 100) + raw_file(0, 61, 200, 100), samples).empty()) << "no time of day";
+  EXPECT_TRUE(harp_runs(head + raw_file(0, 0, 100, 100), samples).empty()) << "one entry of two";
+  EXPECT_EQ(harp_rate(head + raw_file(0, 0, 100, 100) + raw_file(0, 9, 200, 100), 1), Hertz{100});
+}
+
+TEST(SoundFolder, GivesAllRecordingsInTheOrderOfTheirNames) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "in" / "b");
+  for (const char* name : {"in/c.WAV", "in/b/x.flac", "in/a.wav", "in/notes.txt", "in/._a.wav"}) tests::write(folder / name, "");
+  EXPECT_EQ(recordings_in({folder / "in", folder / "else.txt"}),
+            (Paths{folder / "in/a.wav", folder / "in/b/x.flac", folder / "in/c.WAV", folder / "else.txt"}));
+  std::filesystem::create_directories(folder / "empty");
+  EXPECT_THROW((void)recordings_in({folder / "empty"}), host::BadInput);
 }
 
 TEST(SequenceReader, GivesEverySampleOfOneChannelAndSaysWhereSoundDoesNotGoOn) {

@@ -99,6 +99,7 @@ TEST(SoundFile, CountsTheSamplesOfAFlacThatDoesNotTellThem) {
   file.close();
   SoundFile unknown(folder / "a.flac");
   EXPECT_EQ(unknown.frames(), 3U);
+  EXPECT_EQ(unknown.told_length(), ToldLength::kUnknown) << "a recorder that was killed leaves such a file, too";
   EXPECT_EQ(all_of(unknown), (std::vector<float>{0.0F, 0.5F, -1.0F}));
 }
 
@@ -122,6 +123,64 @@ TEST(SoundFile, TellsHowMuchIsMissingOfAFileThatWasCutShort) {
   EXPECT_EQ(file.frames(), 4U);
   EXPECT_EQ(file.missing_frames(), 6U);
   EXPECT_EQ(all_of(file).size(), 4U);
+}
+
+TEST(SoundFile, ReadsWhatStandsBehindTheEndThatTheHeaderTells) {
+  const TemporaryFolder folder;
+  for (const std::string kind : {"RIFF", "RF64", "BW64"}) {
+    std::string bytes = WavBytes{.samples = tests::int16_samples(std::array{16384, -16384, 8192, -8192, 0, 0})}.bytes();
+    bytes.replace(0, 4, kind);
+    bytes.replace(bytes.size() - 16, 4, tests::little_endian(2, 4));
+    tests::write(folder / "a.wav", bytes);
+    SoundFile file(folder / "a.wav");
+    EXPECT_EQ(file.told_length(), ToldLength::kTooShort) << kind;
+    EXPECT_EQ(file.frames_behind(), 5U);
+    EXPECT_EQ(file.frames(), 6U);
+    EXPECT_EQ(all_of(file), (std::vector<float>{0.5F, -0.5F, 0.25F, -0.25F, 0.0F, 0.0F}));
+    ASSERT_TRUE(file.go_to(2));
+    EXPECT_EQ(all_of(file), (std::vector<float>{0.25F, -0.25F, 0.0F, 0.0F}));
+  }
+}
+
+TEST(SoundFile, ReadsAllOfAFileWhoseLengthWasNeverWritten) {
+  const TemporaryFolder folder;
+  const std::string whole = tests::int16_samples(std::array{16384, -16384, 8192, 0});
+  const std::string floating = tests::float_samples(std::array{0.5F, -0.5F, 0.25F, 0.0F});
+  const std::string three_bytes =
+      tests::little_endian(0x400000, 3) + tests::little_endian(0xC00000, 3) + tests::little_endian(0x200000, 3) + std::string(3, '\0');
+  for (const WavBytes& wav :
+       {WavBytes{.samples = whole}, WavBytes{.bits = 32, .format = 3, .samples = floating}, WavBytes{.bits = 24, .samples = three_bytes}}) {
+    for (const std::uint64_t told : {0ULL, 0xFFFFFFFFULL}) {
+      std::string bytes = wav.bytes();
+      bytes.replace(bytes.size() - wav.samples.size() - 4, 4, tests::little_endian(told, 4));
+      tests::write(folder / "a.wav", bytes);
+      SoundFile file(folder / "a.wav");
+      EXPECT_EQ(file.told_length(), ToldLength::kUnknown);
+      EXPECT_EQ(all_of(file), (std::vector<float>{0.5F, -0.5F, 0.25F, 0.0F}));
+    }
+  }
+}
+
+TEST(SoundFile, SaysHowFloatingPointIsStored) {
+  const TemporaryFolder folder;
+  tests::write(folder / "a.wav", WavBytes{.bits = 32, .format = 3, .samples = tests::float_samples(std::array{0.5F})}.bytes());
+  EXPECT_EQ(to_string(SoundFile(folder / "a.wav").format()), "32 bit floating point");
+  tests::write(folder / "b.wav", WavBytes{.bits = 64, .format = 3, .samples = std::string(16, '\1')}.bytes());
+  EXPECT_EQ(to_string(SoundFile(folder / "b.wav").format()), "64 bit floating point");
+  tests::write(folder / "c.wav", WavBytes{.bits = 24, .samples = "abc"}.bytes());
+  EXPECT_EQ(to_string(SoundFile(folder / "c.wav").format()), "24 bit");
+}
+
+TEST(SoundFile, ReadsTheTextsThatStandBehindTheSamples) {
+  const TemporaryFolder folder;
+  const std::string bext = std::string(320, '\0') + "2021-02-05" + "03-59-46" + std::string(300, '\0');
+  tests::write(folder / "a.wav", WavBytes{.samples = tests::int16_samples(std::array{1, 2})}.bytes() + tests::chunk("bext", bext) +
+                                     tests::chunk("guan", "GUANO|Version:1.0\nTimestamp:2021-02-05T03:59:46+10:00\n"));
+  const SoundFile file(folder / "a.wav");
+  EXPECT_EQ(file.frames(), 2U);
+  EXPECT_EQ(file.told_length(), ToldLength::kRight);
+  EXPECT_EQ(file.texts().origin, "2021-02-05 03:59:46");
+  EXPECT_NE(file.texts().guano.find("Timestamp:2021"), std::string::npos);
 }
 
 TEST(SoundFile, RefusesWhatIsNoneWithItsName) {

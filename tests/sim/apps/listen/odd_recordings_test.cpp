@@ -44,8 +44,8 @@ TEST_F(ListenProgram, SaysThatARateIsTooLowOrTooHighForTheBand) {
   const std::string samples = sixteen_bits(song(20, {}));
   write(folder_ / "slow.wav", WavBytes{.sample_rate = 1, .samples = samples}.bytes());
   expect_refused((folder_ / "slow.wav").string(), "it is sampled at 1 Hz, too slowly for the band of 15 to 30 Hz");
-  write(folder_ / "fast.wav", WavBytes{.sample_rate = 384'000, .samples = samples}.bytes());
-  expect_refused((folder_ / "fast.wav").string(), "it is sampled at 384000 Hz");
+  write(folder_ / "fast.wav", WavBytes{.sample_rate = 2'000'000, .samples = samples}.bytes());
+  expect_refused((folder_ / "fast.wav").string(), "it is sampled at 2000000 Hz, and no more than 1000000 Hz are taken");
 }
 
 TEST_F(ListenProgram, ListensToWhatThereIsOfAFileThatWasCutShortAndSaysSo) {
@@ -55,11 +55,71 @@ TEST_F(ListenProgram, ListensToWhatThereIsOfAFileThatWasCutShortAndSaysSo) {
   EXPECT_NE(said().find("detections:  1\n"), std::string::npos) << said();
 }
 
+TEST_F(ListenProgram, HearsWhatStandsBehindTheEndThatTheHeaderTellsAndSaysSo) {
+  std::string bytes = WavBytes{.sample_rate = 1000, .samples = sixteen_bits(song(60, {12.0, 50.0}))}.bytes();
+  for (const auto& [told, mentioned] : {std::pair{60'000ULL, "holds 30 s of samples behind the end that its header tells"},
+                                        {0ULL, "its header does not tell its length"},
+                                        {0xFFFFFFFFULL, "its header does not tell its length"}}) {
+    bytes.replace(40, 4, little_endian(told, 4));
+    write(folder_ / "a.wav", bytes);
+    EXPECT_EQ(run((folder_ / "a.wav").string()), 1);
+    EXPECT_NE(errors().find(mentioned), std::string::npos) << errors();
+    EXPECT_NE(said().find("detections:  2\n"), std::string::npos) << said();
+    EXPECT_NE(said().find(": 60 s at 1000 Hz"), std::string::npos) << said();
+  }
+}
+
+TEST_F(ListenProgram, HearsTheOtherFilesWhereOneCannotBeReadAndTakesFolders) {
+  std::filesystem::create_directories(folder_ / "in");
+  wav("in/a_20200912_000000.wav", song(60, {12.0}));
+  wav("in/c_20200912_000100.wav", song(60, {20.0}));
+  write(folder_ / "in/b.wav", "torn");
+  EXPECT_EQ(run((folder_ / "in").string() + " --csv " + out("a.csv")), 1);
+  EXPECT_NE(errors().find("in/b.wav: is no sound file that can be read"), std::string::npos) << errors();
+  EXPECT_NE(said().find("a_20200912_000000.wav and 1 more files: 120 s"), std::string::npos) << said();
+  EXPECT_NE(said().find("detections:  2\n"), std::string::npos) << said();
+  EXPECT_EQ(run((folder_ / "in").string() + " --force --csv " + (folder_ / "in/a_20200912_000000.wav").string()), 2)
+      << "a recording in a folder is not replaced either";
+}
+
+TEST_F(ListenProgram, SaysThatNoBeginIsKnownAndTakesOneThatIsStated) {
+  const std::string song_file = wav("SITE_210205_035946.wav", song(20, {}));
+  ASSERT_EQ(run(song_file), 0) << errors();
+  EXPECT_NE(said().find("begins:      not known"), std::string::npos) << said();
+  ASSERT_EQ(run(song_file + " --begin 2021-02-05T03:59:46+10:00"), 0) << errors();
+  EXPECT_NE(said().find("begins:      2021-02-04T17:59:46.000Z, from --begin"), std::string::npos) << said();
+  ASSERT_EQ(run(song_file + " --time-format %y%m%d_%H%M%S"), 0) << errors();
+  EXPECT_NE(said().find("begins:      2021-02-05T03:59:46.000Z, from its name by --time-format"), std::string::npos) << said();
+  expect_refused(song_file + " --begin yesterday", "yesterday: is no time such as");
+  expect_refused(song_file + " --time-format %H%M%S", "must have the year");
+  expect_refused(song_file + " --time-format %Y%m%d_%H", "its name has no time as --time-format has it");
+}
+
+TEST_F(ListenProgram, HearsWhatARecorderOf384KilohertzTakes) {
+  // 30 s, with a cry of an eighth of full scale at 96 kHz less 20 Hz, which would fold onto a call's 20 Hz were it only sampled anew.
+  const std::vector<float> slow = song(30, {20.0}, 0.05);
+  std::vector<float> fast(slow.size() * 384);
+  for (std::size_t i = 0; i < fast.size(); ++i) {
+    const double at = static_cast<double>(i) / 384.0;
+    const auto before = static_cast<std::size_t>(at);
+    const float share = static_cast<float>(at - static_cast<double>(before));
+    fast[i] = (1.0F - share) * slow[before] + share * slow[std::min(before + 1, slow.size() - 1)];
+    const bool is_cry = i >= 10 * 384'000 && i < 11 * 384'000;
+    if (is_cry) fast[i] += static_cast<float>(0.125 * std::sin(2.0 * std::numbers::pi * 95'980.0 * static_cast<double>(i) / 384'000.0));
+  }
+  write(folder_ / "a.wav", WavBytes{.sample_rate = 384'000, .samples = sixteen_bits(fast)}.bytes());
+  ASSERT_EQ(run((folder_ / "a.wav").string() + " --csv " + out("a.csv")), 0) << errors();
+  const auto rows = rows_of(content_of(out("a.csv")), ',');
+  ASSERT_EQ(rows.size(), 2U) << said();
+  EXPECT_NEAR(std::stod(rows[1][0]), 20.0, 0.3);
+  EXPECT_NEAR(std::stod(rows[1][5]), -29.03, 0.6) << "10 lg(7/8): the window may miss an eighth of the call";
+}
+
 TEST_F(ListenProgram, RefusesWhatIsNoSoundFile) {
   write(folder_ / "text.wav", "a text that somebody called a sound\n");
   expect_refused((folder_ / "text.wav").string(), "text.wav: is no sound file that can be read");
   expect_refused((folder_ / "nowhere.wav").string(), "nowhere.wav: no such file");
-  expect_refused(folder_.path().string(), "cannot be read: it is a folder");
+  expect_refused((folder_ / "out").string(), "out: is a folder without a recording");
   ASSERT_EQ(mkfifo((folder_ / "pipe.wav").c_str(), 0600), 0);
   expect_refused((folder_ / "pipe.wav").string(), "cannot be read: it is a pipe");
 }
