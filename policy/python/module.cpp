@@ -14,6 +14,7 @@
 #include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/policy/format/policy_format.hpp"
+#include "policy/python/replayable_episode.hpp"
 #include "policy/python/search_problem.hpp"
 #include "sim/search/streams.hpp"
 
@@ -22,6 +23,7 @@ namespace {
 namespace py = pybind11;
 using namespace earshot;
 using search::EpisodeEnd;
+using Running = python::ReplayableEpisode;
 
 using Floats = py::array_t<float, py::array::c_style>;
 using Actions = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;  // of whole_numbers() only: it truncates
@@ -42,10 +44,18 @@ std::size_t checked_action(std::int64_t action, std::size_t count) {
   throw py::value_error("action " + std::to_string(action) + ": must be 0 to " + std::to_string(count - 1));
 }
 
+NorthEast place_of(Place place) {
+  return {Meters{place.first}, Meters{place.second}};
+}
+
 NorthEast checked_place(const char* name, Place place, const Rectangle& domain) {
-  const NorthEast position{Meters{place.first}, Meters{place.second}};
+  const NorthEast position = place_of(place);
   if (domain.contains(position)) return position;  // false for NaN
   throw py::value_error(std::string(name) + ": must lie in the search domain");
+}
+
+Place pair_of(NorthEast place) {
+  return {place.north.value, place.east.value};
 }
 
 /// Keys of an info, made once: making them would cost as much as the rest of a step.
@@ -58,20 +68,52 @@ struct InfoKeys {
   py::str detections{"detections"};
 };
 
-/// Episodes stepped together, each with its random numbers.
+py::tuple tuple_of(const python::EpisodeHistory& history) {
+  py::object places = py::none();
+  if (history.places) places = py::make_tuple(pair_of(history.places->position), pair_of(history.places->source));
+  return py::make_tuple(history.random.state, history.random.increment, history.is_started, places, py::bytes(history.actions));
+}
+
+python::EpisodeHistory history_of(const py::tuple& tuple) {
+  if (tuple.size() != 5) throw host::BadInput("not an episode that was pickled");
+  python::EpisodeHistory history{.random = {.state = tuple[0].cast<std::uint64_t>(), .increment = tuple[1].cast<std::uint64_t>()},
+                                 .is_started = tuple[2].cast<bool>(),
+                                 .places = std::nullopt,
+                                 .actions = tuple[4].cast<py::bytes>()};
+  if (tuple[3].is_none()) return history;
+  const auto [position, source] = tuple[3].cast<std::pair<Place, Place>>();
+  history.places = {place_of(position), place_of(source)};
+  return history;
+}
+
+/// Episodes stepped together.
 class Episodes {
  public:
   Episodes(std::shared_ptr<const python::SearchProblem> problem, std::size_t count) : problem_(std::move(problem)), running_(count) {
     if (count < 1) throw py::value_error("count: must be 1 or more");
-    for (std::size_t i = 0; i < count; ++i) running_[i].random = search::training_random(0, i);
+    for (std::size_t i = 0; i < count; ++i) running_[i].seed(search::training_random(0, i));
+  }
+
+  /// The search, and the state of each episode.
+  [[nodiscard]] py::tuple state() const {
+    py::list states;
+    for (const Running& running : running_) states.append(tuple_of(running.history()));
+    return py::make_tuple(std::const_pointer_cast<python::SearchProblem>(problem_), states);
+  }
+
+  static Episodes from_state(const py::tuple& state) {
+    if (state.size() != 2) throw host::BadInput("not episodes that were pickled");
+    const auto states = state[1].cast<std::vector<py::tuple>>();
+    Episodes episodes(state[0].cast<std::shared_ptr<python::SearchProblem>>(), states.size());
+    for (std::size_t i = 0; i < states.size(); ++i) episodes.running_[i] = Running::from(*episodes.problem_, history_of(states[i]));
+    return episodes;
   }
 
   /// Draws the next search; a seed restarts the random numbers first.
   void start(std::size_t i, std::optional<std::uint64_t> seed) {
     Running& running = at(i);
-    if (seed) running.random = search::training_random(*seed, 0);
-    running.episode.start(problem_->world(), problem_->observation(), problem_->tables(), running.random);
-    running.started = true;
+    if (seed) running.seed(search::training_random(*seed, 0));
+    running.start(*problem_);
   }
 
   void start_at(std::size_t i, Place position, Place source) {
@@ -81,9 +123,7 @@ class Episodes {
     if (range_between(from, to) <= problem_->world().settings.step_length) {
       throw py::value_error("position_m, source_m: within a step of each other the search would be over before it begins");
     }
-    Running& running = at(i);
-    running.episode.start_at(problem_->world(), problem_->observation(), problem_->tables(), from, to, running.random);
-    running.started = true;
+    at(i).start_at(*problem_, {from, to});
   }
 
   Floats observations() {
@@ -97,10 +137,10 @@ class Episodes {
   py::tuple step_one(std::int64_t action) {
     check_all_run();
     const std::size_t checked = checked_action(action, problem_->world().actions.size());
-    const double reward = running_[0].episode.step(problem_->world(), checked);
-    const EpisodeEnd end = running_[0].episode.record().end;
+    const double reward = running_[0].step(*problem_, checked);
+    const EpisodeEnd end = running_[0].episode().record().end;
     Floats observation(static_cast<py::ssize_t>(problem_->observation().spec.size()));
-    running_[0].episode.observe(span_of(observation));
+    running_[0].episode().observe(span_of(observation));
     return py::make_tuple(std::move(observation), reward, is_terminated(end), end == EpisodeEnd::kTimeLimit, info(0));
   }
 
@@ -117,7 +157,7 @@ class Episodes {
 
   /// What Gymnasium calls info, whole: one call from Python instead of one for each value.
   [[nodiscard]] py::dict info(std::size_t i) const {
-    const search::Episode& episode = at(i).episode;
+    const search::Episode& episode = at(i).episode();
     py::dict info;
     info[keys_.snr_db] = episode.snr().value;
     info[keys_.too_faint] = episode.reception().too_faint;
@@ -131,21 +171,14 @@ class Episodes {
     return info;
   }
 
-  [[nodiscard]] Place position(std::size_t i) const { return pair_of(at(i).episode.position()); }
-  [[nodiscard]] Place source(std::size_t i) const { return pair_of(at(i).episode.source()); }
-  [[nodiscard]] double snr_db(std::size_t i) const { return at(i).episode.snr().value; }
-  [[nodiscard]] bool is_too_faint(std::size_t i) const { return at(i).episode.reception().too_faint; }
-  [[nodiscard]] py::dict record(std::size_t i) const { return dictionary_of(at(i).episode.record()); }
+  [[nodiscard]] Place position(std::size_t i) const { return pair_of(at(i).episode().position()); }
+  [[nodiscard]] Place source(std::size_t i) const { return pair_of(at(i).episode().source()); }
+  [[nodiscard]] double snr_db(std::size_t i) const { return at(i).episode().snr().value; }
+  [[nodiscard]] bool is_too_faint(std::size_t i) const { return at(i).episode().reception().too_faint; }
+  [[nodiscard]] py::dict record(std::size_t i) const { return dictionary_of(at(i).episode().record()); }
 
  private:
-  struct Running {
-    search::Episode episode;
-    Pcg32 random{0};
-    bool started = false;
-  };
-
   static bool is_terminated(EpisodeEnd end) { return end == EpisodeEnd::kFound || end == EpisodeEnd::kLeftDomain; }
-  static Place pair_of(NorthEast place) { return {place.north.value, place.east.value}; }
   static py::dict dictionary_of(const search::EpisodeRecord& record) {
     py::dict dictionary;
     dictionary["reward"] = record.reward;
@@ -168,17 +201,17 @@ class Episodes {
   }
   void observe(std::size_t i, Floats& all) const {
     const std::size_t size = problem_->observation().spec.size();
-    running_[i].episode.observe(span_of(all).subspan(i * size, size));
+    running_[i].episode().observe(span_of(all).subspan(i * size, size));
   }
   void check_all_started(const char* call) const {
     for (const Running& running : running_) {
-      if (!running.started) throw std::runtime_error(std::string(call) + " before reset()");
+      if (!running.is_started()) throw std::runtime_error(std::string(call) + " before reset()");
     }
   }
   void check_all_run() const {
     check_all_started("step()");
     for (const Running& running : running_) {
-      if (running.episode.record().end != EpisodeEnd::kRunning) throw std::runtime_error("the episode is over: reset() before step()");
+      if (running.episode().record().end != EpisodeEnd::kRunning) throw std::runtime_error("the episode is over: reset() before step()");
     }
   }
 
@@ -192,15 +225,15 @@ class Episodes {
     for (std::size_t i = 0; i < running_.size(); ++i) {
       Running& running = running_[i];
       const auto index = static_cast<py::ssize_t>(i);
-      rewards.mutable_at(index) = running.episode.step(problem_->world(), static_cast<std::size_t>(actions[i]));
-      const search::EpisodeRecord record = running.episode.record();
+      rewards.mutable_at(index) = running.step(*problem_, static_cast<std::size_t>(actions[i]));
+      const search::EpisodeRecord record = running.episode().record();
       terminated.mutable_at(index) = is_terminated(record.end);
       truncated.mutable_at(index) = record.end == EpisodeEnd::kTimeLimit;
       if (record.end != EpisodeEnd::kRunning) {
         Floats last(static_cast<py::ssize_t>(problem_->observation().spec.size()));
-        running.episode.observe(span_of(last));
+        running.episode().observe(span_of(last));
         ended.append(py::make_tuple(i, std::move(last), dictionary_of(record)));
-        running.episode.start(problem_->world(), problem_->observation(), problem_->tables(), running.random);
+        running.start(*problem_);
       }
       observe(i, observations);
     }
@@ -215,10 +248,14 @@ class Episodes {
 /// A `.policy` file as the vehicle runs it. Its signature is not checked: a desk may look at any policy.
 class FrozenPolicy {
  public:
-  explicit FrozenPolicy(const std::filesystem::path& file) {
-    const std::vector<std::uint8_t> bytes = host::read_bytes(file, {"a .policy file", policy::max_serialised_size()});
-    policy_ = host::policy_from(bytes, file);
-  }
+  explicit FrozenPolicy(const std::filesystem::path& file)
+      : FrozenPolicy(host::read_bytes(file, {"a .policy file", policy::max_serialised_size()}), file) {}
+  /// @param name  of the policy, for what is said of it
+  FrozenPolicy(std::vector<std::uint8_t> bytes, const std::filesystem::path& name)
+      : bytes_(std::move(bytes)), policy_(host::policy_from(bytes_, name)) {}
+
+  [[nodiscard]] py::bytes state() const { return {reinterpret_cast<const char*>(bytes_.data()), bytes_.size()}; }
+  static FrozenPolicy from_state(const std::string& bytes) { return {{bytes.begin(), bytes.end()}, "the pickled policy"}; }
 
   [[nodiscard]] Floats logits(const py::array_t<float, py::array::c_style | py::array::forcecast>& observations) const {
     const std::size_t size = policy_->observation.spec.size();
@@ -238,6 +275,7 @@ class FrozenPolicy {
   [[nodiscard]] std::string provenance() const { return {policy_->provenance.begin(), policy_->provenance.end()}; }
 
  private:
+  std::vector<std::uint8_t> bytes_;  ///< of the file
   std::unique_ptr<policy::FrozenPolicy> policy_;
 };
 
@@ -280,11 +318,28 @@ Place area_of(const python::SearchProblem& problem) {
   return {size.north.value, size.east.value};
 }
 
+/// What make_world() of earshot_gym/world.py takes to make this search again.
+py::dict arguments_of(const python::SearchProblem& problem) {
+  const python::SearchProblemArguments& arguments = problem.arguments();
+  using py::literals::operator""_a;
+  return py::dict("environment"_a = arguments.environment, "state"_a = arguments.state, "remembered_steps"_a = arguments.remembered_steps,
+                  "source"_a = arguments.source, "start"_a = arguments.start, "directions"_a = arguments.direction_count,
+                  "vehicle_depth_m"_a = arguments.vehicle_depth.value, "border_width_m"_a = arguments.border_width.value,
+                  "max_steps"_a = arguments.max_steps, "listening"_a = arguments.listening,
+                  "listening_window_s"_a = arguments.listening_window_s);
+}
+
 void add_world(py::module_& module) {
+  module.def("environment_crc32", &python::environment_crc32, py::arg("environment"));
   py::class_<python::SearchProblem, std::shared_ptr<python::SearchProblem>>(module, "World")
       .def(py::init(&make_world), py::kw_only(), py::arg("environment"), py::arg("state"), py::arg("remembered_steps"), py::arg("source"),
            py::arg("start"), py::arg("directions"), py::arg("vehicle_depth_m"), py::arg("border_width_m"), py::arg("max_steps"),
            py::arg("listening"), py::arg("listening_window_s"))
+      .def("__copy__", [](const py::object& world) { return world; })  // nothing of it ever changes
+      .def(
+          "__deepcopy__", [](const py::object& world, const py::dict&) { return world; }, py::arg("memo"))
+      .def_property_readonly("arguments", &arguments_of)
+      .def_property_readonly("environment_crc32", &python::SearchProblem::environment_crc32)
       .def_property_readonly("observation_size", [](const python::SearchProblem& problem) { return problem.observation().spec.size(); })
       .def_property_readonly("action_count", [](const python::SearchProblem& problem) { return problem.world().actions.size(); })
       .def_property_readonly("max_steps", [](const python::SearchProblem& problem) { return problem.world().settings.max_steps; })
@@ -298,6 +353,11 @@ void add_world(py::module_& module) {
 void add_episodes(py::module_& module) {
   py::class_<Episodes>(module, "Episodes")
       .def(py::init<std::shared_ptr<python::SearchProblem>, std::size_t>(), py::arg("world"), py::arg("count"))
+      .def(py::pickle([](const Episodes& episodes) { return episodes.state(); },
+                      [](const py::tuple& state) { return Episodes::from_state(state); }))
+      .def("__copy__", [](const Episodes& episodes) { return Episodes(episodes); })
+      .def(
+          "__deepcopy__", [](const Episodes& episodes, const py::dict&) { return Episodes(episodes); }, py::arg("memo"))
       .def("start", &Episodes::start, py::arg("index"), py::arg("seed") = std::nullopt)
       .def("start_at", &Episodes::start_at, py::arg("index"), py::arg("position_m"), py::arg("source_m"))
       .def("observations", &Episodes::observations)
@@ -319,6 +379,8 @@ PYBIND11_MODULE(_core, module) {
   add_episodes(module);
   py::class_<FrozenPolicy>(module, "FrozenPolicy")
       .def(py::init<std::filesystem::path>(), py::arg("file"))
+      .def(py::pickle([](const FrozenPolicy& policy) { return policy.state(); },
+                      [](const py::bytes& bytes) { return FrozenPolicy::from_state(bytes); }))
       .def("logits", &FrozenPolicy::logits, py::arg("observations"))
       .def_property_readonly("provenance", &FrozenPolicy::provenance);
 }

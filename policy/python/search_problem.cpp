@@ -70,9 +70,14 @@ description::SearchDescription description_of(const SearchProblemArguments& argu
 
 }  // namespace
 
-SearchProblem::SearchProblem(const SearchProblemArguments& arguments) {
+std::uint32_t environment_crc32(const std::filesystem::path& environment) {
+  return search::load_scenario(environment).environment.file_crc32;
+}
+
+SearchProblem::SearchProblem(const SearchProblemArguments& arguments) : arguments_(arguments) {
   const search::Scenario scenario = search::load_scenario(arguments.environment);
   const ocean::Environment& environment = scenario.environment;
+  environment_crc32_ = environment.file_crc32;
   if (!(arguments.vehicle_depth.value > 0.0 && arguments.vehicle_depth < environment.seabed.depth)) {
     throw BadInput("vehicle_depth_m: must be above 0 and less than the depth of the sea floor");
   }

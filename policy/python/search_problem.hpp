@@ -28,6 +28,10 @@ struct SearchProblemArguments {
   std::int64_t listening_window_s = 0;
 };
 
+/// CRC-32 of an environment file and of all that it names (data files, charts, its other oceans, its field library): another one, another
+/// search. Throws host::BadInput.
+[[nodiscard]] std::uint32_t environment_crc32(const std::filesystem::path& environment);
+
 /// A search with its ocean solved; shared by every episode that runs in it.
 class SearchProblem {
  public:
@@ -36,6 +40,9 @@ class SearchProblem {
   SearchProblem(const SearchProblem&) = delete;
   SearchProblem& operator=(const SearchProblem&) = delete;
 
+  [[nodiscard]] const SearchProblemArguments& arguments() const { return arguments_; }
+  /// environment_crc32() of what was solved.
+  [[nodiscard]] std::uint32_t environment_crc32() const { return environment_crc32_; }
   [[nodiscard]] const search::World& world() const { return *world_; }
   [[nodiscard]] const policy::ObservationModel& observation() const { return observation_; }
   /// The oceans that a belief thinks possible: the environment's alone.
@@ -44,6 +51,8 @@ class SearchProblem {
   [[nodiscard]] const std::string& description() const { return description_; }
 
  private:
+  SearchProblemArguments arguments_;
+  std::uint32_t environment_crc32_ = 0;
   std::unique_ptr<search::World> world_;
   policy::ObservationModel observation_;
   policy::OceanTables tables_;

@@ -15,8 +15,14 @@ Info = dict[str, Any]
 class BadInput(ValueError):
     """An argument or a file is not as it must be; the message names it and says what is allowed."""
 
+def environment_crc32(environment: os.PathLike[str] | str) -> int:
+    """CRC-32 of an environment file and of all that it names: data files, charts, other oceans, field library."""
+
 class World:
-    """A search with its ocean solved. Takes a second or so to make; any number of episodes may share it."""
+    """A search with its ocean solved. Takes a second or so to make; any number of episodes may share it.
+
+    Nothing of it changes: its copy is itself.
+    """
 
     def __init__(
         self,
@@ -33,6 +39,14 @@ class World:
         listening: str,
         listening_window_s: int,
     ) -> None: ...
+    def __copy__(self) -> World: ...
+    def __deepcopy__(self, memo: dict[int, Any]) -> World: ...
+    @property
+    def arguments(self) -> dict[str, Any]:
+        """What it was made with."""
+    @property
+    def environment_crc32(self) -> int:
+        """Of the environment as it was when its ocean was solved."""
     @property
     def observation_size(self) -> int: ...
     @property
@@ -53,10 +67,15 @@ class World:
 class Episodes:
     """`count` searches in one world, each with random numbers of its own.
 
+    A copy goes on as the original would. Pickled are the random numbers that each search began with and its actions
+    since; unpickling takes them again.
+
     Raises RuntimeError when observed or stepped before started, and when stepped after the end.
     """
 
     def __init__(self, world: World, count: int) -> None: ...
+    def __copy__(self) -> Episodes: ...
+    def __deepcopy__(self, memo: dict[int, Any]) -> Episodes: ...
     def start(self, index: int, seed: int | None = None) -> None:
         """Draws the next search of one episode; a seed restarts its random numbers first."""
     def start_at(self, index: int, position_m: Place, source_m: Place) -> None:

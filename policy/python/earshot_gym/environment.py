@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from typing import Any
 
 import gymnasium
@@ -52,6 +53,10 @@ class AcousticSearchEnv(gymnasium.Env[NDArray[np.float32], np.int64]):
         self._episodes = Episodes(self.world, 1)
         self._seeded = False
         self._path: list[tuple[float, float]] = []
+
+    def __copy__(self) -> AcousticSearchEnv:
+        """Has searches of its own: they go on as these would, and move none of these."""
+        return copy.deepcopy(self)
 
     @property
     def search_description(self) -> str:

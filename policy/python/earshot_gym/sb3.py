@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copy
+import inspect
 import io
 import json
 import os
@@ -54,6 +56,10 @@ class SearchVecEnv(VecEnv):
         self._seeded = False
         self._actions: NDArray[np.int64] = np.zeros(num_envs, dtype=np.int64)
         super().__init__(num_envs, *spaces_of(self.world))
+
+    def __copy__(self) -> SearchVecEnv:
+        """Has searches of its own: they go on as these would, and move none of these."""
+        return copy.deepcopy(self)
 
     @property
     def search_description(self) -> str:
@@ -185,6 +191,8 @@ def export_onnx(model: BaseAlgorithm, path: Path_, env: VecEnv | None = None) ->
     policy = model.policy
     actor = torch.nn.Sequential(*policy.mlp_extractor.policy_net, policy.action_net).to("cpu").eval()
     stream = io.BytesIO()
+    # PyTorch's newer exporter, its default since 2.9, writes no streams and puts the weights into a file of their own.
+    older = {"dynamo": False} if "dynamo" in inspect.signature(torch.onnx.export).parameters else {}
     torch.onnx.export(
         actor,
         torch.zeros(1, model.observation_space.shape[0]),
@@ -193,6 +201,7 @@ def export_onnx(model: BaseAlgorithm, path: Path_, env: VecEnv | None = None) ->
         output_names=["logits"],
         dynamic_axes={"observation": {0: "batch"}, "logits": {0: "batch"}},
         opset_version=13,
+        **older,
     )
     # Fields of a protobuf message may stand in any order: an entry of metadata_props (field 14) is appended.
     entry = _text_field(1, "earshot") + _text_field(2, description)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Sequence
 from typing import Any
 
@@ -65,6 +66,10 @@ class AcousticSearchVectorEnv(VectorEnv):
         self.single_observation_space, self.single_action_space = spaces_of(self.world)
         self.observation_space = batch_space(self.single_observation_space, num_envs)
         self.action_space = batch_space(self.single_action_space, num_envs)
+
+    def __copy__(self) -> AcousticSearchVectorEnv:
+        """Has searches of its own: they go on as these would, and move none of these."""
+        return copy.deepcopy(self)
 
     @property
     def search_description(self) -> str:

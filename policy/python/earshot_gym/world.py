@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import copyreg
 import functools
 import os
 from pathlib import Path
-from typing import TypedDict
+from typing import Any, TypedDict
 
+from earshot_gym._core import BadInput, environment_crc32
 from earshot_gym._core import World as SearchWorld
 
 __all__ = ["PAPER_ENVIRONMENT", "SearchWorld", "WorldOptions", "make_world"]
@@ -46,6 +48,8 @@ def make_world(
 ) -> SearchWorld:
     """A search with its ocean solved; the same choices give the same object: many environments solve it once.
 
+    Where the environment file, or a file that it names, is another one than before, the ocean is solved anew.
+
     environment       TOML file: ocean, source, noise, conditions of the search (fluctuation, drift, pauses, ...)
     state             "simple": (x, y); "memory": (dx, dy, SNR) of each of the last `remembered_steps` steps;
                       "position_memory": both;
@@ -65,10 +69,9 @@ def make_world(
     file = Path(environment).resolve()
     if not file.is_file():
         raise FileNotFoundError(f"environment: no such file: {file}")
-    changed = (file.stat().st_mtime_ns, file.stat().st_size)
     return _solved(
         file,
-        changed,
+        environment_crc32(file),
         state=state,
         remembered_steps=remembered_steps,
         source=source,
@@ -82,6 +85,28 @@ def make_world(
     )
 
 
-@functools.lru_cache(maxsize=16)
-def _solved(file, changed, **settings) -> SearchWorld:
+@functools.lru_cache(maxsize=16, typed=True)
+def _solved(file: Path, crc32: int, **settings: Any) -> SearchWorld:
+    """`crc32` is of what the file says now: the path alone would give what it said before."""
     return SearchWorld(environment=file, **settings)
+
+
+def _unpickled(arguments: WorldOptions, crc32: int) -> SearchWorld:
+    world = make_world(**arguments)
+    if world.environment_crc32 != crc32:
+        raise BadInput(
+            f"environment: {world.arguments['environment']}, or a file that it names, is not what it was when this "
+            f"search was pickled: CRC-32 {world.environment_crc32:08x}, then {crc32:08x}"
+        )
+    return world
+
+
+def _pickled(world: SearchWorld) -> tuple[Any, ...]:
+    """What the search was made with; the environment that comes with the package is found wherever it is installed."""
+    arguments = world.arguments
+    if arguments["environment"] == PAPER_ENVIRONMENT.resolve():
+        del arguments["environment"]
+    return _unpickled, (arguments, world.environment_crc32)
+
+
+copyreg.pickle(SearchWorld, _pickled)

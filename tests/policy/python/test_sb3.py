@@ -3,15 +3,19 @@
 Run by ctest where PyTorch is there.
 """
 
+import copy
 import json
 import os
+import pickle
 import subprocess
 import sys
 import tempfile
 import unittest
 import zipfile
 from pathlib import Path
+from unittest import mock
 
+import cloudpickle
 import gymnasium
 import numpy as np
 import torch
@@ -22,7 +26,7 @@ import sb3_without_plots  # noqa: F401
 from stable_baselines3 import PPO
 from stable_baselines3.common.evaluation import evaluate_policy
 from stable_baselines3.common.torch_layers import FlattenExtractor
-from stable_baselines3.common.vec_env import DummyVecEnv, VecFrameStack, VecNormalize
+from stable_baselines3.common.vec_env import DummyVecEnv, SubprocVecEnv, VecFrameStack, VecNormalize
 
 import earshot_gym.sb3
 from earshot_gym.world import WorldOptions
@@ -99,6 +103,57 @@ class StableBaselines3(unittest.TestCase):
         decided, _ = model.predict(observation, deterministic=True)
         self.assertEqual(PPO.load(file).predict(observation, deterministic=True)[0], decided)
         self.assertEqual([path.name for path in self.folder.iterdir()], ["model.zip"])
+
+    def test_searches_are_sent_to_other_processes_as_they_are(self):
+        env = gymnasium.make(earshot_gym.ID, **OPTIONS)
+        env.reset(seed=4)
+        actions = np.random.default_rng(4).integers(0, 8, 20)
+        begun = [env.step(action)[0] for action in actions[:2]]
+        self.assertEqual(len(begun), 2)
+        # Made here and carried there; Stable-Baselines3 resets what it gets, whose random numbers go on.
+        envs = SubprocVecEnv([lambda: env, lambda: env], start_method="spawn")
+        self.addCleanup(envs.close)
+        first = envs.reset()
+        np.testing.assert_array_equal(first, [env.reset()[0]] * 2)
+        action = int(actions[2])
+        np.testing.assert_array_equal(envs.step(np.array([action, action]))[0], [env.step(action)[0]] * 2)
+        self.assertEqual(envs.get_attr("search_description"), [env.unwrapped.search_description] * 2)
+        self.assertEqual(envs.get_attr("world")[0].arguments, env.unwrapped.world.arguments)
+
+    def test_copies_of_the_vector_environment_step_as_it_does(self):
+        env = earshot_gym.sb3.SearchVecEnv(3, **OPTIONS)
+        env.seed(1)
+        env.reset()
+        actions = np.random.default_rng(5).integers(0, 8, (150, 3))
+        for row in actions[:50]:
+            env.step(row)
+        ways = [lambda one: pickle.loads(pickle.dumps(one)), lambda one: cloudpickle.loads(cloudpickle.dumps(one))]
+        copies = [way(env) for way in [*ways, copy.deepcopy, copy.copy]]
+        for row in actions[50:]:
+            expected = env.step(row)
+            for other in copies:
+                for part, same in zip(other.step(row)[:3], expected[:3], strict=True):
+                    np.testing.assert_array_equal(part, same)
+
+    def test_exports_by_the_exporter_that_writes_one_file_whatever_pytorch_prefers(self):
+        model = trained(earshot_gym.sb3.SearchVecEnv(2, **OPTIONS), 512)
+        older, asked = torch.onnx.export, []
+
+        def export(*arguments, dynamo=True, **options):  # as of PyTorch 2.9
+            asked.append(dynamo)
+            older(*arguments, **options)
+
+        with mock.patch.object(torch.onnx, "export", export):
+            file = earshot_gym.sb3.export_onnx(model, self.folder / "model.onnx")
+        self.assertEqual(asked, [False])
+        self.assertEqual(self.freeze(file).returncode, 0)
+        earshot_gym.sb3.export_onnx(model, file)  # with the exporter that is here, which may not know the word
+
+    def test_exports_what_was_never_trained(self):
+        """Its biases are all zero: PyTorch writes them once, for every layer."""
+        model = PPO("MlpPolicy", earshot_gym.sb3.SearchVecEnv(2, **OPTIONS), n_steps=16, device="cpu")
+        done = self.freeze(earshot_gym.sb3.export_onnx(model, self.folder / "model.onnx"))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
 
     def test_refuses_to_save_what_saw_changed_observations(self):
         for env in (
