@@ -4,6 +4,7 @@
 #include <span>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "firmware/host/file/checksum_text.hpp"
@@ -14,6 +15,7 @@
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/toml/table_reader.hpp"
+#include "policy/apps/evaluate_mission.hpp"
 #include "policy/apps/evaluate_tables.hpp"
 #include "policy/baselines/catalogue.hpp"
 #include "policy/command_line/outputs.hpp"
@@ -46,6 +48,7 @@ struct Options {
   std::vector<std::string> files;
   std::vector<std::string> policies;
   std::vector<std::string> worlds;
+  std::optional<std::string> mission;
   bool suite = false;
   command_line::ScenarioOptions search;
   std::size_t episodes = 300;
@@ -74,7 +77,10 @@ void add_options(program::CommandLine& line, Options& o) {
   line.option("--policies", &o.policies, "more of them, and others by name, separated by commas").separated_by(',');
   line.option("--world", &o.worlds, "world files to search in, such as policy/worlds/noisy_4db.toml (the environment itself)")
       .names("a file");
-  line.flag("--suite", &o.suite, "search in every world of policy/worlds");
+  line.flag("--suite", &o.suite, "search in every world of policy/worlds, without --world");
+  line.option("--mission", &o.mission,
+              "mission file: its area, depth, speed, steps, limits, listening and tables; without a POLICY its policy, too")
+      .names("a file");
   o.search.add_to(line, {.source = "what the policies were trained with, changing when none says it",
                          .start = "what the policies were trained with, inside_border when none says it; --border-width-m, --max-steps and "
                                   "--vehicle-depth-m likewise",
@@ -115,11 +121,13 @@ void print_details(const evaluate::Candidate& candidate) {
     program::detail() << candidate.name << ": goes by what is expected to be heard\n";
 }
 
-std::vector<evaluate::Candidate> candidates_of(const Options& o) {
+std::vector<evaluate::Candidate> candidates_of(const Options& o, const std::optional<evaluate::FlownMission>& mission) {
   std::vector<evaluate::Candidate> candidates;
   for (const auto* names : {&o.files, &o.policies}) {
     for (const std::string& name : *names) candidates.push_back(evaluate::candidate_named(name));
   }
+  if (candidates.empty() && mission) candidates.push_back(evaluate::policy_of(*mission));
+  for (const std::string& repeated : evaluate::leave_out_repeated(candidates)) program::say() << host::printable(repeated) << "\n";
   if (candidates.empty()) throw BadInput("earshot evaluate: no policy given; try --policies shipped,bayes,oracle");
   return candidates;
 }
@@ -134,12 +142,21 @@ std::vector<std::string> warnings_of(std::span<const evaluate::Candidate> candid
 }
 
 std::vector<evaluate::WorldFile> worlds_of(const Options& o, const std::filesystem::path& environment, Meters depth) {
+  if (o.suite && !o.worlds.empty())
+    throw BadInput("--suite, --world " + o.worlds.front() + ": --suite is every world of policy/worlds; give one of the two");
   std::vector<std::filesystem::path> files(o.worlds.begin(), o.worlds.end());
   if (o.suite) {
     for (const std::filesystem::path& path : evaluate::worlds_in(host::shipped("policy/worlds"))) files.push_back(path);
   }
   std::vector<evaluate::WorldFile> worlds;
-  for (const std::filesystem::path& file : files) worlds.push_back(evaluate::load_world(file));
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    for (std::size_t earlier = 0; earlier < i; ++earlier) {
+      std::error_code differ;
+      if (std::filesystem::equivalent(files[i], files[earlier], differ))
+        throw BadInput("--world " + files[i].string() + ": is given twice");
+    }
+    worlds.push_back(evaluate::load_world(files[i]));
+  }
   if (worlds.empty()) {
     search::Scenario own = command_line::scenario_at(environment, depth);
     worlds.push_back({.name = environment.stem().string(), .what = own.environment.name, .seed = 1, .scenario = std::move(own)});
@@ -194,6 +211,7 @@ void check_inputs(const Options& o, const Inputs& read, std::span<const command_
   };
   for (const evaluate::Candidate& candidate : read.candidates) check("POLICY", candidate.file);
   if (o.search.environment) check("--environment", *o.search.environment);
+  if (o.mission) check("--mission", *o.mission);
   for (const std::string& file : o.worlds) check("--world", file);
   for (const evaluate::WorldFile& world : read.worlds) {
     check("the environment of a world", world.environment);
@@ -311,19 +329,25 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
   parallel::Ranks& ranks = session.ranks();
   const bool speaks = ranks.rank() == 0;
   if (o.paths && ranks.size() > 1) throw BadInput("--paths: not with several MPI ranks");
-  const std::vector<evaluate::Candidate> candidates = candidates_of(o);
+  std::optional<evaluate::FlownMission> mission;
+  if (o.mission) mission = evaluate::read_mission(*o.mission);
+  const std::vector<evaluate::Candidate> candidates = candidates_of(o, mission);
   if (!o.search.source) evaluate::check_same_source(candidates);
   const evaluate::Candidate* const leading = evaluate::leading(candidates);
-  Task task = task_of(o.search, candidates, leading);
+  Task task = task_of(mission ? evaluate::with_mission(o.search, *mission) : o.search, candidates, leading);
+  if (mission) evaluate::apply(*mission, candidates, task.settings);
   const std::filesystem::path environment_file =
       o.search.environment ? std::filesystem::path(*o.search.environment) : host::shipped("sim/ocean/environments/munk_flat.toml");
   const ocean::Environment environment = command_line::scenario_at(environment_file, task.depth).environment;
-  const std::vector<evaluate::WorldFile> worlds = worlds_of(o, environment_file, task.depth);
+  std::vector<evaluate::WorldFile> worlds = worlds_of(o, environment_file, task.depth);
+  if (mission) evaluate::apply(*mission, o.search.vehicle_depth_m.has_value(), worlds);
   task.settings.source = source_of(leading, environment, o.search.environment.has_value());
-  if (!o.search.listening.is_given()) evaluate::check_same_listening(candidates);
+  if (!o.search.listening.is_given() && !mission) evaluate::check_same_listening(candidates);
   task.options.apply_to(task.settings);
   if (o.declared) task.settings.found_by = search::FoundBy::kSearcher;
-  const evaluate::TablesGiven given = evaluate::read_tables(o.tables);
+  std::vector<std::string> named_tables = o.tables;
+  if (named_tables.empty() && mission && !mission->file.tables.empty()) named_tables.push_back(mission->file.tables.string());
+  const evaluate::TablesGiven given = evaluate::read_tables(named_tables);
   session.all_or_none<BadInput>([&] {
     if (speaks) check_files(o, {candidates, worlds, given.files});
   });
@@ -334,7 +358,7 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
     for (const evaluate::Candidate& c : candidates) print_details(c);
     program::detail() << environment_file.string() << ": " << environment.name << "; the vehicle " << task.depth.value << " m deep\n"
                       << ranks.size() << (ranks.size() == 1 ? " process\n" : " processes\n");
-    program::say() << what_is_searched(o.search, task);
+    program::say() << (mission ? evaluate::to_string(*mission) : "") << what_is_searched(o.search, task);
   }
   std::optional<policy::ActionDraw> draw;
   if (o.draw) draw = description::draw_named(*o.draw);

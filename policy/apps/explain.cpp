@@ -1,7 +1,9 @@
 // earshot-explain: what a policy does, and why it did it.
 
 #include <ostream>
+#include <vector>
 
+#include "firmware/host/file/printable.hpp"
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/toml/table_reader.hpp"
@@ -90,6 +92,11 @@ void write_decision_report(const DecisionOptions& o) {
   const std::string extension = o.output.extension().string();
   if (extension != ".html" && extension != ".md" && extension != ".json")
     throw BadInput("-o " + o.output.string() + ": must end in .html, .md or .json");
+  const std::vector<command_line::Output> outputs{{"--output", o.output, {}}};
+  command_line::check_is_none_of(outputs, "FLIGHT", o.flight);
+  command_line::check_is_none_of(outputs, "FLIGHT", o.flight / "summary.json");
+  if (o.policy) command_line::check_is_none_of(outputs, "--policy", *o.policy);
+  if (o.tables) command_line::check_is_none_of(outputs, "--tables", *o.tables);
   host::require_writable(o.output, report_kind(extension), host::replaced_by(o.force));
   report::RecordingOptions recording{.policy = o.policy, .tables = o.tables, .south_west = std::nullopt};
   if (o.south_west) recording.south_west = command_line::north_east_of("--south-west", *o.south_west);
@@ -101,7 +108,9 @@ void write_decision_report(const DecisionOptions& o) {
       flight, report::index_of_step(flight, o.step), o.baseline == "here" ? explain::Baseline::kHere : explain::Baseline::kCentre);
   host::write_whole(o.output, in_format_of(o.output, made));
   for (const std::string& sentence : report::sentences(made.account)) program::say() << sentence << "\n";
-  program::say() << "Integrated gradients: " << report::completeness_to_string(made.account.attribution) << ".\n";
+  program::say() << "Integrated gradients: " << report::completeness_to_string(made.account.attribution) << ".\n"
+                 << host::printable(o.output.string()) << ": step " << o.step << " of " << host::printable(flight.journal_path.string())
+                 << "\n";
 }
 
 }  // namespace

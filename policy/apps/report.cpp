@@ -49,8 +49,8 @@ int write_report(const std::filesystem::path& folder, host::Replace replace) try
   const report::Pictures pictures = report::pictures_of(flight);
   host::require_writable(page, host::kHtmlOutput, replace);
   host::write_whole(page, report::page(flight, pictures, report::explain_flight(folder)));
-  program::detail() << page.string() << "\n"
-                    << folder.string() << ": " << flight.journal.decisions.size() << " decisions in " << flight.journal.records
+  program::say() << host::printable(page.string()) << ": " << flight.journal.decisions.size() << " decisions\n";
+  program::detail() << folder.string() << ": " << flight.journal.decisions.size() << " decisions in " << flight.journal.records
                     << " records of the journal, " << flight.track.size() << " rows of track.csv, " << flight.snr.size() << " of snr.csv\n";
   tell_others(folder, flight);
   return say_what_is_missing(folder, flight);

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iostream>
 #include <map>
@@ -233,6 +232,23 @@ std::unique_ptr<policy::OceanTables> tables_of(const Files& files, const Options
   return tables::make_tables(merged.curves, all, plan, every.front().environment.source.frequency, provenance);
 }
 
+/// No file that is read may be one that is written: --force would replace it.
+void check_is_not_written(const Options& o, const std::string& option, const std::filesystem::path& read) {
+  std::vector<command_line::Output> outputs;
+  if (o.output) outputs.push_back({"--output", *o.output, {}});
+  if (o.plot) outputs.push_back({"--plot", *o.plot, {}});
+  command_line::check_is_none_of(outputs, option, read);
+}
+
+/// Tables that are there are shown, not made.
+void require_no_tables(const std::vector<std::string>& environments) {
+  for (const std::string& file : environments) {
+    if (std::filesystem::path(file).extension() == ".tables")
+      throw BadInput("ENVIRONMENT " + file + ": is a file of tables, not an environment: earshot tables --show " + file +
+                     " says what is in it");
+  }
+}
+
 void check_outputs(const Options& o) {
   std::vector<command_line::Output> outputs;
   if (o.output) outputs.push_back({"--output", *o.output, command_line::kTablesOutput});
@@ -250,6 +266,7 @@ void show(const Options& o) {
   if (!o.environments.empty() || !o.expected.empty() || !o.variants.empty() || o.origin || o.output || !o.key.key.empty() ||
       o.key.only_makes_keys())
     throw BadInput("--show: goes with --plot alone, it makes no tables");
+  if (o.plot) check_is_not_written(o, "--show", *o.show);
   check_outputs(o);
   const std::vector<std::uint8_t> bytes = host::read_tables_bytes(*o.show);
   const std::unique_ptr<policy::OceanTables> tables = host::tables_from(bytes, *o.show);
@@ -261,19 +278,17 @@ void show(const Options& o) {
 }
 
 void make(const Options& o) {
+  for (const auto* files : {&o.environments, &o.expected, &o.variants}) require_no_tables(*files);
   if (!o.variants.empty() && o.expected.empty()) throw BadInput("--variants: of what is expected; give --expected, too");
   if ((o.environments.empty() && o.expected.empty()) || !o.output || o.key.key.empty())
     throw BadInput("earshot tables: ENVIRONMENT or --expected, --output and --key are needed; or --show alone");
   const Files files = files_of(o);
+  for (const std::filesystem::path& file : files.others) check_is_not_written(o, "ENVIRONMENT", file);
+  for (const std::filesystem::path& file : files.expected) check_is_not_written(o, "--expected", file);
+  for (const std::filesystem::path& file : files.variants) check_is_not_written(o, "--variants", file);
   check_outputs(o);
   program::say() << "oceans read: " << files.expected.size() << " expected (--expected), " << files.variants.size()
                  << " variants of these (--variants), " << files.others.size() << " others (ENVIRONMENT)\n";
-  const auto check_is_not_output = [&o](const char* what, const std::filesystem::path& file) {
-    command_line::check_distinct(std::array{command_line::Output{what, file, {}}, command_line::Output{"--output", *o.output, {}}});
-  };
-  for (const std::filesystem::path& file : files.others) check_is_not_output("ENVIRONMENT", file);
-  for (const std::filesystem::path& file : files.expected) check_is_not_output("--expected", file);
-  for (const std::filesystem::path& file : files.variants) check_is_not_output("--variants", file);
   const std::unique_ptr<policy::OceanTables> tables = tables_of(files, o);
   const host::SecretKey key = o.key.read(o.force);
   const std::vector<std::uint8_t> bytes = tables::sign(*tables, key);

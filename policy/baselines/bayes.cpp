@@ -16,6 +16,11 @@ void Bayes::begin(Pcg32 /*random*/) {
   belief_.start(model_, tables_);
 }
 
+void Bayes::ponder() {
+  while (belief_.ponder(model_, tables_)) {
+  }
+}
+
 void Bayes::hear(const DecisionInput& input) {
   belief_.update(model_, tables_, input.position - prior_.settings.domain.south_west, input.reception);
 }

@@ -15,6 +15,7 @@ class Bayes : public Searcher {
   explicit Bayes(const PriorKnowledge& prior);
   void begin(Pcg32 random) override;
   [[nodiscard]] std::size_t choose(const DecisionInput& input) override;
+  void ponder() override;
 
   [[nodiscard]] std::optional<bool> declares_found() const override { return belief_.declaration().has_value(); }
   [[nodiscard]] std::optional<bool> is_surprised() const override { return belief_.surprise().is_surprised(); }

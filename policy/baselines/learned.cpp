@@ -31,6 +31,11 @@ std::size_t Learned::choose(const DecisionInput& input) {
   return fallback_.choose(calls_for_sweep, action, plan, input.position, std::span(policy_.actions.begin(), policy_.actions.size()));
 }
 
+void Learned::ponder() {
+  while (memory_.ponder(policy_.observation, tables_)) {
+  }
+}
+
 std::optional<bool> Learned::declares_found() const {
   if (!policy::needs_belief(policy_.observation.spec)) return std::nullopt;
   return memory_.belief().declaration().has_value();

@@ -41,6 +41,8 @@ class Searcher {
   virtual void begin(Pcg32 random) = 0;
   /// The next step. Called at the start and after every step. @return an action below the number of actions
   [[nodiscard]] virtual std::size_t choose(const DecisionInput& input) = 0;
+  /// What a vehicle goes on to weigh on its way to the next measurement; what it next chooses is the same whether it was called or not.
+  virtual void ponder() {}
   /// Whether it says that the source is found where it last chose; nothing for one that leaves that to others.
   [[nodiscard]] virtual std::optional<bool> declares_found() const { return std::nullopt; }
   /// Whether what it heard in this search is explained by nothing that it believes possible; absent: it does not judge that.

@@ -1,7 +1,8 @@
 #include "policy/command_line/outputs.hpp"
 
 #include <array>
-#include <map>
+#include <cstddef>
+#include <system_error>
 
 #include "firmware/host/file/bad_input.hpp"
 #include "sim/plot/gnuplot.hpp"
@@ -19,16 +20,21 @@ std::filesystem::path canonical_name(const std::filesystem::path& path) {
   return error ? absolute.lexically_normal() : canonical;
 }
 
+/// By name, or as the disk has it: a hard link is another name for one file.
+bool are_one(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code differ;
+  return canonical_name(a) == canonical_name(b) || std::filesystem::equivalent(a, b, differ);
+}
+
 }  // namespace
 
 void check_distinct(std::span<const Output> files) {
-  std::map<std::filesystem::path, const Output*> known;
-  for (const Output& file : files) {
-    const auto [first, is_new] = known.emplace(canonical_name(file.path), &file);
-    if (is_new) continue;
-    const Output& other = *first->second;
-    throw BadInput(other.option + " " + other.path.string() + ", " + file.option + " " + file.path.string() +
-                   ": the same file, one would replace the other");
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    for (std::size_t earlier = 0; earlier < i; ++earlier) {
+      if (!are_one(files[earlier].path, files[i].path)) continue;
+      throw BadInput(files[earlier].option + " " + files[earlier].path.string() + ", " + files[i].option + " " + files[i].path.string() +
+                     ": the same file, one would replace the other");
+    }
   }
 }
 

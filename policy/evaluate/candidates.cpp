@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <system_error>
+#include <utility>
 
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/policy/unverified_policy.hpp"
 #include "policy/baselines/catalogue.hpp"
 #include "policy/evaluate/evaluation.hpp"
+#include "policy/evaluate/world_file.hpp"
+#include "sim/search/scenario/file_kind.hpp"
 
 namespace earshot::evaluate {
 namespace {
@@ -29,12 +33,37 @@ bool are_of_one_search(const policy::FrozenPolicy& a, const policy::FrozenPolicy
   return a.step_length == b.step_length && a.area_size == b.area_size && a.detection_threshold == b.detection_threshold;
 }
 
+bool are_one(const Candidate& a, const Candidate& b) {
+  std::error_code differ;
+  return a.name == b.name || (a.learned && b.learned && std::filesystem::equivalent(a.file, b.file, differ));
+}
+
 }  // namespace
+
+std::vector<std::string> leave_out_repeated(std::vector<Candidate>& candidates) {
+  std::vector<Candidate> each;
+  std::vector<std::string> said;
+  for (Candidate& candidate : candidates) {
+    const auto first = std::ranges::find_if(each, [&candidate](const Candidate& c) { return are_one(c, candidate); });
+    if (first == each.end()) {
+      each.push_back(std::move(candidate));
+      continue;
+    }
+    said.push_back(candidate.name + (candidate.name == first->name ? ": named twice, flies once" : ": is " + first->name + ", flies once"));
+  }
+  candidates = std::move(each);
+  return said;
+}
 
 Candidate candidate_named(const std::string& name) {
   for (const baselines::Entry& entry : baselines::catalogue()) {
     if (entry.name == name) return {.name = name, .learned = nullptr};
   }
+  const std::filesystem::path world = shipped_world(name);
+  if (!world.empty()) throw BadInput("POLICY " + name + ": is a world, not a policy: --world " + world.string());
+  if (search::kind_of(name) != search::FileKind::kOther)
+    throw BadInput("POLICY " + name +
+                   ": is no policy (.policy): environments go with --environment, worlds with --world, missions with --mission");
   const bool is_shipped = std::ranges::find(kShipped, name) != kShipped.end();
   if (!is_shipped && name.find_first_of("./") == std::string::npos) {
     std::string known;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "firmware/policy/frozen_policy.hpp"
 #include "sim/search/settings.hpp"
@@ -20,6 +21,9 @@ struct Candidate {
 /// The candidate of a name: a policy that ships ("shipped", "fixed_source"), a baseline's, or the path of a `.policy` file. Throws
 /// host::BadInput when it is none of them.
 [[nodiscard]] Candidate candidate_named(const std::string& name);
+
+/// Of candidates that are one and the same, under one name or two, the first stays. @return what goes, a sentence each
+[[nodiscard]] std::vector<std::string> leave_out_repeated(std::vector<Candidate>& candidates);
 
 /// The search that the learned candidates were trained for; the paper's when there is none. Throws host::BadInput, naming two, when they
 /// were trained for different areas, step lengths or detection thresholds.

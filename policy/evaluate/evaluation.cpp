@@ -26,6 +26,13 @@ struct Turn {
   Pcg32 actions;
 };
 
+template <class Work>
+double seconds_to(Work work) {
+  const steady_clock::time_point began = steady_clock::now();
+  work();
+  return std::chrono::duration<double>(steady_clock::now() - began).count();
+}
+
 /// Takes down what the searcher says of where the vehicle is. @return whether it rightly says that the source is found
 bool take_down(const baselines::Searcher& searcher, const search::Episode& episode, Meters step_length, Flight& flight) {
   const std::optional<bool> says = searcher.declares_found();
@@ -63,20 +70,30 @@ Flight fly_one(baselines::Searcher& searcher, const search::World& world, const 
     const NorthEast before = episode.position();
     const baselines::DecisionInput input{
         .position = episode.believed_position(), .reception = episode.reception(), .vehicle = before, .source = episode.source()};
-    const steady_clock::time_point began = steady_clock::now();
-    const std::size_t action = searcher.choose(input);
-    const std::chrono::duration<double> took = steady_clock::now() - began;
+    std::size_t action = 0;
+    const double took_s = seconds_to([&] { action = searcher.choose(input); });
     const bool is_declared = take_down(searcher, episode, world.settings.step_length, flight);
     if (is_declared && world.settings.found_by == search::FoundBy::kSearcher) flight.record.end = search::EpisodeEnd::kFound;
     if (flight.record.end != search::EpisodeEnd::kRunning) break;  // what was heard last made it say something, at most
-    flight.decision_s += took.count();
+    flight.decision_s += took_s;
     note_surprise(searcher.is_surprised(), episode.record().steps + std::size_t{1}, flight);
     if (watcher) watcher(turn.number, episode, flight.record.end);
+    flight.pondering_s += seconds_to([&searcher] { searcher.ponder(); });
     episode.step(world, action);
     flight.path_m += range_between(before, episode.position()).value;
   }
   if (watcher) watcher(turn.number, episode, flight.record.end);
   return flight;
+}
+
+double mean_over_decisions(std::span<const Flight> flights, double Flight::*time_s) {
+  double sum_s = 0.0;
+  double decisions = 0.0;
+  for (const Flight& flight : flights) {
+    sum_s += flight.*time_s;
+    decisions += flight.record.steps;
+  }
+  return sum_s / decisions;
 }
 
 }  // namespace
@@ -182,13 +199,11 @@ Surprises surprises(std::span<const Flight> flights) {
 }
 
 double decision_time_s(std::span<const Flight> flights) {
-  double time_s = 0.0;
-  double decisions = 0.0;
-  for (const Flight& flight : flights) {
-    time_s += flight.decision_s;
-    decisions += flight.record.steps;
-  }
-  return time_s / decisions;
+  return mean_over_decisions(flights, &Flight::decision_s);
+}
+
+double pondering_time_s(std::span<const Flight> flights) {
+  return mean_over_decisions(flights, &Flight::pondering_s);
 }
 
 double quantile(std::vector<double> values, double q) {

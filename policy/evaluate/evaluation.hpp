@@ -28,6 +28,7 @@ struct Flight {
   double path_m = 0.0;                                      ///< over ground
   double straight_m = 0.0;                                  ///< from the start to within l of where the nearest source then was
   double decision_s = 0.0;                                  ///< by the clock, all decisions together
+  double pondering_s = 0.0;                                 ///< by the clock, on the way from one decision to the next
   std::optional<Declarations> declarations = std::nullopt;  ///< of searchers that make any
   /// Looks (the start's, and one after every step that did not end the search) up to the first that surprised the searcher; infinite:
   /// none did; NaN: it does not judge that.
@@ -105,8 +106,11 @@ struct Surprises {
 
 [[nodiscard]] Surprises surprises(std::span<const Flight> flights);
 
-/// Mean over all decisions, seconds.
+/// Mean over all decisions, seconds: what a vehicle waits for.
 [[nodiscard]] double decision_time_s(std::span<const Flight> flights);
+
+/// Mean over all decisions of what follows each, seconds: what a vehicle weighs on its way.
+[[nodiscard]] double pondering_time_s(std::span<const Flight> flights);
 
 /// The q-quantile (0 to 1) by linear interpolation between order statistics, as NumPy's default. @param values  at least one, any order
 [[nodiscard]] double quantile(std::vector<double> values, double q);

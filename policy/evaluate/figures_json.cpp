@@ -50,7 +50,10 @@ ordered_json as_json(const Row& row, Timing timing) {
     json["declared_far_off_fraction"] = row.declarations->far_off;
     json["missed_fraction"] = row.declarations->missed;
   }
-  if (timing == Timing::kIncluded) json["decision_us"] = 1e6 * row.decision_s;
+  if (timing == Timing::kIncluded) {
+    json["decision_us"] = 1e6 * row.decision_s;
+    json["pondering_us"] = 1e6 * row.pondering_s;
+  }
   return json;
 }
 

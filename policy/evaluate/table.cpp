@@ -34,42 +34,61 @@ std::string shortest(double value) {
   return {text.data(), end};
 }
 
-std::string line_of(const Row& row, std::size_t width) {
-  const Summary& s = row.summary;
-  const Intervals& i = row.intervals;
+/// Cells of a row, without its name.
+using Cells = std::string (*)(const Row& row);
+
+std::string found_and_time(const Row& row) {
   const TimeToFind& t = row.time_to_find;
+  const Interval& steps_95 = row.intervals.restricted_mean_steps;
   const auto in_hours = [&row](double steps) { return hours(steps, row.pace); };
-  return formatted("%-*s", static_cast<int>(width), row.policy.c_str()) +
-         formatted(" %6.1f  %5.1f to %5.1f", 100.0 * s.found_fraction, 100.0 * row.found_fraction_95.low,
+  return formatted(" %6.1f  %5.1f to %5.1f", 100.0 * row.summary.found_fraction, 100.0 * row.found_fraction_95.low,
                    100.0 * row.found_fraction_95.high) +
          known(" ", 7, in_hours(t.median)) + known("  ", 5, in_hours(t.lower_quartile)) + known(" to ", 5, in_hours(t.upper_quartile)) +
-         formatted(" %6.2f  %5.2f to %5.2f", in_hours(t.restricted_mean), in_hours(i.restricted_mean_steps.low),
-                   in_hours(i.restricted_mean_steps.high)) +
-         formatted(" %8.2f  %7.2f to %7.2f", s.mean_reward, i.mean_reward.low, i.mean_reward.high) +
-         formatted(" %8.2f  %7.2f to %7.2f", s.median_reward, s.lower_quartile_reward, s.upper_quartile_reward) +
-         known(" ", 7, row.path_over_straight) + formatted(" %6.1f %6.1f", 100.0 * s.left_domain_fraction, s.mean_detections) +
-         known(" ", 6, 100.0 * row.surprises.fraction) + known(" ", 7, row.surprises.median_look) +
-         formatted(" %9.2f\n", 1e6 * row.decision_s);
+         formatted(" %6.2f  %5.2f to %5.2f", in_hours(t.restricted_mean), in_hours(steps_95.low), in_hours(steps_95.high));
 }
 
-/// "ocean_search: declared falsely in 3.0 % of the searches (further than 1.5 step lengths off in 0.0 %); of those that ended a step within
-/// a step length of the source, declared nothing there in 1.2 %"
+std::string reward(const Row& row) {
+  const Summary& s = row.summary;
+  const Interval& mean_95 = row.intervals.mean_reward;
+  return formatted(" %8.2f  %7.2f to %7.2f", s.mean_reward, mean_95.low, mean_95.high) +
+         formatted(" %8.2f  %7.2f to %7.2f", s.median_reward, s.lower_quartile_reward, s.upper_quartile_reward);
+}
+
+std::string way_and_decisions(const Row& row) {
+  return known(" ", 9, row.path_over_straight) +
+         formatted(" %7.1f %9.1f", 100.0 * row.summary.left_domain_fraction, row.summary.mean_detections) +
+         known(" ", 9, 100.0 * row.surprises.fraction) + known(" ", 7, row.surprises.median_look) +
+         formatted(" %9.2f %10.2f", 1e6 * row.decision_s, 1e6 * row.pondering_s);
+}
+
+constexpr std::size_t kLongestName = 28;
+
+/// A header of two lines, then a line for every row.
+std::string table_of(std::span<const Row> rows, const std::array<std::string, 2>& header, Cells cells) {
+  std::size_t width = 16;
+  for (const Row& row : rows) {
+    if (row.policy.size() <= kLongestName) width = std::max(width, row.policy.size());
+  }
+  const auto named = [width](const std::string& name, const std::string& rest) {
+    if (name.size() > width) return name + "\n" + std::string(width, ' ') + rest + "\n";
+    return name + std::string(width - name.size(), ' ') + rest + "\n";
+  };
+  std::string text = named("policy", header[0]) + named("", header[1]);
+  for (const Row& row : rows) text += named(row.policy, cells(row));
+  return text;
+}
+
+/// "ocean_search declared
+///    falsely in 3.0 % of the searches (further than 1.5 step lengths off in 0.0 %),
+///    nothing in 1.2 % of those that ended a step within a step length of the source"
 std::string said_by(const Row& row) {
   if (!row.declarations) return "";
   const DeclarationShares& d = *row.declarations;
-  return row.policy +
-         formatted(": declared falsely in %.1f %% of the searches (further than 1.5 step lengths off in %.1f %%)", 100.0 * d.falsely,
+  return row.policy + " declared\n" +
+         formatted("   falsely in %.1f %% of the searches (further than 1.5 step lengths off in %.1f %%),\n", 100.0 * d.falsely,
                    100.0 * d.far_off) +
-         "; of those that ended a step within a step length of the source, declared nothing there in " +
-         (std::isfinite(d.missed) ? formatted("%.1f %%", 100.0 * d.missed) : "-") + "\n";
-}
-
-/// A line of the table's header, its words over the columns of line_of().
-std::string heading(std::size_t width, const std::array<const char*, 17>& words) {
-  const std::array<int, 17> widths{-static_cast<int>(width), 7, 16, 8, 16, 7, 16, 9, 20, 9, 20, 8, 7, 7, 7, 8, 10};
-  std::string line;
-  for (std::size_t i = 0; i < words.size(); ++i) line += formatted("%*s", widths[i], words[i]);
-  return line + "\n";
+         "   nothing in " + (std::isfinite(d.missed) ? formatted("%.1f", 100.0 * d.missed) : "-") +
+         " % of those that ended a step within a step length of the source\n";
 }
 
 std::vector<std::string> distinct(std::span<const Row> rows, std::string Row::*name) {
@@ -87,12 +106,51 @@ std::array<double, 6> times_of(const Row& row) {
   return {t.lower_quartile, t.median, t.upper_quartile, t.restricted_mean, mean_95.low, mean_95.high};
 }
 
+const char* colour_of(std::size_t policy) {
+  constexpr std::array<const char*, 6> kColours{"#1b6ca8", "#d1495b", "#2a9d6f", "#8a5aa8", "#e08a1e", "#4d5b68"};
+  return kColours[policy % kColours.size()];
+}
+
 /// The place of one policy's points, and its mark: colour and shape both distinguish it from its neighbours.
 std::string points_of(std::size_t policy) {
-  constexpr std::array<const char*, 6> kColours{"#1b6ca8", "#d1495b", "#2a9d6f", "#8a5aa8", "#e08a1e", "#4d5b68"};
   constexpr std::array<int, 6> kShapes{7, 5, 9, 13, 11, 15};  // disc, square, triangle, diamond, triangle on its head, pentagon
-  return formatted(" using 1:2:3:4 with yerrorbars pt %d ps 1.1 lw 1.5 lc rgb '%s'", kShapes[policy % kShapes.size()],
-                   kColours[policy % kColours.size()]);
+  return formatted(" using 1:2:3:4 with yerrorbars pt %d ps 1.1 lw 1.5 lc rgb '%s'", kShapes[policy % kShapes.size()], colour_of(policy));
+}
+
+/// Where a policy's point stands along the axis: policies side by side within their world.
+double place_of(const Row& row, std::size_t policy, std::size_t policies, const std::vector<std::string>& worlds) {
+  const auto world = static_cast<double>(std::ranges::find(worlds, row.world) - worlds.begin());
+  const double apart = 0.7 / static_cast<double>(policies);
+  return world + apart * (static_cast<double>(policy) - 0.5 * static_cast<double>(policies - 1));
+}
+
+/// Below it a mean reward is an outlier, by which no picture of the others may be ruled: 6 median absolute deviations under the median.
+double least_usual_reward(std::span<const Row> rows) {
+  std::vector<double> rewards;
+  for (const Row& row : rows) rewards.push_back(row.summary.mean_reward);
+  const double median = quantile(rewards, 0.5);
+  for (double& reward : rewards) reward = std::abs(reward - median);
+  constexpr double kLeastDeviation = 0.5;  // where most are alike
+  return median - 6.0 * std::max(quantile(rewards, 0.5), kLeastDeviation);
+}
+
+/// The axis of the rewards: it ends where the usual ones end, and an outlier stands at its lower end as an arrowhead with its number.
+std::string reward_axis(std::span<const Row> rows) {
+  const double least_usual = least_usual_reward(rows);
+  const std::vector<std::string> policies = distinct(rows, &Row::policy);
+  const std::vector<std::string> worlds = distinct(rows, &Row::world);
+  double low = 0.0;
+  for (const Row& row : rows) {
+    if (row.summary.mean_reward >= least_usual) low = std::min(low, std::max(least_usual, row.intervals.mean_reward.low));
+  }
+  std::string labels;
+  for (const Row& row : rows) {
+    if (row.summary.mean_reward >= least_usual) continue;
+    const auto policy = static_cast<std::size_t>(std::ranges::find(policies, row.policy) - policies.begin());
+    labels += formatted("set label '%.1f' at first %g, graph 0.03 left rotate by 90 offset 0,0.6 point pt 11 ps 1.1 lc rgb '%s'\n",
+                        row.summary.mean_reward, place_of(row, policy, policies.size(), worlds), colour_of(policy));
+  }
+  return labels.empty() ? "set yrange [*:0]\n" : formatted("set yrange [%g:0]\n", 1.05 * low) + labels;
 }
 
 /// One panel: a point with its interval for every row; policies side by side within their world.
@@ -101,17 +159,14 @@ template <class Value>
 std::string panel(std::span<const Row> rows, const std::string& label, bool is_named, Value value) {
   const std::vector<std::string> policies = distinct(rows, &Row::policy);
   const std::vector<std::string> worlds = distinct(rows, &Row::world);
-  const double apart = 0.7 / static_cast<double>(policies.size());
   std::string plot = "set ylabel '" + label + "'\nplot ";
   std::string data;
   for (std::size_t p = 0; p < policies.size(); ++p) {
     plot += (p == 0 ? "'-'" : ", '-'") + points_of(p) + (is_named ? " title " + plot::quoted(policies[p]) : " notitle");
     for (const Row& row : rows) {
       if (row.policy != policies[p]) continue;
-      const auto world = static_cast<double>(std::ranges::find(worlds, row.world) - worlds.begin());
       const std::array<double, 3> v = value(row);
-      data += formatted("%g %g %g %g\n", world + apart * (static_cast<double>(p) - 0.5 * static_cast<double>(policies.size() - 1)), v[0],
-                        v[1], v[2]);
+      data += formatted("%g %g %g %g\n", place_of(row, p, policies.size(), worlds), v[0], v[1], v[2]);
     }
     data += "e\n";
   }
@@ -146,19 +201,23 @@ Row row_of(const std::string& world, const std::string& policy, std::span<const 
           .path_over_straight = path_over_straight(flights),
           .surprises = surprises(flights),
           .decision_s = decision_time_s(flights),
+          .pondering_s = pondering_time_s(flights),
           .declarations = declaration_shares(flights)};
 }
 
 std::string as_text(std::span<const Row> rows) {
-  std::size_t width = 16;
-  for (const Row& row : rows) width = std::max(width, row.policy.size());
-  constexpr const char* kSure = "(95 %)    ";  // over the middle of what is so wide
-  constexpr const char* kRange = "(quartiles)  ";
-  std::string text = heading(width, {"policy", "found", kSure, "hours to", kRange, "mean", kSure, "reward", kSure, "median", kRange,
-                                     "path/", "left", "heard", "surpr.", "at", "us/"});
-  text +=
-      heading(width, {"", "%", "", "find", "", "hours", "", "mean", "", "reward", "", "line", "area %", "times", "%", "look", "decision"});
-  for (const Row& row : rows) text += line_of(row, width);
+  std::string text = table_of(rows,
+                              {"  found      (95 %)       hours   (quartiles)     mean      (95 %)",  //
+                               "      %           %     to find       hours      hours       hours"},
+                              found_and_time);
+  text += table_of(rows,
+                   {"   reward         (95 %)        reward      (quartiles)",  //
+                    "     mean                       median"},
+                   reward);
+  text += table_of(rows,
+                   {"    path /    left     heard surprised at look  decision  pondering",  //
+                    "      line  area %     times         %  number        us         us"},
+                   way_and_decisions);
   for (const Row& row : rows) text += said_by(row);
   return text;
 }
@@ -172,7 +231,7 @@ std::string as_csv(std::span<const Row> rows, Timing timing) {
       "lower_quartile_reward,median_reward,median_reward_low,median_reward_high,upper_quartile_reward,left_domain_fraction,"
       "path_over_straight,path_over_straight_low,path_over_straight_high,mean_steps,mean_detections,surprised_fraction,"
       "median_look_of_surprise,declared_falsely_fraction,declared_far_off_fraction,missed_fraction";
-  csv += timing == Timing::kIncluded ? ",decision_us\n" : "\n";
+  csv += timing == Timing::kIncluded ? ",decision_us,pondering_us\n" : "\n";
   for (const Row& row : rows) {
     const Summary& s = row.summary;
     const Intervals& i = row.intervals;
@@ -189,7 +248,7 @@ std::string as_csv(std::span<const Row> rows, Timing timing) {
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
     const DeclarationShares said = row.declarations.value_or(DeclarationShares{kUnknown, kUnknown, kUnknown});
     for (const double x : {said.falsely, said.far_off, said.missed}) csv += "," + shortest(x);
-    if (timing == Timing::kIncluded) csv += "," + shortest(1e6 * row.decision_s);
+    if (timing == Timing::kIncluded) csv += "," + shortest(1e6 * row.decision_s) + "," + shortest(1e6 * row.pondering_s);
     csv += "\n";
   }
   return csv;
@@ -218,7 +277,7 @@ std::string as_plot(std::span<const Row> all, const std::string& title) {
                  const Interval& steps = r.intervals.restricted_mean_steps;
                  return std::array{hours(r.time_to_find.restricted_mean, r.pace), hours(steps.low, r.pace), hours(steps.high, r.pace)};
                }) +
-         "set bmargin at screen 0.12\nset tmargin at screen 0.37\nset yrange [*:0]\n" + tics_of(worlds, true) +
+         "set bmargin at screen 0.12\nset tmargin at screen 0.37\n" + reward_axis(rows) + tics_of(worlds, true) +
          panel(rows, "mean reward (95 %)", false,
                [](const Row& r) {
                  return std::array{r.summary.mean_reward, r.intervals.mean_reward.low, r.intervals.mean_reward.high};

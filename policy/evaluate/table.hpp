@@ -24,6 +24,7 @@ struct Row {
   double path_over_straight = 0.0;
   Surprises surprises;
   double decision_s = 0.0;
+  double pondering_s = 0.0;
   std::optional<DeclarationShares> declarations = std::nullopt;  ///< of a searcher that says itself whether the source is found
 };
 
@@ -34,7 +35,8 @@ struct Row {
 /// A time in steps as hours. Infinite stays infinite.
 [[nodiscard]] double hours(double steps, const Pace& pace);
 
-/// The rows of one world as a table with a header of two lines, for people to read: found first, then the time to find, then the reward.
+/// The rows of one world as three tables under one another, each at most 100 columns wide and with units in its header, for people to
+/// read: found and time to find, then the reward, then way and decisions. A name longer than 28 characters stands on a line of its own.
 /// "-" is a time that never comes, or a ratio that nobody knows. A line below names each that declared the source found, and how often
 /// wrongly.
 [[nodiscard]] std::string as_text(std::span<const Row> rows);
@@ -46,7 +48,7 @@ enum class Timing : bool { kLeftOut, kIncluded };
 [[nodiscard]] std::string as_csv(std::span<const Row> rows, Timing timing);
 
 /// gnuplot's commands: share found, restricted mean time to find and mean reward with their intervals, side by side for every policy, world
-/// by world.
+/// by world. A mean reward far below all others stands as an arrowhead with its number at the end of an axis that is the others'.
 [[nodiscard]] std::string as_plot(std::span<const Row> rows, const std::string& title);
 
 }  // namespace earshot::evaluate

@@ -5,8 +5,10 @@
 #include <optional>
 #include <sstream>
 
+#include "firmware/host/file/shipped.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "sim/search/scenario/conditions_table.hpp"
+#include "sim/search/scenario/file_kind.hpp"
 #include "sim/search/scenario/scenario_file.hpp"
 
 namespace earshot::evaluate {
@@ -21,9 +23,29 @@ void check_depth(const host::TableReader& root, const WorldFile& world, const st
   throw host::BadInput(text.str());
 }
 
+/// A bare name is told which file it is the name of.
+void require_there(const std::filesystem::path& path) {
+  if (std::filesystem::exists(path)) return;
+  const std::filesystem::path ships = shipped_world(path.string());
+  throw host::BadInput(path.string() + ": no such file" + (ships.empty() ? "" : "; the world that ships is " + ships.string()));
+}
+
 }  // namespace
 
+std::filesystem::path shipped_world(const std::string& name) try {
+  if (name.find('/') != std::string::npos) return {};
+  const std::filesystem::path folder = host::shipped("policy/worlds");
+  for (const std::filesystem::path& file : {folder / (name + ".toml"), folder / name}) {
+    if (!name.empty() && std::filesystem::is_regular_file(file)) return file;
+  }
+  return {};
+} catch (const host::BadInput&) {  // an installation without them
+  return {};
+}
+
 WorldFile load_world(const std::filesystem::path& path) {
+  require_there(path);
+  search::require_kind("--world", path, search::FileKind::kWorld);
   const host::TomlFile file(path);
   host::TableReader root = file.root();
   WorldFile world{.name = root.text("name"), .what = root.text("what"), .scenario = {}};

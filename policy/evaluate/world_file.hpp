@@ -24,6 +24,9 @@ struct WorldFile {
 /// source, and [conditions], which then replace the environment's own. Throws host::BadInput with everything that is wrong.
 [[nodiscard]] WorldFile load_world(const std::filesystem::path& path);
 
+/// The file of a world that ships, by its name ("rock"), or by that of the file; empty where none is of that name.
+[[nodiscard]] std::filesystem::path shipped_world(const std::string& name);
+
 /// The world files of a folder, by name. Throws host::BadInput when there are none.
 [[nodiscard]] std::vector<std::filesystem::path> worlds_in(const std::filesystem::path& folder);
 

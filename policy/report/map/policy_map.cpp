@@ -1,6 +1,7 @@
 #include "policy/report/map/policy_map.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 #include "firmware/host/policy/tables_bytes.hpp"
@@ -108,10 +109,20 @@ void draw_for_flight(const policy::FrozenPolicy& policy, const PolicyMapOptions&
               MapFlight{.belief = account, .track = taken});
 }
 
+/// No file that is read may be the picture: --force would replace it.
+void require_none_is_read(const PolicyMapOptions& options) {
+  const std::array outputs{command_line::Output{"--output", options.output, {}}};
+  command_line::check_is_none_of(outputs, "POLICY", options.policy);
+  command_line::check_is_none_of(outputs, "--tables", options.tables);
+  if (options.environment) command_line::check_is_none_of(outputs, "--environment", *options.environment);
+  if (options.world) command_line::check_is_none_of(outputs, "--world", *options.world);
+}
+
 }  // namespace
 
 void draw_policy_map(const PolicyMapOptions& options) {
   command_line::check_picture_name("-o", options.output);
+  require_none_is_read(options);
   host::require_writable(options.output, host::picture_kind(options.output), host::replaced_by(options.force));
   const std::unique_ptr<policy::FrozenPolicy> policy = host::load_unverified_policy(options.policy);
   if (options.source.has_value() == options.flight.has_value())

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/policy/apps/programs.hpp"
@@ -40,6 +41,64 @@ TEST_F(Programs, EvaluateRefusesBadInputInOneLine) {
   refuses("evaluate " + kFixedSource + kOcean + " --json nowhere/a.json", {"nowhere/a.json", "cannot be written"});
 }
 
+TEST_F(Programs, EvaluateSaysInOneLineWhatIsGivenInAnothersPlace) {
+  const std::string rock = kSource + "/policy/worlds/rock.toml";
+  refuses("evaluate --policies oracle --suite --world " + rock, {"--suite, --world " + rock, "give one of the two"});
+  refuses("evaluate --policies oracle --world " + rock + " " + rock, {"--world " + rock + ": is given twice"});
+  refuses("evaluate --policies oracle --environment " + rock, {"--environment " + rock + ": is a world", "not an environment"});
+  refuses("evaluate --policies oracle --mission " + rock, {"--mission " + rock + ": is a world", "not a mission"});
+}
+
+/// The mission that ships with other numbers.
+void write_mission(const fs::path& path, const std::vector<std::pair<std::string, std::string>>& changes) {
+  const std::string missions = kSource + "/firmware/boards/linux/missions/";
+  std::string text = content(missions + "search.toml");
+  const auto change = [&text](const std::string& line, const std::string& instead) {
+    const std::size_t at = text.find(line);
+    ASSERT_NE(at, std::string::npos) << line;
+    text.replace(at, line.size(), instead);
+  };
+  change("\"../../../../policy/frozen/shipped.policy\"", "\"" + kSource + "/policy/frozen/shipped.policy\"");
+  change("\"../../../../policy/frozen/earshot.pub\"", "\"" + kSource + "/policy/frozen/earshot.pub\"");
+  for (const auto& [line, instead] : changes) change(line, instead);
+  std::ofstream(path) << text;
+}
+
+TEST_F(Programs, EvaluateSearchesAsAMissionSays) {
+  write_mission(folder / "slow.toml", {{"speed_mps = 2.0", "speed_mps = 0.5"}, {"depth_m = 300.0", "depth_m = 100.0"}});
+  ASSERT_EQ(run("evaluate --mission slow.toml --episodes 3 --json slow.json"), 0) << content(folder / "err");
+  EXPECT_TRUE(content(folder / "out").starts_with("mission slow.toml: 100 m deep, 0.5 m/s, at most 30 steps of 1000 m (of 100, "))
+      << content(folder / "out");  // 60000 s of 2000 s each
+  const auto json = nlohmann::json::parse(content(folder / "slow.json"));
+  EXPECT_EQ(json["results"][0]["policy"], "shipped.policy") << "the mission's";
+  EXPECT_EQ(json["worlds"][0]["vehicle_depth_m"], 100.0);
+  EXPECT_EQ(json["max_steps"], 30);
+  EXPECT_EQ(json["listening"], "mean");
+  const double steps = json["results"][0]["restricted_mean_steps_to_find"];
+  EXPECT_NEAR(json["results"][0]["restricted_mean_hours_to_find"].get<double>(), steps * 2'000.0 / 3'600.0, 1e-9);
+  // Options go before the mission, and the mission before a world.
+  ASSERT_EQ(run("evaluate --mission slow.toml --max-steps 5 --policies oracle --episodes 3 --json five.json --world " + kSource +
+                "/policy/worlds/rock.toml"),
+            0)
+      << content(folder / "err");
+  const auto five = nlohmann::json::parse(content(folder / "five.json"));
+  EXPECT_EQ(five["max_steps"], 5);
+  EXPECT_EQ(five["worlds"][0]["vehicle_depth_m"], 100.0);
+}
+
+TEST_F(Programs, EvaluateRefusesAMissionThatIsNotThePolicysOrWouldBeDeafInTheWorld) {
+  write_mission(folder / "small.toml", {{"north_m = 25000.0", "north_m = 20000.0"}});
+  refuses("evaluate --mission small.toml --policies shipped",
+          {"--mission small.toml: area, south to north = 20000 m, but shipped is for 25000 m"});
+  write_mission(folder / "step.toml", {{"step_length_m = 1000.0", "step_length_m = 500.0"}});
+  refuses("evaluate --mission step.toml", {"search.step_length_m = 500 m, but shipped.policy is for 1000 m"});
+  write_mission(folder / "deaf.toml", {{"source_frequency_hz = 20.0", "source_frequency_hz = 35.0"}});
+  refuses("evaluate --mission deaf.toml --policies oracle", {"searches for a sound of 35 Hz, but the source of munk_flat is of 20 Hz"});
+  write_mission(folder / "deep.toml", {{"depth_m = 300.0", "depth_m = 3500.0"}, {"max_depth_m = 400.0", "max_depth_m = 4000.0"}});
+  refuses("evaluate --mission deep.toml --policies oracle", {"depth of the sea floor"});
+  refuses("evaluate --mission none.toml", {"none.toml: no such file"});
+}
+
 TEST_F(Programs, EvaluateLeavesAPipe) {
   ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
   refuses("evaluate --policies oracle --episodes 1 --force --csv pipe", {"pipe: cannot be written: it is a pipe"});
@@ -59,7 +118,9 @@ TEST_F(Programs, EvaluateNeedsNothingButTheNamesOfPolicies) {
   EXPECT_GE(json["results"][2]["path_over_straight"], 1.0);
   EXPECT_EQ(std::ranges::count(content(folder / "a.csv"), '\n'), 4);
   EXPECT_EQ(content(folder / "a.svg").substr(0, 5), "<?xml");
-  EXPECT_NE(content(folder / "out").find("policy            found      (95 %)    hours to"), std::string::npos) << content(folder / "out");
+  EXPECT_NE(content(folder / "out").find("policy            found      (95 %)       hours   (quartiles)     mean      (95 %)\n"),
+            std::string::npos)
+      << content(folder / "out");
 }
 
 TEST_F(Programs, EvaluateWritesTheMarginOfItsStartsInPlaceOfTheirRegion) {

@@ -35,6 +35,22 @@ TEST_F(ExplainPrograms, ExplainWritesAReportInEachFormatAndTheReportOfTheFlight)
   EXPECT_NE(content("flight/report.html").find("<summary>why "), std::string::npos);
 }
 
+TEST_F(ExplainPrograms, SayWhichFileTheyWrote) {
+  ASSERT_EQ(run("explain decision flight --step 2 -o decision.html"), 0) << content("err");
+  EXPECT_NE(content("out").find("\ndecision.html: step 2 of flight/journal.lcmlog\n"), std::string::npos) << content("out");
+  ASSERT_EQ(run("report flight"), 0) << content("err");
+  EXPECT_TRUE(content("out").starts_with("flight/report.html: 4 decisions\n")) << content("out");
+}
+
+TEST_F(ExplainPrograms, ExplainReplacesNoFileThatItReads) {
+  fs::copy_file(folder / "flight/journal.policy", folder / "read.png");
+  refuses("explain map read.png --source 10000,10000 --force -o read.png", {"POLICY read.png, --output read.png: the same file"});
+  fs::copy_file(folder / "flight/journal.tables", folder / "tables.png");
+  refuses("explain map flight/journal.policy --tables tables.png --source 10000,10000 --force -o tables.png",
+          {"--tables tables.png, --output"});
+  refuses("explain decision flight --step 2 --force -o flight/summary.json", {"flight/summary.json", "the same file"});
+}
+
 TEST_F(ExplainPrograms, ExplainDrawsMapsForASourceAndAlongAFlight) {
   ASSERT_EQ(run("explain map flight/journal.policy --source 10000,10000 --arrows 6 --starts 3 -o own.png"), 0) << content("err");
   ASSERT_EQ(run("explain map flight/journal.policy --source 10000,10000 --arrows 6 --starts 3" + kOcean + " -o paper.svg"), 0)

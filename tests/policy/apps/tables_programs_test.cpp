@@ -42,6 +42,22 @@ TEST_F(Programs, TablesAreMadeSignedAndShown) {
   EXPECT_NE(shown.find("environments = 2\n"), std::string::npos) << shown;
 }
 
+TEST_F(Programs, TablesReplaceNoFileThatTheyRead) {
+  fs::copy_file(kSource + "/policy/tables/shipped/20hz_300m.tables", folder / "shown.png");
+  refuses("tables --show shown.png --plot shown.png --force", {"--show shown.png, --plot shown.png: the same file"});
+  fs::create_hard_link(folder / "shown.png", folder / "link.png");
+  refuses("tables --show shown.png --plot link.png --force", {"--show shown.png, --plot link.png: the same file"});
+  fs::copy_file(kPapers, folder / "ocean.png");
+  refuses("tables ocean.png -o a.tables --key a.key --new-key --plot ocean.png --force",
+          {"ENVIRONMENT ocean.png, --plot ocean.png: the same"});
+}
+
+TEST_F(Programs, TablesSayWhatIsGivenInAnothersPlace) {
+  refuses("tables some.tables", {"ENVIRONMENT some.tables: is a file of tables", "earshot tables --show some.tables"});
+  refuses("tables " + kSource + "/policy/worlds/rock.toml -o a.tables --key a.key --new-key",
+          {"rock.toml: is a world", "not an environment"});
+}
+
 TEST_F(Programs, TablesOfTheSameEnvironmentsAreTheSameBytes) {
   ASSERT_EQ(run("tables " + kSeveral + " -o a.tables --key a.key --new-key --at-most 5"), 0) << content(folder / "err");
   ASSERT_EQ(run("tables " + kSeveral + " -o b.tables --key a.key --at-most 5"), 0) << content(folder / "err");

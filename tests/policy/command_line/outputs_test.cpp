@@ -36,6 +36,14 @@ TEST(Outputs, MayNotBeOneFileUnderTwoNames) {
   EXPECT_EQ(refusal([&] { check_distinct(two); }), "not refused");
 }
 
+TEST(Outputs, MayNotBeOneFileUnderTwoHardLinks) {
+  const support::TemporaryFolder folder;
+  std::ofstream(folder / "a.svg") << "<svg";
+  std::filesystem::create_hard_link(folder / "a.svg", folder / "b.svg");
+  const std::vector<Output> files{{"--csv", folder / "a.svg", host::kSvgOutput}, {"--plot", folder / "b.svg", host::kSvgOutput}};
+  EXPECT_NE(refusal([&] { check_distinct(files); }).find(": the same file"), std::string::npos);
+}
+
 TEST(Outputs, AreNoneOfTheFilesThatAreRead) {
   const support::TemporaryFolder folder;
   std::ofstream(folder / "a.policy") << "mine";

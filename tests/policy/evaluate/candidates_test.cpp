@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "firmware/host/file/bad_input.hpp"
 #include "tests/policy/evaluate/made_up_candidates.hpp"
 
@@ -13,6 +16,38 @@ TEST(Candidates, AreBaselinesAndWhatShipsByNameOrFiles) {
   EXPECT_EQ(candidate_named(EARSHOT_SOURCE_DIR "/policy/frozen/fixed_source.policy").learned->step_length, Meters{1'000.0});
   EXPECT_EQ(candidate_named("fixed_source").file.filename(), "fixed_source.policy");
   EXPECT_THROW((void)candidate_named("swordfish"), host::BadInput);
+}
+
+std::string refusal_of(const std::string& name) {
+  try {
+    (void)candidate_named(name);
+  } catch (const host::BadInput& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Candidates, AreToldFromWorldsEnvironmentsAndMissionsThatStandInTheirPlace) {
+  const std::string root = EARSHOT_SOURCE_DIR;
+  EXPECT_EQ(refusal_of("rock"), "POLICY rock: is a world, not a policy: --world " + root + "/policy/worlds/rock.toml");
+  for (const char* file :
+       {"/policy/worlds/rock.toml", "/sim/ocean/environments/munk_flat.toml", "/firmware/boards/linux/missions/search.toml"})
+    EXPECT_EQ(refusal_of(root + file),
+              "POLICY " + root + file +
+                  ": is no policy (.policy): environments go with --environment, worlds with --world, missions with --mission");
+}
+
+TEST(Candidates, FlyOnceUnderWhateverNamesTheyAreGiven) {
+  std::vector<Candidate> candidates;
+  for (const char* name : {"bayes", "fixed_source", "bayes", EARSHOT_SOURCE_DIR "/policy/frozen/../frozen/fixed_source.policy", "oracle"})
+    candidates.push_back(candidate_named(name));
+  const std::vector<std::string> said = leave_out_repeated(candidates);
+  ASSERT_EQ(candidates.size(), 3U);
+  EXPECT_EQ(candidates[0].name, "bayes");
+  EXPECT_EQ(candidates[1].name, "fixed_source");
+  EXPECT_EQ(candidates[2].name, "oracle");
+  EXPECT_EQ(said, (std::vector<std::string>{"bayes: named twice, flies once", EARSHOT_SOURCE_DIR
+                                            "/policy/frozen/../frozen/fixed_source.policy: is fixed_source, flies once"}));
 }
 
 TEST(Candidates, MustHaveBeenTrainedForOneSearch) {

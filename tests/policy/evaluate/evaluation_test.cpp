@@ -198,6 +198,64 @@ TEST_F(EvaluateTest, FliesNoSearchThatATrainingOfTheSameSeedBeginsWith) {
   EXPECT_EQ(known, 0U);
 }
 
+/// Goes north; keeps what it would draw from.
+class Draws : public baselines::Searcher {
+ public:
+  void begin(Pcg32 random) override { begun.push_back(random.next()); }
+  [[nodiscard]] std::size_t choose(const baselines::DecisionInput& /*input*/) override { return 0; }
+  std::vector<std::uint32_t> begun;
+};
+
+/// The first number that the starts of a world are drawn by stands in no searcher's stream, or what a searcher draws would know the world.
+TEST_F(EvaluateTest, DrawsForASearcherFromAnotherStreamThanItsWorld) {
+  const auto north = goes_north(1.0F);
+  search::SearchSettings settings = search_of(*north);
+  settings.start_region = settings.domain;
+  const search::World world = world_of(*north, settings, curve);
+  Draws searcher;
+  std::vector<NorthEast> starts;
+  static_cast<void>(fly(searcher, world, {.end = 50}, 3, [&](std::size_t /*number*/, const search::Episode& episode, EpisodeEnd /*end*/) {
+    if (episode.record().steps == 0) starts.push_back(episode.position());
+  }));
+  ASSERT_EQ(starts.size(), 50U);
+  ASSERT_EQ(searcher.begun.size(), 50U);
+  EXPECT_EQ(std::set<std::uint32_t>(searcher.begun.begin(), searcher.begun.end()).size(), 50U) << "every search has a stream of its own";
+  for (const std::uint32_t number : searcher.begun) {
+    // A start is uniform over 25 km: as far north as its number's share of 2^32, to 25 km / 2^27 (its upper 27 bits count).
+    const double share_m = 25'000.0 * static_cast<double>(number) / 4'294'967'296.0;
+    for (const NorthEast start : starts) EXPECT_GT(std::abs(start.north.value - share_m), 0.001);
+  }
+}
+
+/// Counts how often it may ponder.
+class Ponders : public baselines::Searcher {
+ public:
+  void begin(Pcg32 /*random*/) override {}
+  [[nodiscard]] std::size_t choose(const baselines::DecisionInput& /*input*/) override { return 0; }
+  void ponder() override { ++pondered; }
+  std::size_t pondered = 0;
+};
+
+TEST_F(EvaluateTest, LetsASearcherPonderOnceAfterEveryDecisionThatAStepFollows) {
+  const auto north = goes_north(1.0F);
+  Ponders searcher;
+  std::size_t steps = 0;
+  for (const Flight& flight : fly(searcher, world_of(*north, south_of_the_source(*north), curve), {.end = 10}, 1))
+    steps += flight.record.steps;
+  EXPECT_EQ(searcher.pondered, steps);
+}
+
+TEST(DecisionTime, IsApartFromThePonderingOnTheWay) {
+  std::vector<Flight> all(2);
+  for (Flight& flight : all) {
+    flight.record.steps = 5;
+    flight.decision_s = 0.010;
+    flight.pondering_s = 0.050;
+  }
+  EXPECT_DOUBLE_EQ(decision_time_s(all), 0.002);
+  EXPECT_DOUBLE_EQ(pondering_time_s(all), 0.010);
+}
+
 /// Goes north, and says whether it has found the source as it is told to.
 class SaysSo : public baselines::Searcher {
  public:

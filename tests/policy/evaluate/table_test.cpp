@@ -16,6 +16,7 @@ std::vector<Flight> flights() {
   for (std::size_t i = 0; i < all.size(); ++i) {
     all[i].record = {.reward = -1.0 * static_cast<double>(i), .steps = 10, .detections = 5, .end = search::EpisodeEnd::kTimeLimit};
     all[i].decision_s = 10 * 3e-6;
+    all[i].pondering_s = 10 * 40e-6;
   }
   return all;
 }
@@ -58,6 +59,7 @@ TEST(Table, WritesEveryFigureUnderItsName) {
   EXPECT_EQ(value_of(csv, "mean_detections"), "5");
   EXPECT_EQ(value_of(csv, "path_over_straight"), "") << "none found the source";
   EXPECT_NEAR(std::stod(value_of(csv, "decision_us")), 3.0, 1e-9);
+  EXPECT_NEAR(std::stod(value_of(csv, "pondering_us")), 40.0, 1e-9);
 }
 
 TEST(Table, SaysHowOftenTheSourceWasDeclaredFoundWronglyOfThoseWhoDeclareIt) {
@@ -74,13 +76,12 @@ TEST(Table, SaysHowOftenTheSourceWasDeclaredFoundWronglyOfThoseWhoDeclareIt) {
   EXPECT_EQ(value_of(csv, "declared_falsely_fraction"), "0.75");
   EXPECT_EQ(value_of(csv, "declared_far_off_fraction"), "0.25");
   EXPECT_EQ(value_of(csv, "missed_fraction"), "0.5") << "of the two that came near";
-  EXPECT_NE(as_text(rows).find(
-                "guess: declared falsely in 75.0 % of the searches (further than 1.5 step lengths off in 25.0 %); of those that ended a "
-                "step within a step length of the source, declared nothing there in 50.0 %\n"),
+  EXPECT_NE(as_text(rows).find("guess declared\n   falsely in 75.0 % of the searches (further than 1.5 step lengths off in 25.0 %),\n"
+                               "   nothing in 50.0 % of those that ended a step within a step length of the source\n"),
             std::string::npos);
   all[0].declarations->was_within = all[1].declarations->was_within = false;
   rows = {row_of("sea", "guess", all, {}, 1)};
-  EXPECT_NE(as_text(rows).find("declared nothing there in -\n"), std::string::npos) << "none came near";
+  EXPECT_NE(as_text(rows).find("   nothing in - % of those"), std::string::npos) << "none came near";
 }
 
 TEST(Table, GivesTheShareOfSearchesSurprisedAndTheirMedianLookOrNothingWhereNobodyJudgesIt) {
@@ -93,8 +94,8 @@ TEST(Table, GivesTheShareOfSearchesSurprisedAndTheirMedianLookOrNothingWhereNobo
   const std::string csv = as_csv(judged, Timing::kLeftOut);
   EXPECT_EQ(value_of(csv, "surprised_fraction"), "0.25");
   EXPECT_EQ(value_of(csv, "median_look_of_surprise"), "12");
-  EXPECT_NE(as_text(judged).find("    5.0  25.00   12.00      3.00\n"), std::string::npos) << as_text(judged);
-  EXPECT_NE(as_text(std::vector<Row>{unjudged}).find("    5.0      -       -      3.00\n"), std::string::npos)
+  EXPECT_NE(as_text(judged).find("      5.0     25.00   12.00      3.00      40.00\n"), std::string::npos) << as_text(judged);
+  EXPECT_NE(as_text(std::vector<Row>{unjudged}).find("      5.0         -       -      3.00      40.00\n"), std::string::npos)
       << as_text(std::vector<Row>{unjudged});
 }
 
@@ -128,8 +129,8 @@ TEST(Table, LeadsWithFoundThenTimeThenReward) {
   EXPECT_TRUE(csv.starts_with("world,policy,episodes,found_fraction,"));
   EXPECT_LT(csv.find("median_hours_to_find"), csv.find("mean_reward"));
   const std::string text = as_text(std::vector<Row>{row});
-  EXPECT_LT(text.find("found"), text.find("hours to"));
-  EXPECT_LT(text.find("hours to"), text.find("reward"));
+  EXPECT_LT(text.find("found"), text.find("to find"));
+  EXPECT_LT(text.find("to find"), text.find("reward"));
   // By hand: 3 of 4, Clopper and Pearson's 19.41 to 99.37 %; then median and quartiles.
   EXPECT_NE(text.find("guess              75.0   19.4 to  99.4    1.00   0.50 to  2.00   1.50  "), std::string::npos) << text;
   const std::string plot = as_plot(std::vector<Row>{row}, "one");
@@ -187,8 +188,46 @@ TEST(Table, HasALineForEveryPolicy) {
   const std::vector<Row> rows{row_of("sea", "guess", flights(), {}, 1),
                               row_of("sea", "a policy with a rather long name", flights(), {}, 1)};
   const std::string text = as_text(rows);
-  EXPECT_EQ(std::ranges::count(text, '\n'), 4);
-  EXPECT_NE(text.find("a policy with a rather long name"), std::string::npos);
+  EXPECT_EQ(std::ranges::count(text, '\n'), 3 * 4 + 3)
+      << "three tables of a header of two lines and two rows; the long name on lines of its own";
+  EXPECT_EQ(count(text, "\na policy with a rather long name\n"), 3U);
+}
+
+TEST(Table, IsNoWiderThanAHundredColumnsHoweverLongANameIs) {
+  std::vector<Flight> all = mostly_found();
+  for (Flight& flight : all) {
+    flight.record.reward = -9'999.0;
+    flight.record.detections = 100;
+    flight.decision_s = flight.pondering_s = 10.0;
+    flight.looks_to_surprise = 100.0;
+  }
+  const std::vector<Row> rows{row_of("sea", std::string(120, 'a'), all, {.step_s = 5'000.0, .max_steps = 100}, 1),
+                              row_of("sea", std::string(28, 'b'), all, {.step_s = 5'000.0, .max_steps = 100}, 1)};
+  std::istringstream text(as_text(rows));
+  for (std::string line; std::getline(text, line);) {
+    if (line == rows[0].policy) continue;
+    EXPECT_LE(line.size(), 100U) << line;
+  }
+}
+
+TEST(TablePlot, IsNotRuledByAnOutlierWhichStandsAtItsEdgeWithItsNumber) {
+  std::vector<Row> rows;
+  const auto add = [&rows](const std::string& world, const std::string& policy, double reward) {
+    std::vector<Flight> all = flights();
+    for (Flight& flight : all) flight.record.reward = reward;
+    rows.push_back(row_of(world, policy, all, {}, 1));
+  };
+  for (int i = 0; i < 6; ++i) {
+    add("w" + std::to_string(i), "shipped", -10.0 - i);
+    add("w" + std::to_string(i), "infotaxis", i == 3 ? -2'500.0 : -20.0 - i);
+  }
+  const std::string plot = as_plot(rows, "six worlds");
+  EXPECT_NE(plot.find("set yrange [-26.25:0]\n"), std::string::npos) << "1.05 times the lowest of the others, -25\n" << plot;
+  // The second of two policies, 0.35 apart from the first, in the fourth world: 3 + 0.35 / 2.
+  EXPECT_NE(plot.find("set label '-2500.0' at first 3.175, graph 0.03"), std::string::npos) << plot;
+  EXPECT_EQ(count(plot, "set label '"), 1U);
+  rows.erase(rows.begin() + 7);
+  EXPECT_EQ(count(as_plot(rows, "none"), "set label '"), 0U);
 }
 
 }  // namespace

@@ -27,6 +27,28 @@ std::vector<fs::path> all_worlds() {
   return all;
 }
 
+std::string refusal_of(const fs::path& path) {
+  try {
+    (void)load_world(path);
+  } catch (const host::BadInput& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Worlds, AreToldFromEnvironmentsAndMissionsInOneLineAndABareNameGetsItsFile) {
+  EXPECT_EQ(refusal_of(kMunk),
+            "--world " + kMunk +
+                ": is an environment (an ocean, for --environment), not a world (an environment and conditions to search "
+                "in, for --world)");
+  const std::string mission = std::string(EARSHOT_SOURCE_DIR) + "/firmware/boards/linux/missions/search.toml";
+  EXPECT_TRUE(refusal_of(mission).starts_with("--world " + mission + ": is a mission (for --mission), not a world"));
+  const std::string rock = (kPolicy / "worlds/rock.toml").string();
+  EXPECT_EQ(refusal_of("rock"), "rock: no such file; the world that ships is " + rock);
+  EXPECT_EQ(refusal_of("rock.toml"), "rock.toml: no such file; the world that ships is " + rock);
+  EXPECT_EQ(refusal_of("swordfish"), "swordfish: no such file");
+}
+
 TEST(Worlds, BearTheNamesOfTheirFilesAndEachASeedOfItsOwn) {
   std::set<std::uint64_t> seeds;
   for (const fs::path& path : all_worlds()) {

@@ -110,8 +110,8 @@ std::string to_string(const decision_t& m) {
   if (m.sweeping != 0) text += ", of a sweep";
   if (m.overridden != 0) text += ", as the safety layer changed it";
   if (m.believes != 0)
-    text += "; believes the source at " + to_string({Meters{m.mean_north_m}, Meters{m.mean_east_m}}) + ", give or take " +
-            decimal(m.spread_m, 0) + " m";
+    text += "; the source is likeliest at " + to_string({Meters{m.likeliest_north_m}, Meters{m.likeliest_east_m}}) +
+            ", the belief spread over " + decimal(m.spread_m, 0) + " m";
   if (m.found != 0)
     text += "; says that the source is found: within a step with a probability of " + decimal(m.found_probability, 2) + ", at least " +
             decimal(m.found_least_snr_db, 1) + " dB expected there, the likeliest place " + decimal(m.closest_approach_m, 0) + " m away";

@@ -64,11 +64,13 @@ TEST(JournalSentence, SaysThatASignalWasTooFaintAndWhatIsBelieved) {
   m.too_faint = 1;
   m.overridden = 1;
   m.believes = 1;
-  m.mean_north_m = 12'345.6;
+  m.likeliest_north_m = 12'345.6;
+  m.likeliest_east_m = 6'000.0;
+  m.mean_north_m = 9'000.0;
   m.spread_m = 890;
   EXPECT_EQ(to_string(m),
             "step 0: SNR below -3.2 dB, not heard; from 0 m north, 0 m east goes 1000 m towards 000 deg, as the safety layer changed it; "
-            "believes the source at 12346 m north, 0 m east, give or take 890 m");
+            "the source is likeliest at 12346 m north, 6000 m east, the belief spread over 890 m");
 }
 
 TEST(JournalSentence, SaysFromWhereTheSourceWasHeardAndWhatItsMirrorImageIs) {
