@@ -111,8 +111,11 @@ std::string run_text() {
          "# with the mission that its journal holds. It commands nothing before an operator's START. Ctrl-C or SIGTERM ends the search in "
          "order.\n"
          "# Options of earshotd may follow (earshotd --help): ./run --speed 10 is a rehearsal ashore, ten times as fast.\n"
-         "cd \"$(dirname \"$0\")\" || exit 2\nexec " +
-         command("earshotd") + " mission.toml --out journal --resume \"$@\"\n";
+         "# ./run --check only judges the mission, and writes no journal.\n"
+         "cd \"$(dirname \"$0\")\" || exit 2\n"
+         "case \" $* \" in *\" --check \"*) exec " +
+         command("earshotd") + " mission.toml \"$@\" ;; esac\nexec " + command("earshotd") +
+         " mission.toml --out journal --resume \"$@\"\n";
 }
 
 std::string readme_text(const OwnSearch& search, FliesBy by, const fs::path& folder) {
