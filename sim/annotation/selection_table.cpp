@@ -31,6 +31,40 @@ constexpr std::string_view kLow = "Low Freq (Hz)";
 constexpr std::string_view kHigh = "High Freq (Hz)";
 constexpr std::string_view kFile = "Begin File";
 constexpr std::string_view kOffset = "File Offset (s)";
+constexpr std::string_view kDuration = "Duration (s)";
+
+/// What other tables call the columns, in small letters and figures only.
+struct Alias {
+  std::string_view name;
+  std::string_view column;
+};
+constexpr std::array kAliases{Alias{"begintimes", kBegin},   Alias{"begintime", kBegin},
+                              Alias{"begins", kBegin},       Alias{"begin", kBegin},
+                              Alias{"starttimes", kBegin},   Alias{"starttime", kBegin},
+                              Alias{"starts", kBegin},       Alias{"start", kBegin},
+                              Alias{"onset", kBegin},        Alias{"onsets", kBegin},
+                              Alias{"endtimes", kEnd},       Alias{"endtime", kEnd},
+                              Alias{"ends", kEnd},           Alias{"end", kEnd},
+                              Alias{"stop", kEnd},           Alias{"stops", kEnd},
+                              Alias{"durations", kDuration}, Alias{"duration", kDuration},
+                              Alias{"lowfreqhz", kLow},      Alias{"lowfreq", kLow},
+                              Alias{"lowhz", kLow},          Alias{"minfreq", kLow},
+                              Alias{"highfreqhz", kHigh},    Alias{"highfreq", kHigh},
+                              Alias{"highhz", kHigh},        Alias{"maxfreq", kHigh},
+                              Alias{"beginfile", kFile},     Alias{"filename", kFile},
+                              Alias{"file", kFile},          Alias{"fileoffsets", kOffset},
+                              Alias{"fileoffset", kOffset},  Alias{"channel", kChannel},
+                              Alias{"selection", kSelection}};
+
+std::string_view column_of(std::string_view header) {
+  std::string plain;
+  for (const char c : header) {
+    if (c >= 'A' && c <= 'Z') plain += static_cast<char>(c - 'A' + 'a');
+    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) plain += c;
+  }
+  const auto* const found = std::ranges::find(kAliases, plain, &Alias::name);
+  return found == kAliases.end() ? header : found->column;
+}
 
 std::string fixed(double value, int digits) {
   std::array<char, 64> text{};
@@ -45,14 +79,30 @@ std::string one_cell(std::string text) {
   return text;
 }
 
-std::vector<std::string_view> split(std::string_view line, char at) {
-  std::vector<std::string_view> cells;
-  while (true) {
-    const std::size_t end = line.find(at);
-    cells.push_back(line.substr(0, end));
-    if (end == std::string_view::npos) return cells;
-    line.remove_prefix(end + 1);
+/// @param at  where the cells are parted; between quotation marks it parts nothing, but for tabs
+std::vector<std::string> split(std::string_view line, char at) {
+  std::vector<std::string> cells(1);
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool is_mark = line[i] == '"' && at != '\t';
+    if (is_mark && is_quoted && line.substr(i + 1).starts_with('"')) {
+      cells.back() += line[++i];
+    } else if (is_mark && (is_quoted || cells.back().empty())) {
+      is_quoted = !is_quoted;
+    } else if (line[i] == at && !is_quoted) {
+      cells.emplace_back();
+    } else {
+      cells.back() += line[i];
+    }
   }
+  return cells;
+}
+
+std::optional<double> number_of(std::string text, bool has_comma) {
+  if (has_comma) std::ranges::replace(text, ',', '.');
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
 class TableParser {
@@ -64,9 +114,13 @@ class TableParser {
     read_header();
     SelectionTable table;
     while (!text_.empty()) {
-      cells_ = split(next_line(), '\t');
-      if (cells_.size() == 1 && cells_.front().find_first_not_of(' ') == std::string_view::npos) continue;
-      if (problems_ < kMostProblems) read_line(table);
+      cells_ = split(next_line(), separator_);
+      if (cells_.size() == 1 && cells_.front().find_first_not_of(' ') == std::string::npos) continue;
+      if (problems_ >= kMostProblems) continue;
+      if (cells_.front() == "\\" && !table.selections.empty())
+        read_frequencies(table.selections.back());
+      else
+        read_line(table);
     }
     if (problems_ > 0) throw host::BadInput(complaint_);
     return table;
@@ -75,70 +129,103 @@ class TableParser {
  private:
   std::string_view next_line() {
     ++line_;
-    const std::size_t end = std::min(text_.find('\n'), text_.size());
-    std::string_view line = text_.substr(0, end);
-    text_.remove_prefix(std::min(end + 1, text_.size()));
-    if (line.ends_with('\r')) line.remove_suffix(1);
+    const std::size_t end = std::min(text_.find_first_of("\r\n"), text_.size());
+    const std::string_view line = text_.substr(0, end);
+    const bool has_both = text_.substr(end).starts_with("\r\n");
+    text_.remove_prefix(std::min(end + (has_both ? 2 : 1), text_.size()));
     return line;
   }
 
   void read_header() {
-    header_ = split(next_line(), '\t');
-    for (const std::string_view needed : {kBegin, kEnd})
-      if (!column(needed))
-        throw host::BadInput(name_ + ": is no Raven selection table: its first line has no column \"" + std::string(needed) + "\"");
+    const std::string_view all = text_;
+    const std::string_view line = next_line();
+    for (const char separator : {';', ',', '\t'})
+      if (line.find(separator) != std::string_view::npos) separator_ = separator;
+    if (separator_ == ',' && line.find(';') != std::string_view::npos) separator_ = ';';
+    header_ = split(line, separator_);
+    const auto is_number = [this](const std::string& cell) { return number_of(cell, separator_ != ',').has_value(); };
+    if (header_.size() >= 2 && is_number(header_[0]) && is_number(header_[1])) {  // as Audacity writes labels
+      header_ = {std::string(kBegin), std::string(kEnd)};
+      text_ = all;
+      line_ = 0;
+    }
+    for (const std::string& name : header_) columns_.emplace_back(column_of(name));
+    const bool has_end = column(kEnd) || column(kDuration);
+    if (column(kBegin) && has_end) return;
+    throw host::BadInput(
+        name_ + ": is no Raven selection table, no CSV of start and end and no labels of Audacity: its first line has no column \"" +
+        std::string(column(kBegin) ? kEnd : kBegin) + "\"");
   }
 
   [[nodiscard]] std::optional<std::size_t> column(std::string_view name) const {
-    const auto found = std::ranges::find(header_, name);
-    return found == header_.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - header_.begin()));
+    // Raven's own name first: a table may have columns of the user's that are called alike.
+    auto found = std::ranges::find(header_, name);
+    if (found != header_.end()) return static_cast<std::size_t>(found - header_.begin());
+    found = std::ranges::find(columns_, name);
+    return found == columns_.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - columns_.begin()));
   }
 
   [[nodiscard]] std::string_view cell(std::string_view name) const {
     const std::optional<std::size_t> at = column(name);
-    return at && *at < cells_.size() ? cells_[*at] : std::string_view();
+    return at && *at < cells_.size() ? std::string_view(cells_[*at]) : std::string_view();
+  }
+
+  [[nodiscard]] std::string_view shown(std::string_view name) const {
+    const std::optional<std::size_t> at = column(name);
+    return at ? std::string_view(header_[*at]) : name;
   }
 
   void note(std::string_view column, const std::string& what) {
     if (++problems_ > kMostProblems) return;
     if (!complaint_.empty()) complaint_ += '\n';
-    complaint_ += name_ + ":" + std::to_string(line_) + ": " + std::string(column) + " = " + std::string(cell(column)) + ": " + what;
+    complaint_ += name_ + ":" + std::to_string(line_) + ": " + std::string(shown(column)) + " = " + std::string(cell(column)) + ": " + what;
   }
 
   double number(std::string_view column, double highest, std::optional<double> otherwise = {}) {
     const std::string_view text = cell(column);
     if (text.empty() && otherwise) return *otherwise;
-    double value = std::numeric_limits<double>::quiet_NaN();
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool is_number = error == std::errc{} && end == text.data() + text.size();
-    if (is_number && value >= 0.0 && value <= highest) return value;
+    const std::optional<double> value = number_of(std::string(text), separator_ != ',');
+    if (value && *value >= 0.0 && *value <= highest) return *value;
     note(column, "must be a number from 0 to " + fixed(highest, 0));
     return 0.0;
+  }
+
+  /// Audacity's second line of a label that has frequencies; it writes -1 for none.
+  void read_frequencies(Selection& selection) const {
+    const auto at = [this](std::size_t i) { return i < cells_.size() ? number_of(cells_[i], true).value_or(0.0) : 0.0; };
+    selection.low_hz = std::max(at(1), 0.0);
+    selection.high_hz = std::max(at(2), 0.0);
   }
 
   void read_line(SelectionTable& table) {
     const std::size_t before = problems_;
     Selection selection{.begin_s = number(kBegin, kLatest_s),
-                        .end_s = number(kEnd, kLatest_s),
+                        .end_s = 0.0,
                         .low_hz = number(kLow, kHighest_hz, 0.0),
                         .high_hz = number(kHigh, kHighest_hz, 0.0),
                         .channel = static_cast<int>(number(kChannel, 1024.0, 1.0)),
                         .begin_file = std::string(cell(kFile)),
                         .file_offset_s = number(kOffset, kLatest_s, 0.0),
-                        .values = {}};
+                        .values = {},
+                        .tells_channel = !cell(kChannel).empty(),
+                        .tells_offset = !cell(kOffset).empty()};
+    selection.end_s = column(kEnd) ? number(kEnd, kLatest_s) : selection.begin_s + number(kDuration, kLatest_s);
     if (problems_ == before && selection.end_s < selection.begin_s) note(kEnd, "lies before the begin");
     if (problems_ > before) return;
-    const std::string number_of(cell(kSelection));
-    const bool is_new = number_of.empty() || seen_.emplace(number_of, selection.begin_s, selection.end_s, selection.channel).second;
+    const std::string order(cell(kSelection));
+    const bool is_new =
+        order.empty() || seen_.emplace(order, selection.begin_s, selection.end_s, selection.channel, selection.begin_file).second;
     if (is_new) table.selections.push_back(std::move(selection));
   }
 
   std::string_view text_;
   std::string name_;
   std::size_t line_ = 0;
-  std::vector<std::string_view> header_;
-  std::vector<std::string_view> cells_;
-  std::set<std::tuple<std::string, double, double, int>> seen_;
+  char separator_ = '\t';
+  std::vector<std::string> header_;
+  std::vector<std::string> columns_;  ///< as Raven calls them, where it knows them
+  std::vector<std::string> cells_;
+  std::set<std::tuple<std::string, double, double, int, std::string>> seen_;
   std::size_t problems_ = 0;
   std::string complaint_;
 };

@@ -19,6 +19,8 @@ struct Selection {
   std::string begin_file;           ///< name without folder; empty: not told
   double file_offset_s = 0.0;       ///< of the begin, in that file
   std::vector<std::string> values;  ///< of the further columns
+  bool tells_channel = false;       ///< read: the table has it
+  bool tells_offset = false;        ///< read: the table has the offset
 };
 
 /// A selection table as Raven (Cornell Lab of Ornithology) reads and writes it: tab-separated, one line a selection.
@@ -36,7 +38,11 @@ inline constexpr host::OutputKind kSelectionOutput{"a Raven selection table", {"
 [[nodiscard]] std::string to_text(const SelectionTable& table);
 
 /// Reads "Begin Time (s)" and "End Time (s)" wherever they stand, the other columns where they are there, and nothing else. Raven gives a
-/// selection one line for each view: lines of the same number, times and channel are one selection.
+/// selection one line for each view: lines of the same number, times, file and channel are one selection. Lines end with CR, LF or both.
+///
+/// Also Audacity's labels (begin, end and label, without a first line of names; a line "\, low, high" behind gives the frequencies), and
+/// tables parted by comma or semicolon whose columns are called start, end or duration, file, channel and the like, all in seconds and
+/// hertz. Source: Audacity Manual, "Importing and Exporting Labels"; RFC 4180.
 ///
 /// Throws host::BadInput with all that is wrong (the first twenty), "FILE:LINE: COLUMN = VALUE: reason".
 [[nodiscard]] SelectionTable read_selection_table(const std::filesystem::path& path);

@@ -74,7 +74,9 @@ void describe_outputs(program::CommandLine& line, Arguments& a) {
 }
 
 void describe_score(program::CommandLine& line, Arguments& a) {
-  line.option("--score", &a.truth, "Raven selection table of what is truly there: prints recall, precision and false alarms per hour");
+  line.option("--score", &a.truth,
+              "Raven selection table, Audacity labels or CSV (start,end,label) of what is truly there: prints recall, precision and false "
+              "alarms per hour");
   line.option("--tolerance-s", &a.tolerance_s,
               "a detection and a selection are one if they overlap or lie no further apart; each counts once")
       .between(0.0, 3600.0)

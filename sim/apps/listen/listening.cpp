@@ -9,6 +9,7 @@
 #include "firmware/host/program/progress_bar.hpp"
 #include "sim/annotation/selection_table.hpp"
 #include "sim/apps/listen/decimator.hpp"
+#include "sim/apps/listen/truth.hpp"
 #include "sim/recording/clock_text.hpp"
 #include "sim/spectrum/short_time_spectrum.hpp"
 
@@ -88,20 +89,6 @@ Chain chain_for(const Arguments& arguments, const Sequence& sequence, std::vecto
   Chain chain = chain_of_recorders(sequence, remark);
   if (!remark.empty()) remarks.push_back(remark);
   return chain;
-}
-
-std::vector<annotation::Interval> read_truth(const std::string& path, Duration duration) {
-  std::vector<annotation::Interval> truth;
-  for (const annotation::Selection& selection : annotation::read_selection_table(path).selections) {
-    if (selection.begin_s > duration.to_seconds()) {
-      std::ostringstream text;
-      text << path << ": a selection begins at " << selection.begin_s << " s, the recording ends at " << duration.to_seconds()
-           << " s: is it of other files?";
-      throw host::BadInput(text.str());
-    }
-    truth.push_back({selection.begin_s, selection.end_s});
-  }
-  return truth;
 }
 
 /// Everything that hears at once.
@@ -333,7 +320,12 @@ Plan plan_for(const Arguments& arguments) {
                                .adc_bits = bits_at_listening_rate(sequence),
                                .high_pass_corner = plan.chain.high_pass_corner};
   require_audible(sequence, plan.settings, plan.asked);
-  if (!arguments.truth.empty()) plan.truth = read_truth(arguments.truth, sequence.duration());
+  if (!arguments.truth.empty()) {
+    const Listened listened{.sequence = sequence, .channel = arguments.channel, .band = plan.settings.band};
+    Truth truth = truth_of(annotation::read_selection_table(arguments.truth), arguments.truth, listened);
+    plan.truth = std::move(truth.intervals);
+    plan.remarks.insert(plan.remarks.end(), truth.remarks.begin(), truth.remarks.end());
+  }
   return plan;
 }
 

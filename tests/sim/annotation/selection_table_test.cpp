@@ -53,9 +53,56 @@ TEST(SelectionTable, IsRefusedWithEveryLineThatIsWrong) {
 }
 
 TEST(SelectionTable, IsRefusedWhereTheFirstLineIsNoHeader) {
-  EXPECT_EQ(refusal_of(""), "t.txt: is no Raven selection table: its first line has no column \"Begin Time (s)\"");
-  EXPECT_EQ(refusal_of("Begin Time (s),End Time (s)\n1,2\n"),
-            "t.txt: is no Raven selection table: its first line has no column \"Begin Time (s)\"");
+  const std::string refusal =
+      "t.txt: is no Raven selection table, no CSV of start and end and no labels of Audacity: its first line has no column ";
+  EXPECT_EQ(refusal_of(""), refusal + "\"Begin Time (s)\"");
+  EXPECT_EQ(refusal_of("a song of a whale\n1\t2\n"), refusal + "\"Begin Time (s)\"");
+  EXPECT_EQ(refusal_of("Begin Time (ms),End Time (ms)\n1,2\n"), refusal + "\"Begin Time (s)\"") << "no seconds";
+  EXPECT_EQ(refusal_of("start,label\n1,fin\n"), refusal + "\"End Time (s)\"");
+}
+
+TEST(SelectionTable, IsReadWhateverItsLinesEndWith) {
+  for (const std::string end : {"\r", "\n", "\r\n"}) {
+    const SelectionTable table = selection_table_from("Begin Time (s)\tEnd Time (s)" + end + "1\t2" + end + "3\t4" + end, "t.txt");
+    ASSERT_EQ(table.selections.size(), 2U);
+    EXPECT_EQ(table.selections[1].end_s, 4.0);
+  }
+  EXPECT_EQ(refusal_of("Begin Time (s)\tEnd Time (s)\r1\t2\rx\t4\r").substr(0, 8), "t.txt:3:");
+}
+
+// As Audacity 3 exports a label, a label with frequencies and a point.
+TEST(SelectionTable, IsReadFromAudacitysLabels) {
+  const SelectionTable table = selection_table_from(
+      "12.500000\t13.250000\tfin\n20.000000\t21.000000\tfin\n\\\t15.000000\t28.000000\n30.000000\t30.000000\t\n", "t.txt");
+  ASSERT_EQ(table.selections.size(), 3U);
+  EXPECT_EQ(table.selections[0].begin_s, 12.5);
+  EXPECT_EQ(table.selections[0].high_hz, 0.0);
+  EXPECT_EQ(table.selections[1].low_hz, 15.0);
+  EXPECT_EQ(table.selections[1].high_hz, 28.0);
+  EXPECT_EQ(table.selections[2].end_s, 30.0);
+  EXPECT_EQ(selection_table_from("12,5\t13,25\tfin\n", "t.txt").selections[0].end_s, 13.25) << "as some countries write it";
+}
+
+TEST(SelectionTable, IsReadFromPlainCsv) {
+  const SelectionTable plain = selection_table_from("start,end,label\n12.5,13.25,\"fin, far\"\n", "t.csv");
+  ASSERT_EQ(plain.selections.size(), 1U);
+  EXPECT_EQ(plain.selections[0].end_s, 13.25);
+  EXPECT_FALSE(plain.selections[0].tells_channel);
+  EXPECT_EQ(selection_table_from("1,2,fin\n3,4,fin\n", "t.csv").selections.size(), 2U) << "without a first line of names";
+  EXPECT_EQ(selection_table_from("Start (s);End (s);Common name\n1,5;2,5;Fin\n", "t.csv").selections[0].begin_s, 1.5);
+  const SelectionTable own =
+      selection_table_from("begin_s,duration_s,begin_utc,file,file_offset_s\n70.5,1.5,,\"in/a, b.wav\",10.5\n", "t.csv");
+  ASSERT_EQ(own.selections.size(), 1U);
+  EXPECT_EQ(own.selections[0].end_s, 72.0);
+  EXPECT_EQ(own.selections[0].begin_file, "in/a, b.wav");
+  EXPECT_TRUE(own.selections[0].tells_offset);
+  EXPECT_EQ(refusal_of("start,end\n1,x\n"), "t.txt:2: end = x: must be a number from 0 to 1000000000");
+}
+
+TEST(SelectionTable, KeepsSelectionsOfTheSameNumberAndTimesInTwoFiles) {
+  EXPECT_EQ(selection_table_from("Selection\tBegin Time (s)\tEnd Time (s)\tBegin File\n1\t1\t2\ta.wav\n1\t1\t2\tb.wav\n", "t.txt")
+                .selections.size(),
+            2U);
 }
 
 TEST(SelectionTable, IsWrittenAsRavenOpensIt) {
