@@ -40,6 +40,33 @@ std::string surface(const sonar::SonarField& field) {
   return data.str();
 }
 
+constexpr std::size_t kMostCurves = 8;
+
+/// A block for each depth: range, transmission loss, SNR.
+std::string curves(const sonar::SonarField& field) {
+  const std::size_t stride = stride_of(field.range_m.size());
+  std::ostringstream data;
+  for (std::size_t j = 0; j < std::min(field.depth_m.size(), kMostCurves); ++j) {
+    for (std::size_t i = 0; i < field.range_m.size(); i += stride) {
+      const std::size_t at = i * field.depth_m.size() + j;
+      data << field.range_m[i] / 1000.0 << ' ' << value(static_cast<double>(field.transmission_loss_db[at])) << ' '
+           << value(static_cast<double>(field.snr_db(i, j))) << '\n';
+    }
+    data << "\n\n";
+  }
+  return data.str();
+}
+
+std::string curves_of(const sonar::SonarField& field, const char* column) {
+  std::ostringstream text;
+  text << "plot ";
+  for (std::size_t j = 0; j < std::min(field.depth_m.size(), kMostCurves); ++j)
+    text << (j == 0 ? "" : ", ") << "$curves index " << j << " using 1:" << column << " with "
+         << (field.range_m.size() > 1 ? "lines" : "points") << " lw 1.5 lc " << j + 1 << " title 'hydrophone at " << field.depth_m[j]
+         << " m'";
+  return text.str();
+}
+
 std::string sea_floor(const sonar::SonarField& field) {
   const std::size_t stride = stride_of(field.range_m.size());
   std::ostringstream data;
@@ -113,8 +140,26 @@ std::string map_picture(const std::string& values) {
 
 }  // namespace
 
+void plot_curves(const std::filesystem::path& path, const sonar::SonarField& field, const ocean::Environment& environment,
+                 const ocean::Band& band, Radians bearing, Decibels detection_threshold) {
+  std::ostringstream subtitle;
+  subtitle << sound_words(environment, band);
+  if (sonar::differs_with_place(environment)) subtitle << ", bearing " << bearing.value * 180.0 / std::numbers::pi << " degrees";
+  std::ostringstream text;
+  text << "$curves << EOD\n"
+       << curves(field) << "EOD\nset xlabel 'range (km)'\nset xrange [0:" << field.range_m.back() / 1000.0
+       << "]\nset tics out nomirror\nset grid lc rgb '#dddddd'\nset lmargin 10\nset key top right\nset multiplot layout 2,1\n"
+       << title(environment.name, subtitle.str()) << "set ylabel 'transmission loss (dB re 1 m)'\nset yrange [*:*] reverse\n"
+       << curves_of(field, "2") << "\nset title ''\nset ylabel 'SNR (dB)'\nset yrange [*:*] noreverse\n"
+       << curves_of(field, "3") << ", " << detection_threshold.value << " with lines lc rgb '#a63603' dt (6,4) title 'detection threshold, "
+       << detection_threshold.value << " dB'\nunset multiplot\n";
+  draw(path, {.title = "Transmission loss and SNR against range: " + environment.name, .size = "1200,760", .commands = text.str()});
+}
+
 void plot_field(const std::filesystem::path& path, const sonar::SonarField& field, const ocean::Environment& environment,
                 const ocean::Band& band, Radians bearing, Decibels detection_threshold) {
+  if (field.depth_m.size() == 1 || field.range_m.size() == 1)
+    return plot_curves(path, field, environment, band, bearing, detection_threshold);
   const float deepest_m = *std::max_element(field.sea_floor_depth_m.begin(), field.sea_floor_depth_m.end());
   const double bottom_m = std::max(1.03 * static_cast<double>(deepest_m), field.depth_m.back());
   std::ostringstream subtitle;

@@ -31,6 +31,12 @@ void Spectrogram::take(std::span<const float> psd, std::uint64_t begin) {
   }
 }
 
+Hertz Spectrogram::frequency_of(std::size_t row) const {
+  // A row's first bin lies about its own frequency, not above it.
+  const double bins = static_cast<double>(bins_per_row_);
+  return (static_cast<double>(row) + 0.5 * (bins - 1.0) / bins) * hertz_per_row_;
+}
+
 double Spectrogram::level_db(std::size_t column, std::size_t row) const {
   const double power = windows_[column] == 0 ? 0.0 : sum_[column * rows_ + row] / static_cast<double>(windows_[column]);
   return power > 0.0 ? 10.0 * std::log10(power) : std::numeric_limits<double>::quiet_NaN();

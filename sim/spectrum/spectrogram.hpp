@@ -27,6 +27,8 @@ class Spectrogram {
   [[nodiscard]] std::size_t rows() const { return rows_; }
   [[nodiscard]] double seconds_per_column() const { return seconds_per_column_; }
   [[nodiscard]] Hertz hertz_per_row() const { return hertz_per_row_; }
+  /// The middle of what a row is the mean of.
+  [[nodiscard]] Hertz frequency_of(std::size_t row) const;
   /// dB re 1 unit^2/Hz; NaN where no sound was.
   [[nodiscard]] double level_db(std::size_t column, std::size_t row) const;
   /// So many per cent of all levels from this frequency up are lower; NaN where none is.

@@ -65,7 +65,7 @@ void describe_outputs(program::CommandLine& line, Arguments& a) {
   line.option("--csv", &a.csv, "write the detections, a line each");
   line.option("--raven", &a.raven, "write them as a Raven selection table");
   line.option("--json", &a.json, "write them, the settings and the score as JSON");
-  line.option("--spectrogram", &a.spectrogram, "draw the recording with a frame around each detection, as .png or .svg")
+  line.option("--spectrogram", &a.spectrogram, "draw the recording with a bar above and below each detection, as .png or .svg")
       .checked(picture_name);
   line.option("--levels", &a.levels, "write third-octave levels over time, means and percentiles, as NetCDF");
   line.option("--levels-interval-s", &a.levels_interval_s, "of those levels").between(1.0, 86'400.0).shows_default();

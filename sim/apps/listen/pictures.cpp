@@ -30,7 +30,7 @@ void draw_spectrogram(const Result& result, const Arguments& arguments) {
   for (const Row& row : result.heard.rows)
     marks.push_back({row.begin_s, row.begin_s + row.duration_s, result.plan.settings.band.low, result.plan.settings.band.high});
   std::ostringstream subtitle;
-  subtitle << marks.size() << " detections (framed): " << settings_text(result.plan, arguments) << ", SNR of "
+  subtitle << marks.size() << " detections (between bars): " << settings_text(result.plan, arguments) << ", SNR of "
            << result.plan.settings.detection_threshold.value << " dB or more";
   plot::plot_spectrogram(arguments.spectrogram, *result.heard.spectrogram, result.plan.chain.correction(), marks,
                          {.title = title_of(result.plan),

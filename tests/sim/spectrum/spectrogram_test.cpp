@@ -34,5 +34,14 @@ TEST(Spectrogram, ShowsAToneWhereAndWhenItSounds) {
   EXPECT_GT(picture.level_db(loudest, 20), picture.level_db(loudest, 60) + 60.0);
 }
 
+TEST(Spectrogram, PutsARowInTheMiddleOfTheBinsThatItIsTheMeanOf) {
+  // Bins of 1 Hz from 0 to 511 Hz in 256 rows: 0 and 1, 2 and 3, ...
+  const ShortTimeSpectrum windows(Hertz{2000}, 2);
+  const Spectrogram spectrogram(10'000, windows, Hertz{511});
+  ASSERT_EQ(spectrogram.hertz_per_row(), Hertz{2});
+  EXPECT_EQ(spectrogram.frequency_of(0), Hertz{0.5});
+  EXPECT_EQ(spectrogram.frequency_of(10), Hertz{20.5});
+}
+
 }  // namespace
 }  // namespace earshot::spectrum
