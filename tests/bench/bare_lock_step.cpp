@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <iostream>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include "earshot/health_t.hpp"
@@ -21,6 +23,7 @@
 #include "sim/link/runtime_end.hpp"
 #include "sim/link/simulator_end.hpp"
 #include "tests/bench/busy_loops.hpp"
+#include "tests/bench/short_form.hpp"
 
 namespace {
 
@@ -30,9 +33,9 @@ using namespace std::chrono_literals;
 constexpr std::uint64_t kTicks = 50'000;
 constexpr std::uint64_t kTicksWhenBusy = 5'000;
 
-/// Until one message on `channel` has come.
+/// Until one message on `channel` has come. @throws std::runtime_error: none has in ten seconds
 void take_one(host::LcmEndpoint& bus, std::string_view channel) {
-  for (;;) {
+  for (const auto end = std::chrono::steady_clock::now() + 10s; std::chrono::steady_clock::now() < end;) {
     bus.collect();
     for (wire::Lc02Message message; bus.take(message) == Status::kOk;) {
       if (message.channel == channel) return;
@@ -40,6 +43,7 @@ void take_one(host::LcmEndpoint& bus, std::string_view channel) {
     pollfd readable{.fd = bus.file_descriptor(), .events = POLLIN, .revents = 0};
     (void)poll(&readable, 1, 1000);
   }
+  throw std::runtime_error("no message on " + std::string(channel));
 }
 
 int answer(const link::RunSlot& slot, std::uint64_t ticks) {
@@ -61,7 +65,7 @@ int answer(const link::RunSlot& slot, std::uint64_t ticks) {
 double measure(const link::RunSlot& slot, std::uint64_t ticks) {
   host::LcmEndpoint bus(host::parse_lcm_url(slot.lcm_url()), {wire::kSetpointChannel});
   link::SimulatorEnd link(slot.domain());
-  if (!link.wait_for_runtime(10s)) std::exit(1);
+  if (!link.wait_for_runtime(10s)) throw std::runtime_error("the other process does not come");
   const auto began = std::chrono::steady_clock::now();
   for (std::uint64_t n = 1; n <= ticks; ++n) {
     (void)bus.publish(wire::kNavStateChannel, wire::Encoded(nav_state_t{}).bytes());
@@ -70,7 +74,7 @@ double measure(const link::RunSlot& slot, std::uint64_t ticks) {
     link.send(tick);
     link.observe({});
     link::Answer reply;
-    if (link.receive(reply, 10s) != link::Delivery::kArrived) std::exit(1);
+    if (link.receive(reply, 10s) != link::Delivery::kArrived) throw std::runtime_error("a tick was not answered");
     take_one(bus, wire::kSetpointChannel);
   }
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
@@ -78,9 +82,10 @@ double measure(const link::RunSlot& slot, std::uint64_t ticks) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   const bool is_busy = argc > 1 && std::string_view(argv[1]) == "busy";
-  const std::uint64_t ticks = is_busy ? kTicksWhenBusy : kTicks;
+  const std::uint64_t ticks =
+      is_busy ? bench::full_or_short(kTicksWhenBusy, kTicksWhenBusy / 10) : bench::full_or_short(kTicks, kTicks / 10);
   const link::RunSlot slot;
   if (is_busy) bench::use_two_processors();
   const pid_t child = fork();
@@ -88,6 +93,10 @@ int main(int argc, char** argv) {
   if (child == 0) std::_Exit(answer(slot, ticks));
   if (is_busy) others.emplace();
   const double wall_time_s = measure(slot, ticks);
-  waitpid(child, nullptr, 0);
+  int status = 0;
+  if (waitpid(child, &status, 0) != child || status != 0) throw std::runtime_error("the other process did not take every tick");
   std::cout << "{\"name\":\"bare lock-step of 1 s ticks\",\"unit\":\"x\",\"value\":" << static_cast<double>(ticks) / wall_time_s << "}\n";
+} catch (const std::exception& e) {
+  std::cerr << e.what() << "\n";
+  return 1;
 }

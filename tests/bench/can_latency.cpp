@@ -23,11 +23,15 @@
 
 #include "firmware/boards/linux/host_clock.hpp"
 #include "firmware/host/transport/can_socket.hpp"
+#include "firmware/messages/health_words.hpp"
+#include "firmware/wire/n2k/fast_packet.hpp"
 #include "firmware/wire/n2k/identifier.hpp"
 #include "firmware/wire/n2k/navigation.hpp"
 #include "firmware/wire/n2k/own/measurements.hpp"
 #include "firmware/wire/n2k/own/orders.hpp"
+#include "firmware/wire/n2k/own/reports.hpp"
 #include "firmware/wire/n2k/signals.hpp"
+#include "tests/bench/short_form.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -37,7 +41,8 @@ using namespace earshot;
 using namespace std::chrono_literals;
 
 constexpr const char* kInterface = "vcan0";
-constexpr auto kMeasured = 60s;
+const auto kMeasured =
+    bench::full_or_short(60s, 12s);  // in short, too, longer than a vehicle may stand still before a rule ends its search
 constexpr std::uint8_t kEarshot = 0x40;
 constexpr std::uint8_t kOther = 0x66;
 
@@ -63,17 +68,18 @@ std::filesystem::path write_mission(const std::filesystem::path& folder) {
   return folder / "mission.toml";
 }
 
-/// The vehicle, its hydrophone and its operator.
+/// The vehicle, its hydrophone and its operator. It goes north; wrong: it stands still, and a rule ends its search.
 class Vehicle {
  public:
   /// Says what is due, ten milliseconds after the last time.
   void turn(bool has_started) {
     n2k::NavigationFrames frames;
-    const messages::Navigation fix{.time = {},
-                                   .position = {.north = Meters{12'500}, .east = Meters{12'500}},
-                                   .depth = Meters{300},
-                                   .heading = Radians{0},
-                                   .speed = MetersPerSecond{2}};
+    const messages::Navigation fix{
+        .time = {},
+        .position = {.north = Meters{12'500 + (bench::is_wrong_on_purpose() ? 0.0 : 0.02 * turns_)}, .east = Meters{12'500}},
+        .depth = Meters{300},
+        .heading = Radians{0},
+        .speed = MetersPerSecond{2}};
     (void)n2k::compose_navigation(fix, plane_, n2k::kVehicleAddress, frames);
     if (turns_ % 10 == 0) {
       for (const n2k::Frame& frame : frames) (void)bus_.send(frame);
@@ -104,7 +110,7 @@ class Vehicle {
   std::uint32_t orders_ = 0;
 };
 
-/// Stands by the bus with the kernel's stamps.
+/// Stands by the bus with the kernel's stamps, and hears what the vehicle computer says of its state.
 class Listener {
  public:
   Listener() : bus_(kInterface, host::IfMissing::kRefuse, options()) {}
@@ -112,21 +118,36 @@ class Listener {
     std::size_t budget = config::kCanFramesPerCollect;
     Time arrival;
     for (n2k::Frame frame; bus_.receive(frame, arrival, budget) == Status::kOk;) {
-      const std::uint32_t pgn = n2k::parse_identifier(frame.identifier).value().pgn;
+      const n2k::Identifier identifier = n2k::parse_identifier(frame.identifier).value();
+      const std::uint32_t pgn = identifier.pgn;
       constexpr unsigned kLastFrame = 3;  // of 21 bytes
       if (pgn == n2k::kPositionPgn) newest_fix_ = arrival;
+      if (pgn == n2k::kHealthPgn) judge(identifier, frame);
       if (pgn == n2k::kHeadingControlPgn && (frame.data[0] & 0x1FU) == kLastFrame) latencies_us.push_back((arrival - newest_fix_).us);
     }
   }
   std::vector<std::int64_t> latencies_us;
+  int healths_in_search = 0;
 
  private:
+  /// @throws std::runtime_error: a search that was under way is so no more
+  void judge(const n2k::Identifier& identifier, const n2k::Frame& frame) {
+    std::span<const std::uint8_t> bytes;
+    if (packets_.accept(identifier, frame, bytes) != Status::kOk) return;
+    const messages::Health health = n2k::read_health(bytes).value().health;
+    if (health.state == messages::MissionState::kSearch) {
+      ++healths_in_search;
+    } else if (healths_in_search > 0) {
+      throw std::runtime_error(std::string("the search is over: state ") + to_string(health.state) + ", " + to_string(health.end_reason));
+    }
+  }
   static host::CanOptions options() {
     host::CanOptions options;
-    (void)host::filters_for(std::vector{n2k::kPositionPgn, n2k::kHeadingControlPgn}, options.filters);
+    (void)host::filters_for(std::vector{n2k::kPositionPgn, n2k::kHeadingControlPgn, n2k::kHealthPgn}, options.filters);
     return options;
   }
   host::CanSocket bus_;
+  n2k::FastPacketAssembly packets_;
   Time newest_fix_;
 };
 
@@ -140,6 +161,7 @@ std::vector<std::int64_t> measure() {
     if (listener.latencies_us.size() == 1) end = next + kMeasured;
     next += 10ms;
   }
+  if (listener.latencies_us.size() < 100 || listener.healths_in_search < 10) throw std::runtime_error("no search was flown");
   return listener.latencies_us;
 }
 
@@ -158,19 +180,25 @@ int main(int argc, char** argv) try {
                             folder / "earshotd.txt");
   const pid_t loader = argc > 1 ? ::fork() : -1;
   if (loader == 0) load(static_cast<std::uint32_t>(std::atol(argv[1])));
-  std::vector<std::int64_t> latencies_us = measure();
+  std::vector<std::int64_t> latencies_us;
+  std::string fault;
+  try {
+    latencies_us = measure();
+    if (loader > 0 && ::waitpid(loader, nullptr, WNOHANG) != 0) fault = "the load broke off: the bus had no room for it";
+  } catch (const std::exception& e) {
+    fault = e.what();
+  }
   if (loader > 0) {
-    if (::waitpid(loader, nullptr, WNOHANG) != 0) throw std::runtime_error("the load broke off: the bus had no room for it");
     (void)::kill(loader, SIGKILL);
     (void)::waitpid(loader, nullptr, 0);
   }
   earshotd.signal(SIGTERM);
   (void)earshotd.wait(20s);
-  if (latencies_us.size() < 100) throw std::runtime_error("no search was flown:\n" + earshotd.output());
+  if (!fault.empty()) throw std::runtime_error(earshotd.output() + fault);
   std::ranges::sort(latencies_us);
-  std::cerr << earshotd.output() << latencies_us.size() << " set-points; ms after the newest fix: least " << at_share(latencies_us, 0.0)
-            << ", median " << at_share(latencies_us, 0.5) << ", p99 " << at_share(latencies_us, 0.99) << ", at most "
-            << at_share(latencies_us, 1.0) << "\n";
+  std::cerr << latencies_us.size() << " set-points; ms after the newest fix: least " << at_share(latencies_us, 0.0) << ", median "
+            << at_share(latencies_us, 0.5) << ", p99 " << at_share(latencies_us, 0.99) << ", at most " << at_share(latencies_us, 1.0)
+            << "\n";
   std::cout << "{\"value\": " << at_share(latencies_us, 0.99) - at_share(latencies_us, 0.0) << "}\n";
 } catch (const std::exception& e) {
   std::cerr << e.what() << "\n";

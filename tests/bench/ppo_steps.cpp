@@ -1,6 +1,7 @@
 // ppo.steps_per_s: training steps a second of the changing-source memory task at Stable-Baselines3's default settings, one thread.
 // ppo.large_batch.steps_per_s: the same with minibatches of 2048, the whole rollout.
 // ppo.many_environments.steps_per_s: with minibatches of 2048 and 64 environments, 256 steps of each in a rollout.
+// A training that learns nothing is none.
 // usage: bench_ppo_steps [large_batch|many_environments] [STEPS]
 #include <algorithm>
 #include <chrono>
@@ -8,11 +9,13 @@
 #include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "policy/ppo/trainer.hpp"
+#include "tests/bench/short_form.hpp"
 
 namespace {
 
@@ -32,8 +35,9 @@ int main(int argc, char** argv) {
   const bool many_environments = first == "many_environments";
   const bool large_batch = first == "large_batch" || many_environments;
   const int next = large_batch ? 2 : 1;
-  const std::uint64_t steps = argc > next ? std::strtoull(argv[next], nullptr, 10) : 300'000;
+  const std::uint64_t steps = argc > next ? std::strtoull(argv[next], nullptr, 10) : bench::full_or_short<std::uint64_t>(300'000, 4'096);
   ppo::HyperParameters hyper;
+  if (bench::is_wrong_on_purpose()) hyper.learning_rate = 0.0;
   if (large_batch) hyper.batch_size = 2'048;
   if (many_environments) {
     hyper.environment_count = 64;
@@ -48,8 +52,15 @@ int main(int argc, char** argv) {
   const auto begin = std::chrono::steady_clock::now();
   const auto no_tables = std::make_unique<policy::OceanTables>();
   ppo::Trainer trainer(world, model, *no_tables, hyper, 1);
+  const std::span<const float> parameters = trainer.networks().parameters();
+  const std::vector<float> untrained(parameters.begin(), parameters.end());
   trainer.train(steps, [](const search::EpisodeRecord&, std::uint64_t) { return true; });
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+  if (trainer.steps() < steps || std::ranges::equal(parameters, untrained) ||
+      !std::ranges::all_of(parameters, [](float x) { return std::isfinite(x); })) {
+    std::cerr << "nothing was learnt in " << trainer.steps() << " steps of " << steps << "\n";
+    return 1;
+  }
   std::cout << R"({"name": "ppo.)" << (large_batch ? std::string(first) + "." : "") << R"(steps_per_s", "value": )"
             << static_cast<double>(trainer.steps()) / elapsed.count() << R"(, "unit": "steps/s"})" << '\n';
 }

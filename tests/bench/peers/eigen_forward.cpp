@@ -24,7 +24,7 @@ struct Actor {
 
 int main() {
   const auto actor = std::make_unique<Actor>();
-  earshot::bench::print_nanoseconds(kObservation, [&](std::span<const float> observation) {
+  return earshot::bench::print_nanoseconds(kObservation, [&](std::span<const float> observation) {
     const Eigen::Map<const Eigen::Matrix<float, kObservation, 1>> seen(observation.data());
     const Eigen::Matrix<float, kWidth, 1> first = (actor->first * seen + actor->first_bias).array().tanh();
     const Eigen::Matrix<float, kWidth, 1> second = (actor->second * first + actor->second_bias).array().tanh();
