@@ -51,6 +51,12 @@ void add_options(program::CommandLine& line, Options& o) {
   add_number(line, "--speed-mps", s.speed_mps, own_search::kSpeed_mps, "the vehicle's speed through the water, metres per second");
   add_number(line, "--frequency-hz", s.frequency_hz, own_search::kFrequency_hz, "of the sound that is searched for");
   add_number(line, "--sea-floor-m", s.sea_floor_m, own_search::kSeaFloor_m, "depth of the sea floor in ocean.toml, metres");
+  add_number(line, "--source-level-db", s.source_level_db, own_search::kSourceLevel_db,
+             "level of the source in ocean.toml, dB re 1 uPa at 1 m");
+  line.option(
+          "--noise-db", &s.noise_db,
+          "noise in the detector's band in ocean.toml, dB re 1 uPa (90 at 20 Hz, at another frequency as Wenz's curves differ from that)")
+      .between(own_search::kNoise_db.lowest, own_search::kNoise_db.highest);
   line.option("--bus", &s.bus,
               "how the vehicle computer speaks to the vehicle: lcm; can (NMEA 2000); mixed: navigation and set-points over CAN, the rest "
               "over LCM")

@@ -54,6 +54,46 @@ void set_policy(TemplateText& mission, FliesBy by) {
   mission.set("policy", "public_key_file", toml_text((ships ? host::shipped("policy/frozen/earshot.pub") : own_public_key).string()));
 }
 
+/// Shallower water has no sound channel with its axis at 1300 m.
+constexpr double kLeastForSoundChannel_m = 2000.0;
+
+/// The line that begins so, whole.
+void replace_line(std::string& text, const std::string& begin, const std::string& line) {
+  const std::size_t at = text.find("\n" + begin) + 1;
+  text.replace(at, text.find('\n', at) - at, line);
+}
+
+std::string noise_remark(const OwnSearch& search) {
+  const std::string frequency = toml_number(search.frequency_hz) + " Hz";
+  if (search.noise_db) return "  # in the detector's band, as --noise-db said";
+  return "  # in the detector's band: Wenz curves at " + frequency + ", about, for ships and wind of 5 m/s (90 dB at 20 Hz)";
+}
+
+/// Well mixed water, in which sound is faster the deeper it is: by 0.017 m/s every metre of pressure alone.
+void replace_water(std::string& text, double sea_floor_m) {
+  constexpr double kSurface_mps = 1490.0;
+  constexpr double kPerMetre = 0.017;
+  const std::size_t begin = text.find("[water]\n");
+  text.replace(
+      begin, text.find("[seabed]\n") - begin,
+      "[water]\nprofile = \"table\"                  # linear between its depths, from the surface to the sea floor: well mixed water\n"
+      "depth_m         = [   0.0, " +
+          toml_number(sea_floor_m) + "]\nsound_speed_mps = [1490.0, " + toml_number(kSurface_mps + kPerMetre * sea_floor_m) + "]\n\n");
+}
+
+/// Sand on a shelf, silt on a slope, mud in the deep sea. Source: Jensen et al. (2011), Computational Ocean Acoustics, table 1.3.
+void replace_seabed(std::string& text, double sea_floor_m) {
+  constexpr double kShelf_m = 200.0;
+  constexpr double kDeepSea_m = 1000.0;
+  if (sea_floor_m >= kDeepSea_m) return;
+  const bool is_shelf = sea_floor_m <= kShelf_m;
+  replace_line(text, "sound_speed_mps = 1505.0",
+               is_shelf ? "sound_speed_mps = 1650.0           # sand" : "sound_speed_mps = 1575.0           # silt");
+  replace_line(text, "density_g_per_cm3", is_shelf ? "density_g_per_cm3 = 1.9" : "density_g_per_cm3 = 1.7");
+  replace_line(text, "attenuation_db_per_wavelength",
+               is_shelf ? "attenuation_db_per_wavelength = 0.8" : "attenuation_db_per_wavelength = 1.0");
+}
+
 }  // namespace
 
 std::string tables_command(const OwnSearch& search, const fs::path& folder) {
@@ -100,8 +140,13 @@ std::string ocean_text(const OwnSearch& search) {
   if (search.sea_floor_m <= 60.0) ocean.set("source", "depth_m", toml_number(search.sea_floor_m / 2.0));
   ocean.set("source", "north_m", toml_number(0.4 * search.area_north_m));
   ocean.set("source", "east_m", toml_number(0.4 * search.area_east_m));
+  ocean.set("source", "level_db_re_1upa_at_1m", toml_number(search.source_level_db));
   ocean.set("seabed", "depth_m", toml_number(search.sea_floor_m));
-  return ocean.text();
+  std::string text = ocean.text();
+  replace_line(text, "level_db_re_1upa = ", "level_db_re_1upa = " + toml_number(noise_db(search)) + noise_remark(search));
+  if (search.sea_floor_m < kLeastForSoundChannel_m) replace_water(text, search.sea_floor_m);
+  replace_seabed(text, search.sea_floor_m);
+  return text;
 }
 
 std::string run_text() {

@@ -11,7 +11,24 @@ namespace {
 
 constexpr double kShippedSide_m = 25'000.0;
 
+/// Ships and wind together, dB re 1 uPa^2/Hz.
+double wenz_db(double frequency_hz) {
+  const double khz = frequency_hz / 1e3;
+  constexpr double kShipping = 0.5;
+  constexpr double kWind_mps = 5.0;
+  const double ships = 40.0 + 20.0 * (kShipping - 0.5) + 26.0 * std::log10(khz) - 60.0 * std::log10(khz + 0.03);
+  const double wind = 50.0 + 7.5 * std::sqrt(kWind_mps) + 20.0 * std::log10(khz) - 40.0 * std::log10(khz + 0.4);
+  return 10.0 * std::log10(std::pow(10.0, 0.1 * ships) + std::pow(10.0, 0.1 * wind));
+}
+
 }  // namespace
+
+double noise_db(const OwnSearch& search) {
+  constexpr double kPapers_db = 90.0;
+  constexpr double kPapers_hz = 20.0;
+  if (search.noise_db) return *search.noise_db;
+  return std::round(kPapers_db + wenz_db(search.frequency_hz) - wenz_db(kPapers_hz));
+}
 
 bool is_of_shipped_size(const OwnSearch& search) {
   return search.area_north_m == kShippedSide_m && search.area_east_m == kShippedSide_m;

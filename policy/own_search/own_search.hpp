@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "firmware/host/transport/lcm_url.hpp"
@@ -17,6 +18,8 @@ struct OwnSearch {
   double speed_mps = 2.0;
   double frequency_hz = 20.0;
   double sea_floor_m = 3000.0;
+  double source_level_db = 190.0;       ///< re 1 uPa at 1 m
+  std::optional<double> noise_db = {};  ///< re 1 uPa, in the detector's band; absent: as noise_db() says
   std::string lcm_url{host::kDefaultLcmUrl};
   /// All over LCM ("lcm"), all over CAN ("can"), or what a CAN bus brings over that and the rest over LCM ("mixed").
   std::string bus = "lcm";
@@ -34,6 +37,8 @@ inline constexpr Bounds kLongitude_deg{.lowest = -180.0, .highest = 180.0};
 inline constexpr Bounds kDepth_m{.lowest = 1.0, .highest = 11'000.0};
 inline constexpr Bounds kSpeed_mps{.lowest = 0.1, .highest = 20.0};
 inline constexpr Bounds kFrequency_hz{.lowest = 1.0, .highest = 10'000.0};
+inline constexpr Bounds kSourceLevel_db{.lowest = 60.0, .highest = 250.0};
+inline constexpr Bounds kNoise_db{.lowest = 0.0, .highest = 200.0};
 inline constexpr Bounds kSeaFloor_m{.lowest = 10.0, .highest = 11'000.0};
 
 /// What a search is flown by.
@@ -53,6 +58,11 @@ enum class FliesBy : std::uint8_t {
 [[nodiscard]] double max_depth_m(const OwnSearch& search);
 /// A fifth longer than all steps take.
 [[nodiscard]] double max_time_s(const OwnSearch& search, double step_length_m, double max_steps);
+
+/// Noise in the detector's band where nobody says it: 90 dB at 20 Hz, the paper's, and at another frequency as much more or less as ships
+/// and wind (moderate shipping, 5 m/s) are louder or quieter there.
+/// Source: Coates (1990), Underwater Acoustic Systems, ch. 6, fits to Wenz's curves. Oracle: OwnSearch.TakesNoiseForTheFrequency
+[[nodiscard]] double noise_db(const OwnSearch& search);
 
 /// @throws BadInput for what does not fit together: a search below the sea floor
 void require_consistent(const OwnSearch& search);

@@ -78,6 +78,20 @@ TEST_F(OwnFiles, OceanOfShallowWaterHasItsSourceInTheWater) {
   EXPECT_EQ(search::load_scenario(written(ocean_text({.depth_m = 10.0, .sea_floor_m = 20.0}))).environment.source.depth, Meters{10.0});
 }
 
+TEST_F(OwnFiles, PutAnOceanThereThatFitsDepthAndFrequency) {
+  const std::string text = ocean_text({.depth_m = 40.0, .frequency_hz = 400.0, .sea_floor_m = 120.0, .source_level_db = 160.0});
+  for (const char* untrue : {"munk", "axis", "mud", "Wenz curves at 20 Hz", "the paper"})
+    EXPECT_EQ(text.find(untrue), std::string::npos) << untrue;
+  const ocean::Environment shelf = search::load_scenario(written(text)).environment;
+  EXPECT_EQ(shelf.source.level, Decibels{160.0});
+  EXPECT_EQ(shelf.seabed.layers.front().sound_speed, MetersPerSecond{1'650.0}) << "sand";
+  const std::string deep = ocean_text({});
+  EXPECT_NE(deep.find("deep-sea mud"), std::string::npos);
+  EXPECT_NE(deep.find("level_db_re_1upa = 90.0 "), std::string::npos);
+  EXPECT_NE(ocean_text({.noise_db = 71.0}).find("level_db_re_1upa = 71.0  # in the detector's band, as --noise-db said"),
+            std::string::npos);
+}
+
 TEST_F(OwnFiles, ReadmeMakesTablesFirstWhereNoneThatShipAreOfTheSearch) {
   const OwnSearch search{.area_north_m = 30'000.0, .area_east_m = 40'000.0, .depth_m = 512.5};  // a right triangle, 3 : 4 : 5
   const std::string made =

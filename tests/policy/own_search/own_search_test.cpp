@@ -29,5 +29,13 @@ TEST(OwnSearch, NeedsAPolicyOfItsOwnWhereEitherSideIsAnother) {
   EXPECT_FALSE(is_of_shipped_size({.area_east_m = 26'000.0}));
 }
 
+// Coates at 20 Hz: ships 40 - 44.17 + 78.06 = 73.89, wind 50 + 16.77 - 33.98 + 15.07 = 47.86; at 400 Hz: ships 40 - 10.35 + 22.00 = 51.65,
+// wind 50 + 16.77 - 7.96 + 3.88 = 62.69, together 63.02; 10.9 dB less.
+TEST(OwnSearch, TakesNoiseForTheFrequency) {
+  EXPECT_EQ(noise_db({}), 90.0);
+  EXPECT_EQ(noise_db({.frequency_hz = 400.0}), 79.0);
+  EXPECT_EQ(noise_db({.frequency_hz = 400.0, .noise_db = 55.5}), 55.5);
+}
+
 }  // namespace
 }  // namespace earshot::own_search

@@ -33,6 +33,30 @@ TEST_F(ActionMapPlot, NamesThePolicyAndSaysWhatAnArrowIsBesideSnrOnTheScaleOfEve
        "Arrow: the mean of the directions, each weighted by its probability", ">-10<", "> 40<"});
 }
 
+/// One picture of the policy's area, with the corner in the mission's plane at `south_west`: what has been flown there looks the same.
+TEST_F(ActionMapPlot, DrawsAFlightInTheAreasPlaneWhereverItsCornerIs) {
+  const auto policy = explain::belief_policy(1);
+  const MapOcean ocean{*policy, "shipped.policy", curve_, source_, "heard in a test", source_};
+  const auto arrows = explain::after_a_first_look(*policy, explain::falling_ocean(), 4, [](NorthEast) { return policy::Reception{}; });
+  const auto drawn_at = [&](NorthEast south_west) {
+    const std::vector<explain::RecordedDecision> track = explain::flown(*policy, 3, south_west);
+    explain::DecisionAccount account;
+    account.area = {south_west, south_west + policy->area_size};
+    account.place = {.area_size = policy->area_size,
+                     .cells_north = 2,
+                     .cells_east = 2,
+                     .probability = {0.1, 0.2, 0.3, 0.4},
+                     .rank = {1.0, 0.9, 0.7, 0.4},
+                     .likeliest = {},
+                     .mean = {},
+                     .ellipse = {}};
+    draw_arrows(folder_ / "map.svg", ocean, arrows, "where it goes", MapFlight{.belief = account, .track = track});
+    return support::read_text(folder_ / "map.svg");
+  };
+  // Whole kilometres, of which the difference is exact.
+  EXPECT_EQ(drawn_at({}), drawn_at({Meters{-4'000.0}, Meters{8'000.0}}));
+}
+
 TEST_F(ActionMapPlot, NamesThePolicyAndSaysHowManyPathsFindTheSource) {
   const auto policy = explain::belief_policy(1);
   const MapOcean ocean{*policy, "shipped.policy", curve_, source_, "heard in a test", source_};
