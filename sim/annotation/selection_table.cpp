@@ -38,23 +38,42 @@ struct Alias {
   std::string_view name;
   std::string_view column;
 };
-constexpr std::array kAliases{Alias{"begintimes", kBegin},   Alias{"begintime", kBegin},
-                              Alias{"begins", kBegin},       Alias{"begin", kBegin},
-                              Alias{"starttimes", kBegin},   Alias{"starttime", kBegin},
-                              Alias{"starts", kBegin},       Alias{"start", kBegin},
-                              Alias{"onset", kBegin},        Alias{"onsets", kBegin},
-                              Alias{"endtimes", kEnd},       Alias{"endtime", kEnd},
-                              Alias{"ends", kEnd},           Alias{"end", kEnd},
-                              Alias{"stop", kEnd},           Alias{"stops", kEnd},
-                              Alias{"durations", kDuration}, Alias{"duration", kDuration},
-                              Alias{"lowfreqhz", kLow},      Alias{"lowfreq", kLow},
-                              Alias{"lowhz", kLow},          Alias{"minfreq", kLow},
-                              Alias{"highfreqhz", kHigh},    Alias{"highfreq", kHigh},
-                              Alias{"highhz", kHigh},        Alias{"maxfreq", kHigh},
-                              Alias{"beginfile", kFile},     Alias{"filename", kFile},
-                              Alias{"file", kFile},          Alias{"fileoffsets", kOffset},
-                              Alias{"fileoffset", kOffset},  Alias{"channel", kChannel},
-                              Alias{"selection", kSelection}};
+constexpr std::array kAliases{Alias{"begintimes", kBegin},
+                              Alias{"begintime", kBegin},
+                              Alias{"begins", kBegin},
+                              Alias{"begin", kBegin},
+                              Alias{"starttimes", kBegin},
+                              Alias{"starttime", kBegin},
+                              Alias{"starts", kBegin},
+                              Alias{"start", kBegin},
+                              Alias{"onset", kBegin},
+                              Alias{"onsets", kBegin},
+                              Alias{"endtimes", kEnd},
+                              Alias{"endtime", kEnd},
+                              Alias{"ends", kEnd},
+                              Alias{"end", kEnd},
+                              Alias{"stop", kEnd},
+                              Alias{"stops", kEnd},
+                              Alias{"durations", kDuration},
+                              Alias{"duration", kDuration},
+                              Alias{"lowfreqhz", kLow},
+                              Alias{"lowfreq", kLow},
+                              Alias{"lowhz", kLow},
+                              Alias{"minfreq", kLow},
+                              Alias{"highfreqhz", kHigh},
+                              Alias{"highfreq", kHigh},
+                              Alias{"highhz", kHigh},
+                              Alias{"maxfreq", kHigh},
+                              Alias{"beginfile", kFile},
+                              Alias{"filename", kFile},
+                              Alias{"file", kFile},
+                              Alias{"fileoffsets", kOffset},
+                              Alias{"fileoffset", kOffset},
+                              Alias{"channel", kChannel},
+                              Alias{"selection", kSelection},
+                              Alias{"beginpath", kFile},
+                              Alias{"lowfrequencyhz", kLow},
+                              Alias{"highfrequencyhz", kHigh}};
 
 std::string_view column_of(std::string_view header) {
   std::string plain;
@@ -62,6 +81,8 @@ std::string_view column_of(std::string_view header) {
     if (c >= 'A' && c <= 'Z') plain += static_cast<char>(c - 'A' + 'a');
     if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) plain += c;
   }
+  for (const std::string_view seconds : {"seconds", "sec"})
+    if (plain.ends_with(seconds)) plain.replace(plain.size() - seconds.size(), seconds.size(), "s");
   const auto* const found = std::ranges::find(kAliases, plain, &Alias::name);
   return found == kAliases.end() ? header : found->column;
 }

@@ -90,6 +90,11 @@ TEST(SelectionTable, IsReadFromPlainCsv) {
   EXPECT_FALSE(plain.selections[0].tells_channel);
   EXPECT_EQ(selection_table_from("1,2,fin\n3,4,fin\n", "t.csv").selections.size(), 2U) << "without a first line of names";
   EXPECT_EQ(selection_table_from("Start (s);End (s);Common name\n1,5;2,5;Fin\n", "t.csv").selections[0].begin_s, 1.5);
+  EXPECT_EQ(selection_table_from("start_sec,end_seconds\n1,2\n", "t.csv").selections[0].end_s, 2.0);
+  const SelectionTable path =
+      selection_table_from("Begin Path\tBegin Time (s)\tEnd Time (s)\tHigh Frequency (Hz)\nC:\\in\\a.wav\t1\t2\t28\n", "t.txt");
+  EXPECT_EQ(path.selections[0].begin_file, "C:\\in\\a.wav");
+  EXPECT_EQ(path.selections[0].high_hz, 28.0);
   const SelectionTable own =
       selection_table_from("begin_s,duration_s,begin_utc,file,file_offset_s\n70.5,1.5,,\"in/a, b.wav\",10.5\n", "t.csv");
   ASSERT_EQ(own.selections.size(), 1U);
