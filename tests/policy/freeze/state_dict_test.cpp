@@ -92,6 +92,26 @@ TEST(StateDict, RefusesTensorsItWouldMisread) {
   EXPECT_NE(Saved{.callee = "cos\nsystem\n"}.refused().find("os.system"), std::string::npos);
 }
 
+/// Tensors may share a storage, each of which is unpacked for itself.
+TEST(StateDict, RefusesMoreWeightsThanAnyPolicyHasInAllTensorsTogether) {
+  constexpr std::size_t kHalf = std::size_t{512} * 1024;
+  const std::string count = "\0\0\x08\0"s;  // the same, little-endian
+  const auto saved = [&](int tensors) {
+    std::string pickle =
+        "\x80\x02"
+        "ccollections\nOrderedDict\n)R(";
+    for (int i = 0; i < tensors; ++i) {
+      const std::string name = "w" + std::to_string(i);
+      pickle += "X\x02\0\0\0"s + name + "ctorch._utils\n_rebuild_tensor_v2\n((X\x07\0\0\0storagectorch\nFloatStorage\nX\x01\0\0\0"s +
+                "0X\x03\0\0\0"s + "cpuJ" + count + "tQK\0K\x01\x85K\x01\x85\x89"s + "ccollections\nOrderedDict\n)RtR";
+    }
+    return test::zip_of({{"archive/data.pkl", pickle + "u."}, {"archive/data/0", std::string(4 * kHalf, '\0')}});
+  };
+  EXPECT_EQ(read_state_dict(saved(2)).size(), 2U);
+  EXPECT_NE(refusal([&] { (void)read_state_dict(saved(3)); }).find("tensor w2: more weights than any policy that flies"),
+            std::string::npos);
+}
+
 TEST(StateDict, RefusesAnArchiveOfAnotherByteOrder) {
   auto entries = test::unzipped(Saved{}.bytes());
   entries["archive/byteorder"] = "big";

@@ -90,6 +90,7 @@ TEST_F(TrainerTest, GoesOnFromItsStateAsIfNothingHadHappened) {
   EXPECT_EQ(report.policy_loss, expected.policy_loss);
   EXPECT_EQ(report.learning_rate, expected.learning_rate);
   EXPECT_EQ(resumed.state().workers[0].episodes, uninterrupted.state().workers[0].episodes);
+  EXPECT_EQ(resumed.rollout().episode_starts, uninterrupted.rollout().episode_starts) << "the first step is in mid-episode";
   EXPECT_EQ(resumed.state().optimiser.second_moment, uninterrupted.state().optimiser.second_moment);
 }
 
@@ -250,6 +251,7 @@ TEST_F(TrainerTest, OfTwoRanksLearnsFromTheMeanOfTheirGradientsInEnvironmentsOfI
   Trainer first(world, simple, kNoOceans, hyper, 1, first_of_two);
   Trainer second(world, simple, kNoOceans, hyper, 1, second_of_two);
   EXPECT_TRUE(std::ranges::equal(first.networks().parameters(), second.networks().parameters())) << "they begin as one";
+  EXPECT_NE(first.state().workers[0].random.increment, second.state().workers[0].random.increment) << "what they draw is another stream";
   const UpdateReport of_all = alone.advance(ignore);
   const UpdateReport of_half = first.advance(ignore);
   (void)second.advance(ignore);

@@ -48,6 +48,24 @@ TEST(TrainingRun, ReadsTheShippedFile) {
   EXPECT_EQ(run.episodes, 1'500U);
 }
 
+TEST(TrainingRun, LooksForTheFilesThatItNamesBesideItself) {
+  const std::string path =
+      written("environment = \"sea.toml\"\nworlds = [\"train\", \"/seas/more\"]\ntables = [\"a.tables\", \"/seas/b.tables\"]\n");
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  const TrainingRun run = load_run(path);
+  EXPECT_EQ(run.environment, folder / "sea.toml");
+  EXPECT_EQ(run.worlds, (std::vector<std::filesystem::path>{folder / "train", "/seas/more"}));
+  EXPECT_EQ(run.tables, (std::vector<std::filesystem::path>{folder / "a.tables", "/seas/b.tables"}));
+}
+
+TEST(TrainingRun, SaysHowFarFromTheDomainsEdgeSearchesStartWhereverTheDomainLies) {
+  TrainingRun run = load_run(written("[search]\nstart_margin_m = 700.0\n"));
+  for (Meters* corner : {&run.search.domain.south_west.north, &run.search.start_region.south_west.north})
+    *corner = *corner + Meters{5'000.0};
+  const auto lines = describe(run);
+  EXPECT_TRUE(std::ranges::find(lines, std::pair<std::string, std::string>("start_margin_m", "700")) != lines.end());
+}
+
 TEST(TrainingRun, StartsInsideTheBorderWhenTold) {
   const TrainingRun run = load_run(written("[search]\nstart = \"inside_border\"\nborder_width_m = 2000.0\n"));
   EXPECT_EQ(run.search.start_region.south_west.north, Meters{2'000.0});
