@@ -1,0 +1,38 @@
+#include "sim/search/scenario/file_kind.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "firmware/host/file/bad_input.hpp"
+
+namespace earshot::search {
+namespace {
+
+const std::string kRoot = EARSHOT_SOURCE_DIR;
+
+TEST(FileKind, IsToldByTheKeysOfAFile) {
+  EXPECT_EQ(kind_of(kRoot + "/sim/ocean/environments/munk_flat.toml"), FileKind::kEnvironment);
+  EXPECT_EQ(kind_of(kRoot + "/policy/worlds/rock.toml"), FileKind::kWorld);
+  EXPECT_EQ(kind_of(kRoot + "/firmware/boards/linux/missions/search.toml"), FileKind::kMission);
+  EXPECT_EQ(kind_of(kRoot + "/policy/ppo/runs/fixed_source.toml"), FileKind::kOther);
+  EXPECT_EQ(kind_of(kRoot + "/README.md"), FileKind::kOther);
+  EXPECT_EQ(kind_of(kRoot + "/none.toml"), FileKind::kOther);
+}
+
+TEST(FileKind, IsRefusedInOneLineWhereAnotherIsWantedAndLeftToTheReaderWhereItIsUnknown) {
+  EXPECT_NO_THROW(require_kind("--world", kRoot + "/policy/worlds/rock.toml", FileKind::kWorld));
+  EXPECT_NO_THROW(require_kind("--world", kRoot + "/none.toml", FileKind::kWorld));
+  try {
+    require_kind("--environment", kRoot + "/policy/worlds/rock.toml", FileKind::kEnvironment);
+    FAIL() << "a world is no environment";
+  } catch (const host::BadInput& e) {
+    EXPECT_EQ(std::string(e.what()),
+              "--environment " + kRoot +
+                  "/policy/worlds/rock.toml: is a world (an environment and conditions to search in, for --world), not an "
+                  "environment (an ocean, for --environment)");
+  }
+}
+
+}  // namespace
+}  // namespace earshot::search
