@@ -205,6 +205,13 @@ description::SearchDescription search_with_belief() {
   return search;
 }
 
+TEST(Freeze, DrawsActionsAsItIsTold) {
+  for (const policy::ActionDraw draw : {policy::ActionDraw::kSampled, policy::ActionDraw::kArgmax}) {
+    EXPECT_EQ(freeze(made_up_checkpoint(), draw)->draw, draw);
+    EXPECT_EQ(freeze_advice(search_with_belief(), draw)->draw, draw);
+  }
+}
+
 TEST(FreezeAdvice, MakesAPolicyWithoutANetworkWhoseLogitsAreTenTimesThePreferences) {
   const auto frozen = freeze_advice(search_with_belief(), policy::ActionDraw::kArgmax);
   EXPECT_FALSE(policy::has_network(frozen->network));
