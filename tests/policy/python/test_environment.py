@@ -103,6 +103,16 @@ class Environment(unittest.TestCase):
         self.assertEqual((picture.shape, picture.dtype), ((256, 256, 3), np.uint8))
         self.assertEqual(tuple(picture[256 - 103, 102]), (235, 80, 60))  # the source, 10 of 25 km north and east
 
+    def test_draws_nothing_of_the_search_before(self):
+        env = earshot_gym.AcousticSearchEnv(render_mode="rgb_array")
+        env.reset(seed=1)
+        first = env.render()
+        for _ in range(3):
+            env.step(0)
+        self.assertFalse(np.array_equal(env.render(), first))
+        env.reset(seed=1)
+        np.testing.assert_array_equal(env.render(), first)
+
     def test_refuses_bad_input_by_name(self):
         cases: list[tuple[dict[str, Any], type[Exception], str]] = [
             ({"state": "both"}, ValueError, "state.*simple.*memory.*belief"),
