@@ -208,8 +208,9 @@ void print_summary(const fs::path& out) {
 }
 
 bool writes_report(const fs::path& folder) {
+  // A folder is not an option; and it is not yet where the page will be, which the flight says itself.
   ChildProcess report("earshot-report",
-                      {folder.native().starts_with('-') ? (fs::path(".") / folder).string() : folder.string()});  // not an option
+                      {"--quiet", folder.native().starts_with('-') ? (fs::path(".") / folder).string() : folder.string()});
   while (report.running()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     report.poll();
