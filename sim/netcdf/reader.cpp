@@ -11,8 +11,11 @@
 
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "sim/netcdf/apart.hpp"
 #include "sim/netcdf/classic_size.hpp"
 #include "sim/netcdf/library_exit.hpp"
+#include "sim/netcdf/packing.hpp"
+#include "sim/netcdf/text_attribute.hpp"
 
 namespace earshot::netcdf {
 namespace {
@@ -29,22 +32,52 @@ bool is_classic(host::InputFile& file) {
   return file.read(magic) == magic.size() && magic == std::array<std::uint8_t, 3>{'C', 'D', 'F'};
 }
 
+/// What the library reads of a file when it is opened and asked for its variables and attributes; whether it succeeds is not told.
+void look_through(const std::filesystem::path& path) {
+  int file = -1;
+  if (nc_open(path.c_str(), NC_NOWRITE, &file) != NC_NOERR) return;
+  int variables = 0;
+  (void)nc_inq_nvars(file, &variables);
+  for (int id = 0; id < variables; ++id) {
+    int attributes = 0;
+    (void)nc_inq_varnatts(file, id, &attributes);
+    for (int i = 0; i < attributes; ++i) {
+      std::array<char, NC_MAX_NAME + 1> name{};
+      if (nc_inq_attname(file, id, i, name.data()) == NC_NOERR) (void)text_attribute(file, id, name.data());
+    }
+    (void)Packing(file, id);
+  }
+  (void)nc_close(file);
+}
+
+/// 10 million values a second are read from a compressed file that is not damaged; a loop without end is noticed in ten seconds.
+ApartLimits limits_for(std::size_t values) {
+  return {.processor_time_s = static_cast<unsigned>(10 + values / 1'000'000)};
+}
+
 }  // namespace
+
+void Reader::require_sound(const std::optional<std::string>& end) const {
+  if (end) throw error("", "is damaged: reading it ended with " + *end);
+}
 
 FileError Reader::error(const std::string& variable, const std::string& what) const {
   return FileError(path_.string() + ": " + (variable.empty() ? "" : variable + ": ") + what);
 }
 
 Reader::Reader(std::filesystem::path path) : path_(std::move(path)) {
-  if (host::InputFile file = opened(path_); is_classic(file)) {
+  host::InputFile input = opened(path_);
+  is_hdf5_ = !is_classic(input);
+  if (!is_hdf5_) {
     const std::optional<std::uint64_t> needed = classic_size(path_);
-    const std::uint64_t bytes = file.size();
+    const std::uint64_t bytes = input.size();
     if (!needed) throw error("", "its NetCDF header is damaged or truncated");
     if (bytes < *needed) {
       throw error("", "truncated: has " + std::to_string(bytes) + " bytes, its header promises " + std::to_string(*needed));
     }
   }
   leave_hdf5_alone_at_exit();
+  if (is_hdf5_) require_sound(run_apart(limits_for(0), [this] { look_through(path_); }));
   const int status = nc_open(path_.c_str(), NC_NOWRITE, &file_);
   if (status != NC_NOERR) throw error("", std::string("not a whole NetCDF file (") + nc_strerror(status) + ")");
 }
@@ -92,22 +125,22 @@ std::vector<std::size_t> Reader::shape_of(const std::string& variable) const {
 }
 
 std::optional<std::string> Reader::text_attribute(const std::string& variable, const std::string& attribute) const {
-  const int id = variable_id(variable);
-  nc_type type = NC_NAT;
-  std::size_t length = 0;
-  if (nc_inq_att(file_, id, attribute.c_str(), &type, &length) != NC_NOERR || type != NC_CHAR) return std::nullopt;
-  std::string text(length, '\0');
-  if (nc_get_att_text(file_, id, attribute.c_str(), text.data()) != NC_NOERR) throw error(variable, attribute + " cannot be read");
-  while (!text.empty() && text.back() == '\0') text.pop_back();
-  return text;
+  return netcdf::text_attribute(file_, variable_id(variable), attribute.c_str());
 }
 
-std::optional<double> Reader::number_attribute(int variable_id, const char* attribute) const {
-  nc_type type = NC_NAT;
-  std::size_t length = 0;
-  double value = 0.0;
-  if (nc_inq_att(file_, variable_id, attribute, &type, &length) != NC_NOERR || length != 1 || type == NC_CHAR) return std::nullopt;
-  return nc_get_att_double(file_, variable_id, attribute, &value) == NC_NOERR ? std::optional(value) : std::nullopt;
+int Reader::get(int variable_id, const Block& block, std::vector<double>& data) const {
+  const auto read_into = [&](double* values) {
+    return nc_get_vara_double(file_, variable_id, block.start.data(), block.count.data(), values);
+  };
+  if (!is_hdf5_) return read_into(data.data());
+  const SharedBytes status(sizeof(int));
+  const SharedBytes values(data.size() * sizeof(double));
+  if (status.data() == nullptr || values.data() == nullptr) return NC_ENOMEM;
+  auto* const read_status = static_cast<int*>(status.data());
+  const auto* const read_values = static_cast<const double*>(values.data());
+  require_sound(run_apart(limits_for(data.size()), [&] { *read_status = read_into(static_cast<double*>(values.data())); }));
+  data.assign(read_values, read_values + data.size());
+  return *read_status;
 }
 
 std::vector<double> Reader::read(const std::string& variable) const {
@@ -126,17 +159,10 @@ std::vector<double> Reader::read(const std::string& variable, const Block& block
     values *= block.count[i];
   }
   std::vector<double> data(values);
-  const int status = nc_get_vara_double(file_, id, block.start.data(), block.count.data(), data.data());
-  if (status != NC_NOERR) throw error(variable, std::string("cannot be read (") + nc_strerror(status) + ")");
-
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const double fill = number_attribute(id, "_FillValue").value_or(kNone);  // no value equals NaN
-  const double missing = number_attribute(id, "missing_value").value_or(kNone);
-  const double scale = number_attribute(id, "scale_factor").value_or(1.0);
-  const double offset = number_attribute(id, "add_offset").value_or(0.0);
-  for (double& x : data) {
-    x = x == fill || x == missing ? kNone : x * scale + offset;
-  }
+  if (const int status = get(id, block, data); status != NC_NOERR)
+    throw error(variable, std::string("cannot be read (") + nc_strerror(status) + ")");
+  const Packing packing(file_, id);
+  for (double& x : data) x = packing.value_of(x);
   return data;
 }
 

@@ -21,7 +21,8 @@ struct Block {
 
 enum class Missing : std::uint8_t { kRefused, kAllowed };
 
-/// An open NetCDF file (classic or NetCDF-4). Whatever is missing, truncated or of another shape throws FileError.
+/// An open NetCDF file (classic or NetCDF-4). Whatever is missing, truncated or of another shape throws FileError, and so does a damaged
+/// NetCDF-4 file that crashes the library or keeps it busy without end: it is met in a child process (run_apart), which reads first.
 ///
 /// Not for two threads at once: the NetCDF library is not thread-safe, not even for different files.
 class Reader {
@@ -36,8 +37,7 @@ class Reader {
   [[nodiscard]] std::vector<std::size_t> shape_of(const std::string& variable) const;
   [[nodiscard]] std::optional<std::string> text_attribute(const std::string& variable, const std::string& attribute) const;
 
-  /// The values in row-major order, unpacked by the CF attributes scale_factor and add_offset; NaN where the file has none (_FillValue,
-  /// missing_value). At most 2^28 values.
+  /// The values in row-major order, unpacked; NaN where the file has none (see Packing). At most 2^28 values.
   [[nodiscard]] std::vector<double> read(const std::string& variable) const;
   [[nodiscard]] std::vector<double> read(const std::string& variable, const Block& block) const;
 
@@ -59,9 +59,13 @@ class Reader {
 
  private:
   [[nodiscard]] int variable_id(const std::string& variable) const;
-  [[nodiscard]] std::optional<double> number_attribute(int variable_id, const char* attribute) const;
+  /// @return the library's status
+  [[nodiscard]] int get(int variable_id, const Block& block, std::vector<double>& data) const;
+  /// Throws unless a child process came to an end of its own.
+  void require_sound(const std::optional<std::string>& end) const;
 
   std::filesystem::path path_;
+  bool is_hdf5_ = false;
   int file_ = -1;
 };
 

@@ -54,6 +54,8 @@ void define(int file, const Layout& layout, const std::filesystem::path& path) {
     for (const auto& [key, value] : variable.attributes)
       require(nc_put_att_text(file, id, key.c_str(), value.size(), value.data()), path, variable.name);
     if (variable.fill) require(nc_put_att_double(file, id, "_FillValue", type, 1, &*variable.fill), path, variable.name);
+    const std::vector<double>& flags = variable.flag_values;
+    if (!flags.empty()) require(nc_put_att_double(file, id, "flag_values", type, flags.size(), flags.data()), path, variable.name);
   }
 }
 

@@ -19,7 +19,8 @@ struct VariableLayout {
   Type type;
   std::vector<std::string> dimensions;
   Attributes attributes;
-  std::optional<double> fill = {};  ///< what stands where nothing was written yet
+  std::optional<double> fill = {};       ///< what stands where nothing was written yet
+  std::vector<double> flag_values = {};  ///< what the words of the attribute flag_meanings stand for; empty: no flags
 };
 
 /// All of a file but its values.

@@ -1,5 +1,6 @@
 #include "sim/ocean/charts/bathymetry.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -24,7 +25,48 @@ void require_on_earth(const netcdf::Reader& file, const std::string& variable, c
   }
 }
 
+/// Whether a value is what programs write where they have none (9999, -9999, 32767, -32768, ...), and could be an elevation.
+bool is_usual_fill(double x) {
+  const double size = std::abs(x);
+  return size == 9999.0 || size == 999.0;
+}
+
+/// Whether a node is so far from all about it that no sea floor leads there. Steeper than two in one over a whole cell is no slope that a
+/// chart shows; a usual fill value must be near a neighbour of another value.
+bool is_stray(const Bathymetry& chart, std::size_t row, std::size_t column) {
+  constexpr double kRoughness_m = 200.0;
+  constexpr double kSteepest = 2.0;
+  constexpr double kNearFill_m = 1000.0;
+  const std::size_t columns = chart.axes.longitude_deg.size();
+  const double here = chart.elevation_m[row * columns + column];
+  const double slope_m = kRoughness_m + kSteepest * spacing(chart.axes).value;
+  const double near_m = is_usual_fill(here) ? std::min(kNearFill_m, slope_m) : slope_m;
+  bool has_neighbour = false;
+  for (std::size_t i = row > 0 ? row - 1 : 0; i <= std::min(row + 1, chart.axes.latitude_deg.size() - 1); ++i) {
+    for (std::size_t j = column > 0 ? column - 1 : 0; j <= std::min(column + 1, columns - 1); ++j) {
+      const double there = chart.elevation_m[i * columns + j];
+      if (std::isnan(there) || (i == row && j == column)) continue;
+      has_neighbour = true;
+      if (std::abs(there - here) <= near_m && !(there == here && is_usual_fill(here))) return false;
+    }
+  }
+  return has_neighbour || is_usual_fill(here);
+}
+
 }  // namespace
+
+void require_no_stray_node(const Bathymetry& chart, const std::string& variable) {
+  const std::size_t columns = chart.axes.longitude_deg.size();
+  for (std::size_t i = 0; i < chart.elevation_m.size(); ++i) {
+    if (std::isnan(chart.elevation_m[i]) || !is_stray(chart, i / columns, i % columns)) continue;
+    std::ostringstream text;
+    text << chart.file << ": " << variable << ": holds " << chart.elevation_m[i] << " at latitude " << chart.axes.latitude_deg[i / columns]
+         << ", longitude " << chart.axes.longitude_deg[i % columns]
+         << ", which cannot be beside its neighbours: where there is no elevation, the file must say so (_FillValue, missing_value, "
+            "valid_range)";
+    throw BadInput(text.str());
+  }
+}
 
 Meters sea_floor_depth(const Bathymetry& bathymetry, GeoPosition position) {
   const auto cell = cell_at(bathymetry.axes, position);
@@ -50,6 +92,7 @@ Bathymetry read_gebco(const std::filesystem::path& path, GeoPosition centre, Met
   require_units(file, variable, {"m", "meters", "meter", "metres", "metre"});
   Bathymetry chart{.file = path.string(), .axes = window.axes(), .elevation_m = window.read(file, variable, {})};
   require_on_earth(file, variable, chart);
+  require_no_stray_node(chart, variable);
   return chart;
 }
 

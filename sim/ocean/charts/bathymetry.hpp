@@ -26,6 +26,10 @@ struct Bathymetry {
 /// Oracle: Bathymetry.IsBilinearBetweenItsNodes
 [[nodiscard]] Meters sea_floor_depth(const Bathymetry& bathymetry, GeoPosition position);
 
+/// Throws host::BadInput for an elevation that cannot be beside its neighbours: a fill value that the file does not declare (-9999), or a
+/// spike. Oracle: Bathymetry.RefusesAFillValueThatCouldBeADepth
+void require_no_stray_node(const Bathymetry& chart, const std::string& variable);
+
 /// Reads the part within `reach` of a centre from a NetCDF file in GEBCO's layout: `elevation(lat, lon)` in metres, positive up.
 /// Throws netcdf::FileError when the file is not that or does not cover the centre.
 [[nodiscard]] Bathymetry read_gebco(const std::filesystem::path& path, GeoPosition centre, Meters reach);

@@ -58,6 +58,7 @@ Bathymetry read_bathymetry_csv(const std::filesystem::path& path, GeoPosition ce
          << grid.axes.longitude_deg[i % columns];
     throw BadInput(text.str());
   }
+  require_no_stray_node(grid, "elevation_m");
   return grid;
 }
 

@@ -8,7 +8,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -117,6 +119,41 @@ TEST(NetcdfReader, RefusesALongClassicFileCutWhereTheLibraryReadsZeros) {
   for (const std::uintmax_t length : {79'000U, 40'000U, 10'000U, 1000U}) {
     std::filesystem::resize_file(folder / "long.nc", length);
     EXPECT_THROW(Reader(folder / "long.nc"), FileError) << length;
+  }
+}
+
+/// Written by netCDF4-python 1.7: compressed chunks, and a text attribute that is a string as h5netcdf writes all of them.
+const std::filesystem::path kStrings = std::filesystem::path(EARSHOT_SOURCE_DIR) / "tests/sim/netcdf/reference/strings.nc";
+
+TEST(NetcdfReader, ReadsATextThatIsAString) {
+  EXPECT_EQ(Reader(kStrings).text_attribute("elevation", "long_name"), "elevation");
+}
+
+TEST(NetcdfReader, SurvivesDamageOfAllKinds) {
+#ifdef __SANITIZE_ADDRESS__
+  const __lsan::ScopedDisabler the_library_leaks_what_it_read_of_a_header_it_refuses;
+#endif
+  const support::TemporaryFolder folder;
+  std::ifstream whole(kStrings, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(whole), {}};
+  for (std::uint32_t seed = 0; seed < 550; ++seed) {
+    std::mt19937 random(seed);
+    std::string damaged = bytes;
+    for (std::uint32_t left = 1 + random() % 8; left > 0; --left) {
+      const std::size_t at = random() % damaged.size();
+      damaged[at] = static_cast<char>(random() & 0xFFU);
+    }
+    std::ofstream(folder / "damaged.nc", std::ios::binary) << damaged;
+    try {
+      const Reader file(folder / "damaged.nc");
+      for (const char* variable : {"lat", "lon", "elevation"}) {
+        (void)file.text_attribute(variable, "units");
+        (void)file.read(variable);  // may still read
+      }
+    } catch (const FileError& e) {
+      const std::string said = e.what();
+      EXPECT_EQ(said.find((folder / "damaged.nc").string() + ": "), 0U) << said;
+    }
   }
 }
 

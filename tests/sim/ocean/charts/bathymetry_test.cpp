@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <sstream>
 #include <string>
 
 #include "tests/sim/ocean/charts/chart_files.hpp"
@@ -65,6 +66,49 @@ TEST(Bathymetry, RefusesAFillValueThatTheFileDoesNotDeclare) {
   layout.write(folder / "g.nc");
   expect_mentions(complaint_of([&] { (void)read_gebco(folder / "g.nc", kCentre, Meters{1000.0}); }),
                   "g.nc: elevation: holds -32767 at latitude 42, longitude -8, must be from -12000 to 10000 m");
+}
+
+TEST(Bathymetry, RefusesAFillValueThatCouldBeADepth) {
+  const support::TemporaryFolder folder;
+  for (const double fill : {-9999.0, 9999.0, -999.0}) {
+    for (const double beside : {-8.0, -7.5}) {  // one node, and two side by side
+      GebcoFile layout = slope();
+      layout.elevation_m = [=](double lat, double lon) { return lat == 42.0 && lon >= -8.0 && lon <= beside ? fill : -4000.0 - lat; };
+      layout.write(folder / "g.nc");
+      const std::string said = complaint_of([&] { (void)read_gebco(folder / "g.nc", kCentre, Meters{100'000.0}); });
+      std::ostringstream wanted;
+      wanted << "g.nc: elevation: holds " << fill << " at latitude 42, longitude -8, which cannot be beside its neighbours";
+      expect_mentions(said, wanted.str());
+    }
+  }
+}
+
+TEST(Bathymetry, RefusesASpikeThatNoSlopeLeadsTo) {
+  const support::TemporaryFolder folder;
+  GebcoFile layout = slope();
+  layout.latitude_deg = axis(41.99, 0.004, 6);  // 445 m between nodes
+  layout.longitude_deg = axis(-8.01, 0.004, 6);
+  double spike_m = -3000.0;  // 1500 m above its neighbours
+  layout.elevation_m = [&](double lat, double lon) {
+    return std::abs(lat - 41.998) < 0.001 && std::abs(lon + 8.002) < 0.001 ? spike_m : -4500.0;
+  };
+  layout.write(folder / "g.nc");
+  expect_mentions(complaint_of([&] { (void)read_gebco(folder / "g.nc", {.latitude_deg = 42.0, .longitude_deg = -8.0}, Meters{1000.0}); }),
+                  "holds -3000 at latitude 41.998, longitude -8.002");
+  spike_m = -4000.0;
+  layout.write(folder / "g.nc");
+  EXPECT_NO_THROW((void)read_gebco(folder / "g.nc", {.latitude_deg = 42.0, .longitude_deg = -8.0}, Meters{1000.0}));
+}
+
+TEST(Bathymetry, ReadsATrenchOf9999MetersAndAnIslandOf999) {
+  const support::TemporaryFolder folder;
+  GebcoFile layout = slope();
+  layout.elevation_m = [](double lat, double lon) { return lat == 42.0 && lon == -8.0 ? -9999.0 : -9950.0; };
+  layout.write(folder / "g.nc");
+  EXPECT_NO_THROW((void)read_gebco(folder / "g.nc", kCentre, Meters{100'000.0}));
+  layout.elevation_m = [](double lat, double lon) { return lat == 42.0 && lon == -8.0 ? 999.0 : 200.0; };
+  layout.write(folder / "g.nc");
+  EXPECT_NO_THROW((void)read_gebco(folder / "g.nc", kCentre, Meters{100'000.0}));
 }
 
 TEST(Bathymetry, RefusesATruncatedFile) {
