@@ -35,6 +35,12 @@ void write_scalar(Writer& file, const std::string& name, const std::string& long
   file.write(name, std::span(&value, 1));
 }
 
+std::vector<float> rounded_loss_db(std::span<const float> loss_db) {
+  std::vector<float> rounded(loss_db.size());
+  std::transform(loss_db.begin(), loss_db.end(), rounded.begin(), [](float loss) { return std::nearbyint(loss * 256.0F) / 256.0F; });
+  return rounded;
+}
+
 void write_transmission_loss(Writer& file, const std::vector<std::string>& dimensions, const std::string& coordinates,
                              std::span<const float> loss_db) {
   const std::string name = "transmission_loss";
@@ -47,9 +53,7 @@ void write_transmission_loss(Writer& file, const std::vector<std::string>& dimen
   file.attribute(name, "_FillValue", std::numeric_limits<double>::quiet_NaN());
   file.attribute(name, "least_significant_digit", 2.0);  // the attribute that netCDF4-python and NCO write: good to 0.01
   file.compress(name);
-  std::vector<float> rounded(loss_db.size());
-  std::transform(loss_db.begin(), loss_db.end(), rounded.begin(), [](float loss) { return std::nearbyint(loss * 256.0F) / 256.0F; });
-  file.write(name, rounded);
+  file.write(name, rounded_loss_db(loss_db));
 }
 
 void write_scene(Writer& file, const ocean::Environment& environment, const ocean::Band& band) {

@@ -1,5 +1,6 @@
 #include "sim/sonar/field_file.hpp"
 
+#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -30,6 +31,17 @@ void write_sea_floor(Writer& file, const SonarField& field) {
   file.write("sea_floor_depth", field.sea_floor_depth_m);
 }
 
+void write_snr(Writer& file, const SonarField& field) {
+  std::vector<float> snr_db;
+  for (const float loss_db : rounded_loss_db(field.transmission_loss_db))
+    snr_db.push_back(static_cast<float>(field.source_level.value - static_cast<double>(loss_db) - field.noise_level.value));
+  file.variable("snr", Type::kFloat, {"range", "depth"},
+                {{"long_name", "signal-to-noise ratio at the hydrophone"}, {"units", "dB"}, {"coordinates", "source_depth bearing"}});
+  file.attribute("snr", "_FillValue", std::numeric_limits<double>::quiet_NaN());
+  file.compress("snr");
+  file.write("snr", snr_db);
+}
+
 }  // namespace
 
 void write_field(const std::filesystem::path& path, const SonarField& field, const ocean::Environment& environment, Radians bearing,
@@ -43,6 +55,7 @@ void write_field(const std::filesystem::path& path, const SonarField& field, con
                bearing.value * 180.0 / std::numbers::pi);
   write_sea_floor(file, field);
   write_transmission_loss(file, {"range", "depth"}, "source_depth bearing", field.transmission_loss_db);
+  write_snr(file, field);
   file.commit();
 }
 

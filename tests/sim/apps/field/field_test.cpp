@@ -21,6 +21,14 @@ TEST_F(FieldProgram, DrawsAPictureWhenAsked) {
   EXPECT_NE(read(picture).find("<svg"), std::string::npos);
 }
 
+TEST_F(FieldProgram, DrawsCurvesOfLossAndSnrWhereThereIsOneDepth) {
+  const auto picture = folder_ / "out" / "field.svg";
+  ASSERT_EQ(run(kMunk + " -o " + output() + " --max-range-km 2 --depth 300 --plot " + picture.string()), 0) << errors();
+  const std::string svg = read(picture);
+  for (const char* words : {"transmission loss (dB re 1 m)", "SNR (dB)", "hydrophone at 300 m", "detection threshold, 10 dB"})
+    EXPECT_NE(svg.find(words), std::string::npos) << words;
+}
+
 TEST_F(FieldProgram, SaysThatGnuplotIsMissing) {
   // A picture of more data than a pipe holds: gnuplot's absence must not end the program by SIGPIPE.
   const auto picture = folder_ / "out" / "field.png";
