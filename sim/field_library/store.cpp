@@ -66,7 +66,7 @@ netcdf::Layout layout_of(const LibraryPlan& plan) {
                Type::kInt32,
                {"position"},
                {{"long_name", "whether the field of a position is there"}, {"flag_meanings", "to_do done no_water"}},
-               std::nullopt,
+               0.0,
                {0.0, 1.0, 2.0}},
               {"transmission_loss",
                Type::kFloat,
