@@ -154,6 +154,27 @@ TEST_F(OperatorTest, SaysCompleteAtTheSourceInASearchAndOnlyThen) {
   EXPECT_EQ(orders_.size(), 2U);
 }
 
+TEST_F(OperatorTest, GivesACompleteAnewThatHasExpiredAndNoStart) {
+  say(MissionState::kStandby);
+  pass(Duration::seconds(1));
+  answer(orders_[0], CommandOutcome::kObeyed);
+  has_arrived_ = true;
+  say(MissionState::kSearch);
+  pass(Duration::seconds(1));
+  ASSERT_EQ(orders_.back().order, Order::kComplete);
+  const messages::OperatorCommand first = orders_.back();
+  utc_ = first.expiry + Duration{1};
+  pass(Duration::seconds(1));
+  EXPECT_EQ(orders_.back().order, Order::kComplete);
+  EXPECT_EQ(orders_.back().number, first.number + 1);
+  EXPECT_EQ(orders_.back().time, utc_);
+  has_arrived_ = false;
+  utc_ = orders_.back().expiry + Duration{1};
+  const std::size_t given = orders_.size();
+  pass(Duration::seconds(60));
+  EXPECT_EQ(orders_.size(), given) << "nobody is at the source any more";
+}
+
 TEST_F(OperatorTest, StartsAnEarshotThatBeginsAgain) {
   say(MissionState::kStandby);
   pass(Duration::seconds(1));

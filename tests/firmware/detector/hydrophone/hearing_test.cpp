@@ -119,6 +119,33 @@ TEST(Hearing, SaysThatSamplesAreMissingAndKeepsWhatItKnowsOfTheNoise) {
   EXPECT_EQ(worst_of(hearer, white_noise(1.0, kRate, 0.01, 4)), Hearing::kDropout);
 }
 
+/// What ended with the gap is not held against what comes after it: what was heard in the last second, say, ten times.
+TEST(Hearing, LearnsNoNoiseFromWhatEndedWithTheGap) {
+  std::vector<std::vector<Estimate>> estimates;
+  for (const float deviation : {0.01F, 0.2F}) {
+    Hearer hearer(fin_whale(), kRate);
+    hearer.hear(white_noise(0.001, kRate, 0.01, 3));  // so that there is a plan
+    const std::size_t quarter = hearer.detector->plan()->quarter * hearer.detector->plan()->factor();
+    const std::vector<float> noise = white_noise(62.0, kRate, 0.01, 3);
+    hearer.hear(std::span(noise).first(quarter - 1));
+    const std::vector<float> last = white_noise(2.0, kRate, double{deviation}, 5);
+    for (int gap = 0; gap < 10; ++gap) {
+      for (std::size_t at = quarter; at < 200 * quarter || !hearer.estimates.back().is_independent; at += quarter)
+        hearer.hear(std::span(noise).subspan(at, quarter));
+      hearer.hear(std::span(last).first(4 * quarter));
+      ASSERT_TRUE(hearer.estimates.back().is_independent) << "its noise waits to be learnt";
+      hearer.block.first_sample += 17;
+    }
+    hearer.estimates.clear();
+    hearer.hear(white_noise(20.0, kRate, 0.01, 4));
+    estimates.push_back(hearer.estimates);
+  }
+  ASSERT_EQ(estimates[0].size(), estimates[1].size());
+  ASSERT_EQ(estimates[0].back().hearing, Hearing::kHears);
+  for (std::size_t i = 0; i < estimates[0].size(); ++i)
+    EXPECT_EQ(estimates[0][i].channels[0].floor, estimates[1][i].channels[0].floor) << "estimate " << i;
+}
+
 TEST(Hearing, SaysThatTheGainChangedAndCountsIt) {
   Hearer hearer = settled();
   hearer.block.gain = Decibels{20};

@@ -195,6 +195,19 @@ TEST_F(OceanBeliefByHand, TakesBearingsInUnderThoseThatDrift) {
   }
 }
 
+/// A bearing with every look, so that some come while others are being weighed that have heard only a part of the looks: those hear it,
+/// too, and are as likely as had they been held all the time.
+TEST_F(OceanBeliefByHand, TakesABearingInUnderThoseThatAreBeingWeighedWhenItComes) {
+  add_table(tables, 1.0F, kFourPerKilometre);
+  Looks looks = south_of({});
+  for (auto& [place, reception] : looks) {
+    const NorthEast way = drifted({}, 0, 16 * 20 + 16) - place;
+    reception.bearing =
+        messages::Bearing{.direction = Radians{std::atan2(way.east.value, way.north.value) + 0.1}, .deviation = Radians{0.3}};
+  }
+  expect_by_hand(looks, fly(looks), 0.02);
+}
+
 /// The vehicle hears a source from afar, then goes past it as it drifts on. @param past  from look to look, as the source sees it
 Looks past_one_that(const Drift& drift, NorthEast past) {
   Looks looks = south_of(drift);
@@ -295,6 +308,25 @@ TEST_F(OceanBeliefByHand, CountsLooksAndForgetsItsDeclarationWhenItStarts) {
     ASSERT_TRUE(belief->declaration());
     EXPECT_EQ(belief->declaration()->look, 4U);
   }
+}
+
+/// As loud within 1.3 km as can be, silent beyond: of places that are as likely 59 % are within a step, too few for a declaration before
+/// the eighth look.
+TEST_F(OceanBeliefByHand, CountsNoLookNearTheSourceOfTheSearchBefore) {
+  add_table(tables, 1.0F, [](double km) { return km < 1.3 ? 30.0 : -20.0; });
+  belief->start(model, tables);
+  for (int look = 0; look < 5; ++look) {
+    hear(at(5'000, 5'000), 30.0);
+    EXPECT_FALSE(belief->declaration()) << look;
+  }
+  belief->start(model, tables);
+  for (std::uint32_t look = 1; look < kNearLooks; ++look) {
+    hear(at(5'000, 5'000), 30.0);
+    EXPECT_FALSE(belief->declaration()) << "after look " << look << " of the second search";
+  }
+  hear(at(5'000, 5'000), 30.0);
+  ASSERT_TRUE(belief->declaration());
+  EXPECT_EQ(belief->declaration()->near_looks, kNearLooks);
 }
 
 }  // namespace
