@@ -27,17 +27,24 @@ constexpr LateLibrary kNetcdf(kNames, "a NetCDF file cannot be read: libnetcdf i
 
 EARSHOT_LATE(H5dont_atexit, (), ())
 EARSHOT_LATE(nc_close, (int file), (file))
+EARSHOT_LATE(nc_free_string, (size_t count, char** texts), (count, texts))
 EARSHOT_LATE(nc_get_att_double, (int file, int id, const char* name, double* value), (file, id, name, value))
+EARSHOT_LATE(nc_get_att_string, (int file, int id, const char* name, char** value), (file, id, name, value))
 EARSHOT_LATE(nc_get_att_text, (int file, int id, const char* name, char* value), (file, id, name, value))
 EARSHOT_LATE(nc_get_vara_double, (int file, int id, const size_t* start, const size_t* count, double* values),
              (file, id, start, count, values))
 EARSHOT_LATE(nc_inq_att, (int file, int id, const char* name, nc_type* type, size_t* length), (file, id, name, type, length))
+EARSHOT_LATE(nc_inq_attname, (int file, int id, int number, char* name), (file, id, number, name))
+EARSHOT_LATE(nc_inq_atttype, (int file, int id, const char* name, nc_type* type), (file, id, name, type))
 EARSHOT_LATE(nc_inq_dimid, (int file, const char* name, int* id), (file, name, id))
 EARSHOT_LATE(nc_inq_dimlen, (int file, int id, size_t* length), (file, id, length))
 EARSHOT_LATE(nc_inq_dimname, (int file, int id, char* name), (file, id, name))
+EARSHOT_LATE(nc_inq_nvars, (int file, int* count), (file, count))
 EARSHOT_LATE(nc_inq_var, (int file, int id, char* name, nc_type* type, int* rank, int* dimensions, int* attributes),
              (file, id, name, type, rank, dimensions, attributes))
 EARSHOT_LATE(nc_inq_varid, (int file, const char* name, int* id), (file, name, id))
+EARSHOT_LATE(nc_inq_varnatts, (int file, int id, int* count), (file, id, count))
+EARSHOT_LATE(nc_inq_vartype, (int file, int id, nc_type* type), (file, id, type))
 EARSHOT_LATE(nc_open, (const char* path, int mode, int* file), (path, mode, file))
 
 extern "C" const char* nc_strerror(int status) {
