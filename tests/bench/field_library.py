@@ -1,7 +1,7 @@
 """Wall seconds of `earshot field --library`, to a file on the disk.
 
-64 sources x 72 radials x 25 km at 20 Hz over charted hills, at 0.1 dB; in short one source and 8 radials. A library without
-loss in it is none (wrong: its vehicle is below the sea floor).
+64 sources x 72 radials x 25 km at 20 Hz over charted hills, at 0.1 dB; in short one source and 8 radials.
+A library without loss in it is none (wrong: its vehicle is below the sea floor).
 
 usage: field_library.py PROGRAM
 """
@@ -19,6 +19,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "policy/worlds/oceans"))
 import netCDF4  # noqa: E402
 import numpy as np  # noqa: E402
+
 from hills import depth_m  # noqa: E402
 
 OCEAN = ROOT / "tests/sim/sonar/hilly.toml"
@@ -54,7 +55,7 @@ def chart() -> str:
 
 
 def require_filled(path: Path) -> None:
-    """Every source has its radials, and nearly every place of them a loss: some hills may come near the vehicle's depth."""
+    """Every source has its radials, and nearly every place of them a loss: some hills come near the vehicle's depth."""
     with netCDF4.Dataset(path) as data:
         loss_db = np.ma.filled(data["transmission_loss"][:].astype(float), np.nan)
     # 500 places of 50 m in 25 km

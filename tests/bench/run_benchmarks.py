@@ -118,9 +118,14 @@ def main() -> int:
     parser.add_argument("--json", type=Path, metavar="FILE", help="also write the rows there")
     parser.add_argument("--short", action="store_true", help="once and little of each, to see that it can be measured")
     parser.add_argument(
-        "--wrong", action="store_true", help="puts what is measured into a wrong state: every row must end with an error"
+        "--wrong", action="store_true", help="measures what is in a wrong state: every row must end with an error"
     )
-    parser.add_argument("--build", default="release", metavar="PRESET", help="whose programs are measured: a preset, or its folder (release)")
+    parser.add_argument(
+        "--build",
+        default="release",
+        metavar="PRESET",
+        help="whose programs are measured: a preset, or its folder (release)",
+    )
     parser.add_argument("--list", action="store_true", help="say what there is and stop")
     arguments = parser.parse_args()
 

@@ -3,9 +3,10 @@
 usage: python tests/bench/peers/gym_steps.py env|vector|train earshot|python      prints one JSON line, steps a second
 
 Both our environment and a plain Python one are the changing source with the memory state, m = 2: one environment
-stepped alone (env), eight stepped together (vector), 64 trained on together (train). Steps in which no search ends, and
-a training that changes nothing, are none (wrong: hardly a step, and a learning rate of zero). The plain Python environment is
-sb3_ppo.py's, written as a person would; several of it stand in Stable-Baselines3's DummyVecEnv, its default.
+stepped alone (env), eight stepped together (vector), 64 trained on together (train). Steps in which no search ends,
+and a training that changes nothing, are none (wrong: hardly a step, and a learning rate of zero). The plain Python
+environment is sb3_ppo.py's, written as a person would; several of it stand in Stable-Baselines3's DummyVecEnv, its
+default.
 """
 
 import json

@@ -15,7 +15,8 @@ def main(with_can: str) -> str:
     process, terminal = pty.fork()
     if process == 0:
         os.environ["EARSHOT_CAN"] = "uml"
-        os.execl(with_can, with_can, "bash", "-c", "test -t 1 && echo it runs; test -t 2 && echo errors too >&2; sleep 1000")
+        command = "test -t 1 && echo it runs; test -t 2 && echo errors too >&2; sleep 1000"
+        os.execl(with_can, with_can, "bash", "-c", command)
     before = termios.tcgetattr(terminal)
     said = b""
     ends = time.monotonic() + PATIENCE_S

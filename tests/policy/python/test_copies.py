@@ -168,7 +168,8 @@ class Copies(Folder):
             (state, increment, started, ((0.0, 0.0), (1e9, 0.0)), actions),
         ):
             with self.subTest(broken=broken), self.assertRaises(ValueError):
-                type(episodes).__new__(type(episodes)).__setstate__((world, [broken]))
+                kind: Any = type(episodes)
+                kind.__new__(kind).__setstate__((world, [broken]))
 
     def test_of_a_frozen_policy_decide_the_same(self):
         policy = earshot_gym.FrozenPolicy(ROOT / "policy/frozen/fixed_source.policy")
