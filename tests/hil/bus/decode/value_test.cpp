@@ -31,11 +31,11 @@ TEST(Value, SaysNumbersWithTheirUnitAndChoicesByWord) {
 }
 
 TEST(Value, SaysWhyItIsNone) {
-  // Speeds 0xFFFE and 0xFFFD; type 9 has no word; the message ends before its direction.
+  // Speeds 0xFFFE and 0xFFFD; type 9 has no word, and stands as it is; the message ends before its direction.
   const Bytes speed{0x00, 0xFE, 0xFF, 0xFD, 0xFF, 0x09};
   EXPECT_EQ(said(128259, speed, "SpeedWaterReferenced"), "out of range");
   EXPECT_EQ(said(128259, speed, "SpeedGroundReferenced"), "reserved");
-  EXPECT_EQ(said(128259, speed, "SpeedWaterReferencedType"), "not allowed: 9");
+  EXPECT_EQ(said(128259, speed, "SpeedWaterReferencedType"), "9");
   EXPECT_EQ(said(128259, speed, "SpeedDirection"), "missing");
   // 0x3B9ACA00 = 1e9 steps of 1e-7 degree.
   EXPECT_EQ(said(129025, {0x00, 0xCA, 0x9A, 0x3B, 0xFF, 0xFF, 0xFF, 0x7F}, "Latitude"), "not allowed: 100 deg");
@@ -50,7 +50,7 @@ TEST(Value, PrintsTextFromTheBusSafely) {
   EXPECT_EQ(said(126996, Bytes(20, 'x'), "ModelVersion"), "missing");
 }
 
-// Sizes count themselves and the encoding: 4 bytes of "ab"; 2 of nothing; then a size of 9 of which 1 is there, or two bytes a character.
+// Sizes count themselves and the encoding: 4 bytes of "ab"; 2 of nothing; then a size of 9 of which 1 is there; or two bytes a character.
 TEST(Value, ReadsTextsThatFollowEachOther) {
   const Bytes cut{4, 1, 'a', 'b', 2, 1, 9};
   EXPECT_EQ(said(126998, cut, "InstallationDescription1"), "\"ab\"");
@@ -60,8 +60,8 @@ TEST(Value, ReadsTextsThatFollowEachOther) {
   const Bytes lost{9, 1, 'a', 'b'};
   EXPECT_EQ(said(126998, lost, "InstallationDescription1"), "unreadable");
   EXPECT_EQ(said(126998, lost, "InstallationDescription2"), "missing");
-  const Bytes wide{4, 0, 'a', 'b', 3, 1, 'c'};
-  EXPECT_EQ(said(126998, wide, "InstallationDescription1"), "unreadable");
+  const Bytes wide{6, 0, 'a', 0, 0xF3, 0, 3, 1, 'c'};
+  EXPECT_EQ(said(126998, wide, "InstallationDescription1"), "\"a\u00F3\"");
   EXPECT_EQ(said(126998, wide, "InstallationDescription2"), "\"c\"");
   EXPECT_EQ(said(126998, wide, "ManufacturerInformation"), "missing");
 }
