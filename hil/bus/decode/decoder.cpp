@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "firmware/wire/n2k/own/ownership.hpp"
+#include "hil/bus/decode/desk_messages.hpp"
 
 namespace earshot::hil {
 
@@ -22,7 +23,8 @@ const Message* message_in(std::uint32_t pgn, std::span<const std::uint8_t> bytes
     if (message.pgn == pgn && message.framing != n2k::Framing::kTransport && (!is_proprietary(pgn) || n2k::is_ours(message, bytes)))
       return &message;
   }
-  return nullptr;
+  const auto found = std::ranges::find(desk_messages(), pgn, &Message::pgn);
+  return found == desk_messages().end() ? nullptr : &*found;
 }
 
 bool is_fast(std::uint32_t pgn) {

@@ -87,12 +87,29 @@ Value read_field(const Signal& signal, std::span<const std::uint8_t> bytes, std:
   return value;
 }
 
+/// Behind the last field of a GNSS position come the reference stations, as many as it says, as far as the message goes.
+void add_reference_stations(const Message& message, std::span<const std::uint8_t> bytes, std::vector<Value>& values) {
+  const auto count = n2k::decode_raw(*n2k::find_signal(message, "ReferenceStations"), bytes);
+  if (!count.ok()) return;
+  std::span<const std::uint8_t> no_texts;
+  for (std::int64_t nth = 0; nth < count.value(); ++nth) {
+    const std::size_t first = message.size + static_cast<std::size_t>(nth) * n2k::table::kReferenceStationBytes;
+    const auto station = bytes.subspan(std::min(first, bytes.size()));
+    for (const Signal& signal : n2k::table::kReferenceStationSignals) {
+      values.push_back(read_field(signal, station, no_texts));
+      if (nth > 0) values.back().name += "[" + std::to_string(nth) + "]";
+    }
+    if (station.empty()) return;
+  }
+}
+
 }  // namespace
 
 std::vector<Value> values_of(const Message& message, std::span<const std::uint8_t> bytes) {
   std::vector<Value> values;
   std::span<const std::uint8_t> texts = bytes;
   for (const Signal& signal : message.signals) values.push_back(read_field(signal, bytes, texts));
+  if (message.pgn == n2k::kGnssPgn) add_reference_stations(message, bytes, values);
   if (message.repeated_bytes == 0) return values;
   const unsigned repeated_from = 8U * (message.size - message.repeated_bytes);
   for (std::size_t nth = 1; message.size + nth * message.repeated_bytes <= bytes.size(); ++nth) {
