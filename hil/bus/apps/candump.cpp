@@ -25,6 +25,7 @@
 #include "firmware/host/transport/can_socket.hpp"
 #include "hil/bus/candump/line_reader.hpp"
 #include "hil/bus/decode/dump.hpp"
+#include "hil/bus/recorders/log_reader.hpp"
 
 namespace {
 
@@ -127,23 +128,28 @@ class Work {
   int read_lines(Read read, const std::vector<std::uint8_t>& piece) {
     Damage damage{.file = settings_.input == "-" ? "standard input" : settings_.input};
     hil::LineReader lines;
+    hil::LogReader reader;
     for (std::size_t size = 1; size > 0 && !is_enough();) {
       size = read();
       lines.add({reinterpret_cast<const char*>(piece.data()), size});
       if (size == 0) lines.end();
-      for (hil::TextLine line; !is_enough() && lines.next(line);) take(line, damage);
+      for (hil::TextLine line; !is_enough() && lines.next(line);) take(line, reader, damage);
       if (!flush()) return program::kLost;
     }
     return end(damage.damaged == 0 ? "" : std::to_string(damage.damaged) + (damage.damaged == 1 ? " damaged line, " : " damaged lines, "),
                damage.damaged == 0);
   }
 
-  void take(const hil::TextLine& line, Damage& damage) {
+  void take(const hil::TextLine& line, hil::LogReader& reader, Damage& damage) {
     ++damage.line;
     if (line.is_too_long) return damage.note("no line of candump is that long");
     if (line.text.find_first_not_of(" \t\r") == std::string_view::npos) return;
-    const hil::LineOr read = hil::read_line(line.text);
+    const hil::LineOr read = reader.read(line.text);
     if (const auto* const why = std::get_if<std::string_view>(&read)) return damage.note(*why);
+    if (const auto* const remark = std::get_if<hil::Remark>(&read)) {
+      lost_before_ += remark->lost_frames;
+      return;
+    }
     if (!dump_.take(std::get<hil::LogEntry>(read))) damage.note("more than 16 interfaces");
   }
 
@@ -157,12 +163,13 @@ class Work {
       }
     }
     const hil::DecoderCounters counters = dump_.counters();
-    if (is_complete && program::talk() == program::Talk::kQuiet) return program::kDone;
+    if (is_complete && lost_before_ == 0 && program::talk() == program::Talk::kQuiet) return program::kDone;
     const auto plural = [](std::uint64_t count, const char* what) { return std::to_string(count) + what + (count == 1 ? "" : "s"); };
     std::cerr << "earshot candump: " << what_is_wrong << plural(counters.frames, " frame") << ", " << plural(counters.messages, " message")
               << " (" << counters.unknown << " unknown)";
     if (counters.other_frames > 0) std::cerr << ", " << plural(counters.other_frames, " frame") << " of another kind than NMEA 2000's";
     if (counters.incomplete > 0) std::cerr << ", " << counters.incomplete << " pieces of fast packets that were not whole";
+    if (lost_before_ > 0) std::cerr << ", " << plural(lost_before_, " frame") << " lost by who recorded (DROPCOUNT)";
     if (record_ != nullptr) std::cerr << "; " << plural(record_->frames(), " frame") << " recorded";
     std::cerr << "\n";
     return is_complete ? program::kDone : program::kIncomplete;
@@ -172,6 +179,7 @@ class Work {
   std::unique_ptr<hil::Printer> printer_;
   std::unique_ptr<hil::Recording> record_;
   hil::Dump dump_;
+  std::uint64_t lost_before_ = 0;  ///< frames, says the log
 };
 
 /// Until Ctrl-C, SIGTERM or --count. An interface that goes down is waited for.
@@ -239,7 +247,7 @@ int main(int argc, char** argv) {
                             "Status: 0 done, also after Ctrl-C; 1 lines were damaged, or frames were lost; 2 the input was refused; 3 the\n"
                             "recording, or standard output, could not be written.");
   line.option("INPUT", &settings.input,
-              "a log of candump (-l, -L), what it printed, - for standard input, or an interface (./NAME: a file)")
+              "a log of candump (-l, -L), what it printed, another recorder's log, - for standard input, or an interface (./NAME: a file)")
       .required();
   line.option("--pgn", &settings.pgns, "show these parameter groups only: 129025,129026").separated_by(',').checked(complaint_about_pgn);
   line.option("--source", &settings.source, "show what this address sends only").from(0, 255);

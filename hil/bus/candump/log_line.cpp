@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdio>
-#include <cstdlib>
-#include <ctime>
 
 #include "firmware/host/transport/interface_name.hpp"
+#include "hil/bus/candump/log_fields.hpp"
 
 namespace earshot::hil {
 
@@ -18,23 +16,6 @@ constexpr std::size_t kStandardDigits = 3;
 constexpr std::uint32_t kErrorFlag = 0x2000'0000;  ///< candump writes it with the identifier of an error frame
 constexpr std::uint32_t kIdentifierBits = 0x1FFF'FFFF;
 constexpr std::int64_t kMicroseconds = 1'000'000;
-
-/// The word at the beginning of the text, which moves behind it and the blanks on both sides.
-std::string_view take_word(std::string_view& text) {
-  text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
-  const std::string_view word = text.substr(0, text.find_first_of(" \t"));
-  text.remove_prefix(word.size());
-  text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
-  return word;
-}
-
-template <class T>
-std::optional<T> number(std::string_view text, int base = 10) {
-  T value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 /// "123.000456", as candump writes seconds: six digits behind the point, or nine, of which three are left out.
 std::optional<Time> seconds(std::string_view text) {
@@ -49,43 +30,15 @@ std::optional<Time> seconds(std::string_view text) {
   return Time{static_cast<std::int64_t>(*whole) * kMicroseconds + *part};
 }
 
-/// "2015-07-10 06:17:32", local time.
-std::optional<std::int64_t> seconds_of_date(std::string_view text) {
-  std::array<int, 6> parts{};
-  constexpr std::array<std::size_t, 6> kFirst{0, 5, 8, 11, 14, 17};
-  constexpr std::string_view kShape = "0000-00-00 00:00:00";
-  if (text.size() != kShape.size()) return std::nullopt;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool is_digit = text[i] >= '0' && text[i] <= '9';
-    if (kShape[i] == '0' ? !is_digit : text[i] != kShape[i]) return std::nullopt;
-  }
-  for (std::size_t i = 0; i < parts.size(); ++i) parts.at(i) = *number<int>(text.substr(kFirst.at(i), i == 0 ? 4 : 2));
-  std::tm date{};
-  date.tm_year = parts[0] - 1900;
-  date.tm_mon = parts[1] - 1;
-  date.tm_mday = parts[2];
-  date.tm_hour = parts[3];
-  date.tm_min = parts[4];
-  date.tm_sec = parts[5];
-  date.tm_isdst = -1;
-  const bool is_date = parts[0] >= 1970 && parts[1] >= 1 && parts[1] <= 12 && parts[2] >= 1 && parts[2] <= 31 && parts[3] < 24;
-  if (!is_date || parts[4] > 59 || parts[5] > 60) return std::nullopt;
-  return std::mktime(&date);
-}
-
 std::optional<Time> stamp(std::string_view text) {
   const std::size_t blank = text.find(' ');
   if (blank == std::string_view::npos) return seconds(text);
   const std::size_t point = std::min(text.find('.'), text.size());
-  const auto date = seconds_of_date(text.substr(0, point));
+  const auto parts = date_parts(text.substr(0, point), "0000-00-00 00:00:00");
+  const auto date = parts ? local_time(*parts) : std::nullopt;
   const auto part = seconds("0" + std::string(text.substr(point)));
   if (!date || !part) return std::nullopt;
-  return Time{*date * kMicroseconds + part->us};
-}
-
-std::optional<std::uint8_t> byte(std::string_view digits) {
-  const auto value = digits.size() == 2 ? number<std::uint8_t>(digits, 16) : std::nullopt;
-  return value;
+  return Time{date->us + part->us};
 }
 
 /// The identifier of a frame; nothing for what has none. Of an 11-bit or an error frame `is_ours` becomes false.
@@ -173,12 +126,45 @@ LineOr read_spread(LogEntry entry, std::string_view word, std::string_view rest)
   return entry;
 }
 
+/// "DROPCOUNT: dropped 3 CAN frames on 'can0' socket (total drops 3)": that candump lost, by its option -d or -D.
+std::optional<Remark> frames_dropped(std::string_view line) {
+  if (take_word(line) != "DROPCOUNT:" || take_word(line) != "dropped") return std::nullopt;
+  const auto count = number<std::uint64_t>(take_word(line));
+  return count ? std::optional(Remark{.lost_frames = *count}) : std::nullopt;
+}
+
+/// "controller-problem{rx-overflow}": below an error frame, one line for each of its classes (candump -e).
+bool explains_error_frame(std::string_view line) {
+  constexpr std::array<std::string_view, 10> kClasses{
+      "tx-timeout", "lost-arbitration", "controller-problem",      "protocol-violation", "transceiver-status", "no-acknowledgement-on-tx",
+      "bus-off",    "bus-error",        "restarted-after-bus-off", "error-counter-tx-rx"};
+  const std::string_view name = line.substr(0, line.find('{'));
+  return std::ranges::find(kClasses, name) != kClasses.end() && (name == line || line.ends_with('}'));
+}
+
+/// What a line says beside frames.
+std::optional<Remark> remark(std::string_view line) {
+  // The last is the first line of a candump before can-utils.
+  if (line.starts_with('#') || explains_error_frame(line) || line.starts_with("interface = ")) return Remark{};
+  return frames_dropped(line);
+}
+
+/// "<0x09f8017f> [8] 50 c3 b8 13 47 d8 2b c6", of a candump before can-utils.
+LineOr read_in_angles(std::string_view line) {
+  const std::string_view word = take_word(line);
+  if (!word.ends_with('>')) return kNoIdentifier;
+  return read_spread({.time = std::nullopt, .interface = std::string(kUnnamedInterface), .frame = std::nullopt},
+                     word.substr(3, word.size() - 4), line);
+}
+
 }  // namespace
 
 LineOr read_line(std::string_view line) {
   if (line.ends_with('\r')) line.remove_suffix(1);
   line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
   line = line.substr(0, line.find_last_not_of(" \t") + 1);
+  if (const auto said = remark(line)) return *said;
+  if (line.starts_with("<0x")) return read_in_angles(line);
   LogEntry entry;
   if (line.starts_with('(')) {
     const std::size_t end = line.find(')');

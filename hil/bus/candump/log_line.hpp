@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,13 +19,23 @@ struct LogEntry {
   friend bool operator==(const LogEntry&, const LogEntry&) = default;
 };
 
-/// What a line is: an entry, or why it is none (in words, the end of a complaint).
-using LineOr = std::variant<LogEntry, std::string_view>;
+/// The interface of a recorder that names none.
+inline constexpr std::string_view kUnnamedInterface = "can0";
 
-/// Reads a line of a log (candump -l, -L) or of the screen (candump; -a, -x and every -t too; not -c, -i, -S).
+/// A line that holds no frame: a comment, a header, what candump explains of an error frame.
+struct Remark {
+  std::uint64_t lost_frames = 0;  ///< that the recorder says it lost here
+  friend bool operator==(const Remark&, const Remark&) = default;
+};
+
+/// What a line is: an entry, a remark, or why it is neither (in words, the end of a complaint).
+using LineOr = std::variant<LogEntry, Remark, std::string_view>;
+
+/// Reads a line of a log (candump -l, -L) or of the screen (candump; -a, -e, -x and every -t too; not -c, -i, -S).
 ///
 ///   (1436509052.249713) can0 09F8017F#50C3B81347D82BC6
 ///    (1436509052.249713)  can0  RX - -  09F8017F   [8]  50 C3 B8 13 47 D8 2B C6   'P...G.+.'
+///   <0x09f8017f> [8] 50 c3 b8 13 47 d8 2b c6
 ///
 /// A date (-t A) is local time, of this machine's zone.
 /// @param line  without its end; any bytes

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "firmware/wire/n2k/own/ownership.hpp"
+#include "hil/bus/decode/desk_messages.hpp"
 
 namespace earshot::hil {
 
@@ -22,7 +23,8 @@ const Message* message_in(std::uint32_t pgn, std::span<const std::uint8_t> bytes
     if (message.pgn == pgn && message.framing != n2k::Framing::kTransport && (!is_proprietary(pgn) || n2k::is_ours(message, bytes)))
       return &message;
   }
-  return nullptr;
+  const auto found = std::ranges::find(desk_messages(), pgn, &Message::pgn);
+  return found == desk_messages().end() ? nullptr : &*found;
 }
 
 bool is_fast(std::uint32_t pgn) {
@@ -72,15 +74,15 @@ bool Decoder::put_together(Bus& bus, const LogEntry& entry, Heard& heard) {
   const auto bytes = entry.frame->bytes();
   heard.bytes.assign(bytes.begin(), bytes.end());
   if (!is_fast(heard.identifier.pgn)) return true;
-  auto& assembly = bus.fast_packets.at(heard.identifier.source);
-  if (assembly == nullptr) assembly = std::make_unique<n2k::FastPacketAssembly>();
+  auto& packets = bus.fast_packets.at(heard.identifier.source);
+  if (packets == nullptr) packets = std::make_unique<FastPackets>();
   const Message* const single = message_in(heard.identifier.pgn, bytes);
   const bool is_single = single != nullptr && single->framing == n2k::Framing::kSingle;
-  if (is_single && !assembly->expects(heard.identifier, *entry.frame)) return true;
-  n2k::Assembled whole;
-  if (assembly->accept(heard.identifier, *entry.frame, entry.time.value_or(Time{}), whole) != Status::kOk) return false;
-  heard.bytes.assign(whole.bytes.begin(), whole.bytes.end());
-  if (entry.time) heard.time = whole.began;
+  if (is_single && !packets->expects(heard.identifier, *entry.frame)) return true;
+  const auto whole = packets->accept(heard.identifier, *entry.frame, entry.time);
+  if (!whole) return false;
+  heard.bytes = whole->bytes;
+  if (entry.time && whole->began) heard.time = whole->began;
   return true;
 }
 
@@ -101,11 +103,7 @@ void Decoder::remember(Bus& bus, const n2k::Frame& frame, const Heard& heard) {
 DecoderCounters Decoder::counters() const {
   DecoderCounters counters = counters_;
   for (const auto& [name, bus] : buses_) {
-    for (const auto& assembly : bus->fast_packets) {
-      if (assembly == nullptr) continue;
-      const n2k::FastPacketCounters& packets = assembly->counters();
-      counters.incomplete += packets.abandoned + packets.stray + packets.too_large;
-    }
+    for (const auto& packets : bus->fast_packets) counters.incomplete += packets == nullptr ? 0 : packets->incomplete();
   }
   return counters;
 }

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "firmware/wire/n2k/fast_packet.hpp"
 #include "firmware/wire/n2k/identifier.hpp"
 #include "firmware/wire/n2k/sensors/directory.hpp"
 #include "firmware/wire/n2k/signals.hpp"
 #include "hil/bus/candump/log_line.hpp"
+#include "hil/bus/decode/fast_packets.hpp"
 #include "hil/bus/decode/value.hpp"
 
 namespace earshot::hil {
@@ -33,7 +33,7 @@ struct DecoderCounters {
   std::uint64_t other_frames = 0;  ///< not of NMEA 2000
   std::uint64_t messages = 0;
   std::uint64_t unknown = 0;     ///< of them, not in the table
-  std::uint64_t incomplete = 0;  ///< fast packets that were given up, and frames that belong to none
+  std::uint64_t incomplete = 0;  ///< fast packets that are not whole, and frames that belong to none
 };
 
 /// Turns frames into messages: puts fast packets together, however many devices send at once, and remembers who has which address.
@@ -52,8 +52,7 @@ class Decoder {
   struct Bus {
     n2k::Directory devices;
     std::array<std::string, 256> models;
-    /// One for each source: slots are short on a vehicle, where all share them.
-    std::array<std::unique_ptr<n2k::FastPacketAssembly>, 256> fast_packets;
+    std::array<std::unique_ptr<FastPackets>, 256> fast_packets;  ///< by source
   };
   [[nodiscard]] Taken read(Bus& bus, const LogEntry& entry, Heard& heard);
   [[nodiscard]] static bool put_together(Bus& bus, const LogEntry& entry, Heard& heard);

@@ -6,9 +6,11 @@
 #include <cstdio>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "firmware/host/file/printable.hpp"
 #include "firmware/wire/n2k/text.hpp"
+#include "hil/bus/decode/text.hpp"
 
 namespace earshot::hil {
 
@@ -57,20 +59,16 @@ void read_number(const Signal& signal, std::span<const std::uint8_t> bytes, Valu
   value.number = static_cast<double>(raw.value()) * signal.scale.numerator / signal.scale.denominator;
   if (value.kind == Value::Kind::kNumber && !signal.choices.empty()) {
     const auto choice = std::ranges::find(signal.choices, raw.value(), &n2k::Choice::raw);
-    value.kind = choice == signal.choices.end() ? Value::Kind::kNotAllowed : Value::Kind::kWord;
-    if (value.kind == Value::Kind::kWord) value.text = choice->name;
+    if (choice == signal.choices.end()) return;
+    value.kind = Value::Kind::kWord;
+    value.text = choice->name;
   }
 }
 
-void read_text(const Result<std::string_view>& text, bool is_there, Value& value) {
-  if (text.ok()) {
-    value.kind = Value::Kind::kText;
-    value.text = text.value();
-  } else if (text.status() == Status::kNotReady) {
-    value.kind = Value::Kind::kNotAvailable;
-  } else {
-    value.kind = is_there ? Value::Kind::kUnreadable : Value::Kind::kMissing;
-  }
+void read_fixed_text(const Signal& signal, std::span<const std::uint8_t> bytes, Value& value) {
+  const Result<std::string_view> text = n2k::fixed_text(signal, bytes);
+  value.kind = text.ok() ? Value::Kind::kText : text.status() == Status::kNotReady ? Value::Kind::kNotAvailable : Value::Kind::kMissing;
+  if (text.ok()) value.text = text.value();
 }
 
 Value read_field(const Signal& signal, std::span<const std::uint8_t> bytes, std::span<const std::uint8_t>& texts) {
@@ -78,15 +76,31 @@ Value read_field(const Signal& signal, std::span<const std::uint8_t> bytes, std:
   if (signal.kind == Signal::Kind::kNumber) {
     read_number(signal, bytes, value);
   } else if (signal.kind == Signal::Kind::kFixedText) {
-    read_text(n2k::fixed_text(signal, bytes), false, value);
+    read_fixed_text(signal, bytes, value);
+  } else if (texts.empty()) {
+    value.kind = Value::Kind::kMissing;
   } else {
-    const bool is_there = !texts.empty();
-    const Result<std::string_view> text = n2k::take_variable_text(texts);
-    read_text(text, is_there, value);
-    // Nobody knows where the next would begin.
-    if (text.status() == Status::kMalformed) texts = {};
+    const std::optional<std::string> text = take_text(texts);
+    value.kind = !text ? Value::Kind::kUnreadable : text->empty() ? Value::Kind::kNotAvailable : Value::Kind::kText;
+    if (text) value.text = *text;
   }
   return value;
+}
+
+/// Behind the last field of a GNSS position come the reference stations, as many as it says, as far as the message goes.
+void add_reference_stations(const Message& message, std::span<const std::uint8_t> bytes, std::vector<Value>& values) {
+  const auto count = n2k::decode_raw(*n2k::find_signal(message, "ReferenceStations"), bytes);
+  if (!count.ok()) return;
+  std::span<const std::uint8_t> no_texts;
+  for (std::int64_t nth = 0; nth < count.value(); ++nth) {
+    const std::size_t first = message.size + static_cast<std::size_t>(nth) * n2k::table::kReferenceStationBytes;
+    const auto station = bytes.subspan(std::min(first, bytes.size()));
+    for (const Signal& signal : n2k::table::kReferenceStationSignals) {
+      values.push_back(read_field(signal, station, no_texts));
+      if (nth > 0) values.back().name += "[" + std::to_string(nth) + "]";
+    }
+    if (station.empty()) return;
+  }
 }
 
 }  // namespace
@@ -95,6 +109,7 @@ std::vector<Value> values_of(const Message& message, std::span<const std::uint8_
   std::vector<Value> values;
   std::span<const std::uint8_t> texts = bytes;
   for (const Signal& signal : message.signals) values.push_back(read_field(signal, bytes, texts));
+  if (message.pgn == n2k::kGnssPgn) add_reference_stations(message, bytes, values);
   if (message.repeated_bytes == 0) return values;
   const unsigned repeated_from = 8U * (message.size - message.repeated_bytes);
   for (std::size_t nth = 1; message.size + nth * message.repeated_bytes <= bytes.size(); ++nth) {

@@ -13,14 +13,14 @@ namespace earshot::hil {
 /// What one field of a message says.
 struct Value {
   enum class Kind : std::uint8_t {
-    kNumber,
-    kWord,  ///< of a closed list
-    kText,  ///< what a device says of itself; any bytes
+    kNumber,  ///< also of a closed list, where it has no word: newer devices know newer words
+    kWord,    ///< of a closed list
+    kText,    ///< what a device says of itself; any bytes
     kNotAvailable,
     kOutOfRange,  ///< the sender says so
     kReserved,    ///< a raw value that the standard keeps for later
-    kNotAllowed,  ///< a number that the standard does not allow, or of a closed list one without a word: `number` is it
-    kUnreadable,  ///< text of two bytes a character, or that contradicts its own length
+    kNotAllowed,  ///< a number that the standard does not allow: `number` is it
+    kUnreadable,  ///< text of an unknown encoding, or that contradicts its own length
     kMissing,     ///< the message ended before
   };
   std::string name;  ///< of a field that a message repeats: with its number, "PGN[1]", from the second on

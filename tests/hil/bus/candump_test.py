@@ -90,6 +90,25 @@ class Reads(InAFolder):
         self.assertIn(f"{log}:5: data are up to 8 bytes", read.stderr)
         self.assertIn("2 damaged lines, 2 frames, 2 messages", read.stderr)
 
+    def test_comments_explanations_and_lost_frames_as_no_damage(self):
+        error = "  can0  20000004   [8]  00 04 00 00 00 00 00 00   ERRORFRAME\n\tcontroller-problem{rx-overflow}\n"
+        lost = "DROPCOUNT: dropped 3 CAN frames on 'can0' socket (total drops 3)\n"
+        log = self.write("sea.log", f"# of the trial\n\n{LINES[0]}\n{error}{lost}{LINES[1]}\n")
+        read = candump(log)
+        self.assertEqual((read.returncode, len(read.stdout.splitlines())), (0, 2), read.stderr)
+        self.assertIn(": 3 frames, 2 messages", read.stderr)
+        self.assertIn("3 frames lost by who recorded", read.stderr)
+        self.assertIn("3 frames lost by who recorded", candump(log, "--quiet").stderr)
+
+    def test_what_a_gateway_of_yacht_devices_writes(self):
+        raw = "17:33:21.107 R 09F11223 FF 70 5A FF 7F FF 7F FD\r\n17:33:21.141 R 09F80123 00 E1 F5 05 00 C2 EB 0B\r\n"
+        out = self.folder / "out.log"
+        read = candump("-", "--record", str(out), given=raw)
+        self.assertEqual(read.returncode, 0, read.stderr)
+        self.assertIn("Heading = 2.3152 rad", read.stdout)
+        # (17 * 60 + 33) * 60 + 21 s after midnight.
+        self.assertEqual(out.read_text().splitlines()[0], "(0000063201.107000) can0 09F11223#FF705AFF7FFF7FFD")
+
     def test_quietly_and_tells_damage_all_the_same(self):
         self.assertEqual(candump(self.write("a", LINES[0]), "--quiet").stderr, "")
         bad = candump(self.write("b", LINES[0] + "\nx\n"), "--quiet")

@@ -68,6 +68,31 @@ TEST(LogLine, KnowsFramesThatNmea2000HasNoUseFor) {
   }
 }
 
+// As in canboat's candumpSample1.txt: candump before can-utils.
+TEST(LogLine, ReadsTheOldFormInAngles) {
+  EXPECT_EQ(entry_of("<0x09f8017f> [8] 50 c3 b8 13 47 d8 2b c6 "),
+            (LogEntry{.time = std::nullopt, .interface = "can0", .frame = kPosition}));
+  EXPECT_EQ(read_line("interface = can0, family = 29, type = 3, proto = 1"), LineOr(Remark{}));
+  EXPECT_FALSE(entry_of("<0x123> [2] 01 02").frame.has_value());
+  for (const char* line : {"<0x09f8017f [8] 50 c3 b8 13 47 d8 2b c6", "<0x> [0]", "<0x09f8017f> [8] 50 c3", "<0x09f8017f>"})
+    EXPECT_TRUE(is_refused(line)) << line;
+}
+
+// lib.c of can-utils, snprintf_can_error_frame(): each class of an error frame in a line of its own.
+TEST(LogLine, TakesCommentsAndExplanationsForRemarks) {
+  for (const char* line : {"# log of the trial, bow compass only", "#", "\tcontroller-problem{rx-overflow}", "\tbus-off",
+                           "\tprotocol-violation{{single-bit-error,error-on-tx}{data-field}}", "\tlost-arbitration{at bit 3}",
+                           "\terror-counter-tx-rx{{127}{0}}\r"}) {
+    EXPECT_EQ(read_line(line), LineOr(Remark{})) << line;
+  }
+  for (const char* line : {"\tbus", "\tbus-off 1", "\tcontroller-problem{rx-over", "bus-offx"}) EXPECT_TRUE(is_refused(line)) << line;
+}
+
+TEST(LogLine, CountsTheFramesThatCandumpSaysItLost) {
+  EXPECT_EQ(read_line("DROPCOUNT: dropped 3 CAN frames on 'can0' socket (total drops 5)"), LineOr(Remark{.lost_frames = 3}));
+  EXPECT_TRUE(is_refused("DROPCOUNT: dropped some CAN frames on 'can0' socket (total drops 5)"));
+}
+
 TEST(LogLine, TakesTheDirectionAndTheLengthCodeThatNewerOnesWrite) {
   EXPECT_EQ(entry_of("(1795415485.080925) vcan0 09F8017F#50C3B81347D82BC6 R").frame, kPosition);
   EXPECT_EQ(entry_of("(1795415485.080925) vcan0 09F8017F#50C3B81347D82BC6_A T").frame, kPosition);

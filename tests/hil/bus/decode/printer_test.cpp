@@ -59,6 +59,14 @@ TEST(Printer, WritesAnObjectALine) {
   EXPECT_EQ(json.at("signals").at("SID"), nlohmann::json::parse(R"({"value": null, "why": "not available"})"));
 }
 
+// 128259, byte 5: type 9 of a list that ends at 4.
+TEST(Printer, WritesTheNumberOfWhatHasNoWord) {
+  const Heard heard = heard_of({.identifier = 0x09F5037F, .size = 8, .data = {0, 0, 0, 0, 0, 9, 0xFF, 0xFF}});
+  EXPECT_EQ(nlohmann::json::parse(printed(Format::kJson, heard)).at("signals").at("SpeedWaterReferencedType"),
+            nlohmann::json::parse(R"({"value": 9.0})"));
+  EXPECT_NE(printed(Format::kCsv, heard).find(",SpeedWaterReferencedType,9,\n"), std::string::npos);
+}
+
 TEST(Printer, WritesAnObjectOfTextThatIsNoUtf8) {
   Heard heard = heard_of(kHeading);
   heard.source_name = "\xff\x1b";
