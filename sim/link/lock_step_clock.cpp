@@ -10,7 +10,7 @@ constexpr std::uint32_t kIssuer = 0x53494d;               ///< "SIM": of the sim
 }  // namespace
 
 board::Clock::Wake LockStepClock::wait(const Awaited& awaited) {
-  if (!is_waiting_) return receive();
+  if (!is_waiting_) return receive(awaited.bearings_taken);
   const bool has_navigation = awaited.navigation_taken >= tick_.navigation_messages;
   const bool has_bearings = awaited.bearings_taken >= tick_.bearing_messages;
   const bool has_sound = awaited.blocks_heard >= tick_.hydrophone_blocks;
@@ -29,7 +29,7 @@ board::Clock::Wake LockStepClock::wait(const Awaited& awaited) {
   return Wake::kPorts;
 }
 
-board::Clock::Wake LockStepClock::receive() {
+board::Clock::Wake LockStepClock::receive(std::uint64_t bearings_taken) {
   Tick tick;
   const Delivery delivery = link_.receive(tick, kLookUp);
   if (delivery == Delivery::kLost) {
@@ -39,6 +39,7 @@ board::Clock::Wake LockStepClock::receive() {
   // What has come meanwhile belongs to the tick that follows it: it is read when that is here.
   if (delivery == Delivery::kNothing) return Wake::kNothing;
   tick_ = tick;
+  bearings_awaited_ = tick.bearing_messages > bearings_taken ? tick.bearing_messages - bearings_taken : 0;
   if (turns_made_ > 0 && tick.number == turns_made_) return Wake::kAgain;
   is_waiting_ = true;
   deadline_ = steady_clock::now() + kPortPatience;
@@ -48,6 +49,12 @@ board::Clock::Wake LockStepClock::receive() {
 void LockStepClock::go_on_after(const messages::Health& last) {
   turns_made_ = last.turn;
   link_.go_on_after(last.turn);
+}
+
+bool LockStepClock::takes_bearing(Time utc) {
+  if (utc != tick_.time || bearings_awaited_ == 0) return false;
+  --bearings_awaited_;
+  return true;
 }
 
 Time LockStepClock::time_heard(Time utc) {

@@ -27,6 +27,8 @@ class LockStepClock final : public board::Clock {
 
   [[nodiscard]] Time now() override { return tick_.time; }
   [[nodiscard]] Time mission_time_of(Time utc) override { return utc == tick_.time ? utc : Time{-1}; }
+  /// Once for each bearing that the tick announces and nobody has brought yet.
+  [[nodiscard]] bool takes_bearing(Time utc) override;
   [[nodiscard]] Time arrival_of(Time /*utc*/) override { return tick_.time; }
   [[nodiscard]] Time time_heard(Time utc) override;
   [[nodiscard]] bool takes_sound_now() const override { return is_due_; }
@@ -41,7 +43,7 @@ class LockStepClock final : public board::Clock {
  private:
   using steady_clock = std::chrono::steady_clock;
 
-  [[nodiscard]] Wake receive();
+  [[nodiscard]] Wake receive(std::uint64_t bearings_taken);
 
   std::uint32_t domain_;
   RuntimeEnd link_;
@@ -49,7 +51,8 @@ class LockStepClock final : public board::Clock {
   Tick tick_;
   bool is_waiting_ = false;  ///< for the navigation and the sound that the tick announces
   bool is_due_ = false;
-  std::uint64_t turns_made_ = 0;  ///< by a process before this one; its last tick may be asked for again
+  std::uint64_t bearings_awaited_ = 0;  ///< of this tick
+  std::uint64_t turns_made_ = 0;        ///< by a process before this one; its last tick may be asked for again
   steady_clock::time_point deadline_;
   std::optional<NorthEast> believed_source_;  ///< as of the last decision
 };

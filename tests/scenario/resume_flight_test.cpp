@@ -13,6 +13,16 @@ TEST_F(ResumedFlight, GivenItsRuntimeIsKilledInMidSearchAndStartedAgainTheRestOf
   expect_same_as_whole("killed");
 }
 
+TEST_F(ResumedFlight, GivenAnArrayTheBearingThatIsSaidAgainCountsOnceAndTheRestOfTheFlightIsTheSameByteForByte) {
+  environment_ = folder_ / "array.toml";
+  std::ofstream(environment_) << support::read_text(kEnvironment) << "\n[conditions]\nbearing_deg = 10.0\n";
+  fly_whole();
+  start_runtime("killed");
+  start_simulator("killed");
+  kill_runtime_after("killed", 2);
+  expect_same_as_whole("killed");
+}
+
 /// So many steps that a machine which tests share never has it over before its second decision is seen.
 class LostFlight : public ResumedFlight {
  protected:

@@ -55,7 +55,7 @@ class ResumedFlight : public Flight {
   void start_simulator(const std::string& out) {
     simulator_ = std::make_unique<support::Process>(
         kBin / "earshot-sim",
-        std::vector<std::string>{"--environment", kEnvironment, "--mission", mission_, "--out", folder_ / (out + "-sim"), "--domain",
+        std::vector<std::string>{"--environment", environment_, "--mission", mission_, "--out", folder_ / (out + "-sim"), "--domain",
                                  std::to_string(slot_.domain()), "--lcm-url", slot_.lcm_url(), "--ignore-source", "--wait-for-runtime",
                                  "20"},
         folder_ / (out + "-sim.txt"));
@@ -86,6 +86,8 @@ class ResumedFlight : public Flight {
     }
     return false;
   }
+
+  fs::path environment_ = kEnvironment;
 
  private:
   int steps_;

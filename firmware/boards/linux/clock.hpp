@@ -45,6 +45,8 @@ class Clock {
   [[nodiscard]] virtual Time now() = 0;
   /// Converts a date that a sender gave by its own wall clock to the mission clock.
   [[nodiscard]] virtual Time mission_time_of(Time utc) = 0;
+  /// Whether a bearing that a bus brings is one of those that whoever drives the clock has sent.
+  [[nodiscard]] virtual bool takes_bearing(Time /*utc*/) { return true; }
   /// Converts the end of something heard, as the hydrophone's blocks are dated, to the mission clock. It lies before what is newest: the
   /// detector's filters take their time.
   [[nodiscard]] virtual Time time_heard(Time utc) { return mission_time_of(utc); }

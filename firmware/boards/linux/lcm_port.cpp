@@ -53,12 +53,27 @@ LcmPort::LcmPort(std::uint8_t index, const host::PortSettings& settings, host::I
       name_(settings.name),
       address_(settings.address),
       command_key_(settings.command_key),
+      snr_is_simulators_(settings.snr_is_simulators),
       endpoint_(host::parse_lcm_url(settings.address), channels_of(settings.roles), is_abort, if_missing) {}
 
 void LcmPort::collect(Clock& clock, InputSink& sink) {
   endpoint_.collect();
-  for (wire::Lc02Message message; endpoint_.take(message) == Status::kOk;)
+  for (wire::Lc02Message message; endpoint_.take(message) == Status::kOk;) {
+    if (snr_is_simulators_ && is_strangers(clock, message)) continue;
     ++(take(clock, message, sink) ? report_.received : report_.malformed);
+  }
+}
+
+bool LcmPort::is_strangers(Clock& clock, const wire::Lc02Message& message) {
+  if (message.channel == wire::kSnrEstimateChannel) {
+    ++strangers_snr_;
+    return true;
+  }
+  bearing_t bearing{};
+  if (message.channel != wire::kBearingChannel || wire::decode(message.data, bearing) != Status::kOk) return false;
+  if (clock.takes_bearing(wire::from_message(bearing).time)) return false;
+  ++strangers_bearings_;
+  return true;
 }
 
 /// @return whether it is a whole message of that type
@@ -140,6 +155,12 @@ std::string LcmPort::remark() const {
       " messages could not be sent, because their link was down or its buffer full: look at the interface's errors (ip -s link)");
   add(lcm.interfaces_unheard, " interfaces or addresses are not heard: it listens on " + endpoint_.interfaces());
   return text.empty() ? text : label() + ": " + text;
+}
+
+std::string LcmPort::strangers() const {
+  if (strangers_snr_ + strangers_bearings_ == 0) return {};
+  return label() + ": " + std::to_string(strangers_snr_) + " SNRs and " + std::to_string(strangers_bearings_) +
+         " bearings of somebody else on this bus were ignored: in simulation they come from the simulator alone";
 }
 
 }  // namespace earshot::board

@@ -26,18 +26,24 @@ class LcmPort final : public Port {
   [[nodiscard]] std::string description() const override { return label() + " on " + endpoint_.interfaces(); }
   [[nodiscard]] std::size_t memory() const override { return sizeof *this + endpoint_.memory(); }
   [[nodiscard]] std::string remark() const override;
+  [[nodiscard]] std::string strangers() const override;
 
  private:
   template <class Message>
   bool send(std::string_view channel, const Message& message);
   /// @return whether it is one that this port brings
   [[nodiscard]] bool take(Clock& clock, const wire::Lc02Message& message, InputSink& sink);
+  /// @return whether it is none of this flight's: then it is counted here, and nowhere else, so that the flight stays what it is
+  [[nodiscard]] bool is_strangers(Clock& clock, const wire::Lc02Message& message);
   template <class Message>
   [[nodiscard]] bool takes(Clock& clock, std::span<const std::uint8_t> data, InputSink& sink);
 
   std::string name_;
   std::string address_;
   std::optional<host::CommandKey> command_key_;
+  bool snr_is_simulators_;
+  std::uint64_t strangers_snr_ = 0;
+  std::uint64_t strangers_bearings_ = 0;
   host::LcmEndpoint endpoint_;
 };
 

@@ -79,6 +79,8 @@ class Port {
   [[nodiscard]] virtual std::size_t memory() const { return 0; }
   /// What else a person should know at the end: what was lost where, and what to do about it; empty when there is nothing.
   [[nodiscard]] virtual std::string remark() const { return {}; }
+  /// What somebody else sent into a simulation, and what became of it; empty when nobody did. A quiet program says it, too.
+  [[nodiscard]] virtual std::string strangers() const { return {}; }
 
   [[nodiscard]] std::uint8_t index() const { return report_.port; }
   [[nodiscard]] bool has(host::Role role) const { return roles_.has(role); }

@@ -137,6 +137,14 @@ std::vector<std::string> PortSet::remarks() const {
   return remarks;
 }
 
+std::vector<std::string> PortSet::strangers() const {
+  std::vector<std::string> strangers;
+  for (const auto& port : ports_) {
+    if (std::string met = port->strangers(); !met.empty()) strangers.push_back(std::move(met));
+  }
+  return strangers;
+}
+
 messages::PortReport PortSet::sum() const {
   messages::PortReport sum;
   for (const auto& port : ports_) {

@@ -70,6 +70,8 @@ class PortSet {
   [[nodiscard]] std::vector<Held> memory() const;
   /// Remarks for a person at the end of a flight, such as losses.
   [[nodiscard]] std::vector<std::string> remarks() const;
+  /// Of every port that met some.
+  [[nodiscard]] std::vector<std::string> strangers() const;
   /// The sum of the reports of all ports that carry messages; a hydrophone's report counts samples and is left out.
   [[nodiscard]] messages::PortReport sum() const;
 

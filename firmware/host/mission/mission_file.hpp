@@ -73,7 +73,7 @@ void override_ports(MissionFile& file, const PortOverride& said);
 /// For a simulation that brings the SNR itself: what the hydrophone of a vehicle nearby hears is none of its business.
 void leave_out_hydrophones(MissionFile& file);
 
-/// For any simulation: an SNR on a CAN bus bears no date by which it could be told from this flight's.
+/// For any simulation: an SNR on a CAN bus bears no date by which it could be told from this flight's, and one over LCM may copy a fix's.
 void leave_snr_to_simulator(MissionFile& file);
 
 /// For a simulation that brings sound.

@@ -62,6 +62,7 @@ struct PortSettings {
   Roles roles;
   N2kSettings n2k = {};                                  ///< of a CAN port
   std::optional<CommandKey> command_key = std::nullopt;  ///< of a port that brings orders, where the mission names one
+  bool snr_is_simulators = false;  ///< of an LCM port: an SNR that comes by it is a stranger's, and counts for nothing
 };
 
 }  // namespace earshot::host

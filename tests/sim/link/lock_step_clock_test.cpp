@@ -119,6 +119,20 @@ TEST(LockStepClock, MakesNoTurnBeforeEveryBearingIsThereAndSaysWhenTheyDoNotCome
   waitpid(simulator, nullptr, 0);
 }
 
+TEST(LockStepClock, TakesAsManyBearingsOfItsTickAsThatAnnouncesAndNoMore) {
+  const RunSlot slot;
+  const RunId run = new_run();
+  const pid_t simulator = simulate(slot.domain(), run, 0, 2);
+  LockStepClock clock(slot.domain(), run);
+  wait_for_tick(clock);
+  EXPECT_FALSE(clock.takes_bearing(kFirstTick + Duration{1})) << "of another flight";
+  EXPECT_TRUE(clock.takes_bearing(kFirstTick));
+  EXPECT_TRUE(clock.takes_bearing(kFirstTick));
+  EXPECT_FALSE(clock.takes_bearing(kFirstTick)) << "the simulator sent two";
+  kill(simulator, SIGKILL);
+  waitpid(simulator, nullptr, 0);
+}
+
 TEST(LockStepClock, NamesTheHydrophonesBusWhenSoundDoesNotCome) {
   const RunSlot slot;
   const RunId run = new_run();

@@ -41,6 +41,7 @@ int report(const LoopResult& result, const Clock& clock, const PortSet& ports, c
   for (const std::string& remark : ports.remarks()) {
     if (is_talkative()) std::cerr << "earshotd: " << remark << "\n";
   }
+  for (const std::string& strangers : ports.strangers()) std::cerr << "earshotd: " << strangers << "\n";
   if (const std::string remark = clock.remark(); !remark.empty()) std::cerr << "earshotd: " << remark << "\n";
   switch (result.end) {
     case LoopEnd::kMissionOver:

@@ -7,7 +7,7 @@
 namespace earshot::board {
 
 /// Mission time that a test sets.
-class SetClock final : public Clock {
+class SetClock : public Clock {
  public:
   [[nodiscard]] Time now() override { return time; }
   [[nodiscard]] Time mission_time_of(Time utc) override { return utc; }

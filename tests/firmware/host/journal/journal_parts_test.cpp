@@ -15,6 +15,7 @@
 #include "firmware/host/file/folder_lock.hpp"
 #include "firmware/host/journal/journal_name.hpp"
 #include "tests/firmware/host/journal/journal_folder.hpp"
+#include "tests/support/file_size_limit.hpp"
 
 namespace earshot::host {
 namespace {
@@ -56,6 +57,22 @@ class JournalPartsTest : public JournalFolder {
     stream.put(static_cast<char>(byte ^ 1));
   }
 };
+
+TEST_F(JournalPartsTest, LeaveNothingOfOneForWhichTheDiskHasNoRoomAndTheOneBeforeIsWrittenOn) {
+  Journal journal(path_);
+  ASSERT_EQ(journal.append(Time{1}, "PARTS", Bytes(67)), Status::kOk);
+  ASSERT_EQ(journal.flush(), Status::kOk);
+  {
+    const support::FileSizeLimit disk(kBeginningBytes - 1);
+    journal.begin_part();
+    ASSERT_EQ(journal.append(Time{2}, "PARTS", Bytes(67)), Status::kOk);
+    ASSERT_EQ(journal.flush(), Status::kNotReady);
+    EXPECT_FALSE(fs::exists(part(2)));
+  }
+  ASSERT_EQ(journal.close(), Status::kOk);
+  EXPECT_EQ(numbers(), (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(fs::file_size(path_), 2 * kRecordBytes);
+}
 
 TEST_F(JournalPartsTest, AreReadAsOneJournalWhoseNumbersGoOn) {
   write(4, 100);

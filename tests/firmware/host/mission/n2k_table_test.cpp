@@ -204,7 +204,8 @@ TEST(N2kTable, OfASimulationLeavesItsSnrToTheSimulator) {
   file.ports.push_back({.name = "lcm", .address = "udpm://239.255.76.67:7667", .roles = {Role::kSnr}});
   leave_snr_to_simulator(file);
   EXPECT_EQ(file.ports[0].roles, (Roles{Role::kNavigation, Role::kOperator, Role::kAutopilot, Role::kStatus}));
-  EXPECT_TRUE(file.ports[1].roles.has(Role::kSnr)) << "its measurements are dated";
+  EXPECT_TRUE(file.ports[1].roles.has(Role::kSnr)) << "the simulator's bearings come by it";
+  EXPECT_TRUE(file.ports[1].snr_is_simulators);
 }
 
 }  // namespace

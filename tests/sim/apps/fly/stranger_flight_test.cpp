@@ -1,0 +1,65 @@
+// A flight on whose bus somebody else tells an SNR and a bearing: the programs themselves, over real LCM and real DDS.
+
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "earshot/bearing_t.hpp"
+#include "earshot/nav_state_t.hpp"
+#include "earshot/snr_estimate_t.hpp"
+#include "firmware/host/transport/lcm_endpoint.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
+#include "tests/scenario/flight.hpp"
+
+namespace earshot {
+namespace {
+
+/// Answers every fix with a loud source in the north, dated as the fix is.
+class Stranger {
+ public:
+  explicit Stranger(const std::string& url)
+      : endpoint_(host::parse_lcm_url(url), {wire::kNavStateChannel}), thread_([this](const std::stop_token& stop) {
+          while (!stop.stop_requested()) answer();
+        }) {}
+
+ private:
+  void answer() {
+    std::this_thread::sleep_for(100us);
+    endpoint_.collect();
+    for (wire::Lc02Message message; endpoint_.take(message) == Status::kOk;) {
+      nav_state_t fix{};
+      if (wire::decode(message.data, fix) != Status::kOk) continue;
+      snr_estimate_t snr{};
+      snr.utime = fix.utime;
+      snr.snr_db = 40.0;
+      (void)endpoint_.publish(wire::kSnrEstimateChannel, wire::Encoded(snr).bytes());
+      bearing_t bearing{};
+      bearing.utime = fix.utime;
+      bearing.deviation_rad = 0.1;
+      (void)endpoint_.publish(wire::kBearingChannel, wire::Encoded(bearing).bytes());
+    }
+  }
+
+  host::LcmEndpoint endpoint_;
+  std::jthread thread_;  // last: it uses the endpoint
+};
+
+TEST_F(Flight, GivenAStrangerWhoTellsAnSnrAndABearingItIsTheSameFlightAndSaysThatTheyWereIgnored) {
+  shorten_to(5);
+  const auto alone = fly("alone", {"--seed", "7"});
+  ASSERT_EQ(alone->wait(120s), 0) << alone->output();
+  std::string url = slot_.lcm_url();  // that this process holds, but for the group
+  url.replace(url.find("76.67"), 5, "76.68");
+  const auto stranger = std::make_unique<Stranger>(url);
+  const auto disturbed = fly("disturbed", {"--seed", "7", "--lcm-url", url, "--quiet"});
+  ASSERT_EQ(disturbed->wait(120s), 0) << disturbed->output();
+  for (const char* file : {"track.csv", "journal.lcmlog"})
+    EXPECT_TRUE(support::read_text(folder_ / "alone" / file) == support::read_text(folder_ / "disturbed" / file)) << file;
+  EXPECT_NE(disturbed->output().find(" of somebody else on this bus were ignored: in simulation they come from the simulator alone"),
+            std::string::npos)
+      << disturbed->output();
+}
+
+}  // namespace
+}  // namespace earshot
