@@ -26,6 +26,7 @@
 #include "hil/bus/candump/line_reader.hpp"
 #include "hil/bus/decode/dump.hpp"
 #include "hil/bus/recorders/log_reader.hpp"
+#include "hil/bus/recorders/unread_format.hpp"
 
 namespace {
 
@@ -56,6 +57,10 @@ struct Damage {
   }
 };
 
+std::string name_of(const Settings& settings) {
+  return settings.input == "-" ? "standard input" : settings.input;
+}
+
 class Work {
  public:
   explicit Work(const Settings& settings)
@@ -64,28 +69,26 @@ class Work {
         record_(recording()),
         dump_(shown(), *printer_, program::say(), record_.get()) {}
 
-  int read_file(host::InputFile& file) {
-    std::vector<std::uint8_t> piece(kPiece);
-    return read_lines([&] { return file.read(piece); }, piece);
-  }
-
-  int read_standard_input() {
-    std::vector<std::uint8_t> piece(kPiece);
-    const auto read = [&]() -> std::size_t {
-      for (;;) {
-        const ssize_t size = ::read(STDIN_FILENO, piece.data(), piece.size());
-        if (size >= 0) return static_cast<std::size_t>(size);
-        if (errno != EINTR) throw host::BadInput(std::string("standard input: cannot be read: ") + std::strerror(errno));
-      }
-    };
-    return read_lines(read, piece);
+  /// @param piece  what was read already; the rest comes into it
+  template <class Read>
+  int read_lines(Read read, std::vector<std::uint8_t>& piece, std::size_t size) {
+    Damage damage{.file = name_of(settings_)};
+    hil::LineReader lines;
+    hil::LogReader reader;
+    for (;; size = read(piece)) {
+      lines.add({reinterpret_cast<const char*>(piece.data()), size});
+      if (size == 0) lines.end();
+      for (hil::TextLine line; !is_enough() && lines.next(line);) take(line, reader, damage);
+      if (!flush()) return program::kLost;
+      if (size == 0 || is_enough()) break;
+    }
+    return end(damage.damaged == 0 ? "" : std::to_string(damage.damaged) + (damage.damaged == 1 ? " damaged line, " : " damaged lines, "),
+               damage.damaged == 0);
   }
 
   int listen(host::CanSocket& socket);
 
  private:
-  static constexpr std::size_t kPiece = 65'536;
-
   [[nodiscard]] hil::Format format() const {
     return settings_.format == "text" ? hil::Format::kText : settings_.format == "json" ? hil::Format::kJson : hil::Format::kCsv;
   }
@@ -124,25 +127,9 @@ class Work {
     return true;
   }
 
-  template <class Read>
-  int read_lines(Read read, const std::vector<std::uint8_t>& piece) {
-    Damage damage{.file = settings_.input == "-" ? "standard input" : settings_.input};
-    hil::LineReader lines;
-    hil::LogReader reader;
-    for (std::size_t size = 1; size > 0 && !is_enough();) {
-      size = read();
-      lines.add({reinterpret_cast<const char*>(piece.data()), size});
-      if (size == 0) lines.end();
-      for (hil::TextLine line; !is_enough() && lines.next(line);) take(line, reader, damage);
-      if (!flush()) return program::kLost;
-    }
-    return end(damage.damaged == 0 ? "" : std::to_string(damage.damaged) + (damage.damaged == 1 ? " damaged line, " : " damaged lines, "),
-               damage.damaged == 0);
-  }
-
   void take(const hil::TextLine& line, hil::LogReader& reader, Damage& damage) {
     ++damage.line;
-    if (line.is_too_long) return damage.note("no line of candump is that long");
+    if (line.is_too_long) return damage.note("no line of a log is that long");
     if (line.text.find_first_not_of(" \t\r") == std::string_view::npos) return;
     const hil::LineOr read = reader.read(line.text);
     if (const auto* const why = std::get_if<std::string_view>(&read)) return damage.note(*why);
@@ -170,6 +157,7 @@ class Work {
     if (counters.other_frames > 0) std::cerr << ", " << plural(counters.other_frames, " frame") << " of another kind than NMEA 2000's";
     if (counters.incomplete > 0) std::cerr << ", " << counters.incomplete << " pieces of fast packets that were not whole";
     if (lost_before_ > 0) std::cerr << ", " << plural(lost_before_, " frame") << " lost by who recorded (DROPCOUNT)";
+    if (dump_.unrecorded() > 0) std::cerr << ", " << plural(dump_.unrecorded(), " message") << " too long for a recording";
     if (record_ != nullptr) std::cerr << "; " << plural(record_->frames(), " frame") << " recorded";
     std::cerr << "\n";
     return is_complete ? program::kDone : program::kIncomplete;
@@ -218,14 +206,33 @@ std::string complaint_about_pgn(const std::string& text) {
   return pgn && *pgn >= 0 && *pgn <= 0x3FFFF ? "" : text + ": a parameter group's number is 0 to 262143";
 }
 
+std::size_t read_standard_input(std::vector<std::uint8_t>& into) {
+  for (;;) {
+    const ssize_t size = ::read(STDIN_FILENO, into.data(), into.size());
+    if (size >= 0) return static_cast<std::size_t>(size);
+    if (errno != EINTR) throw host::BadInput(std::string("standard input: cannot be read: ") + std::strerror(errno));
+  }
+}
+
+/// Judges what it is before anything is printed or recorded.
+template <class Read>
+int read_log(const Settings& settings, Read read) {
+  constexpr std::size_t kPiece = 65'536;
+  std::vector<std::uint8_t> piece(kPiece);
+  const std::size_t size = read(piece);
+  const std::string_view what = hil::unread_format({reinterpret_cast<const char*>(piece.data()), size});
+  if (!what.empty()) throw host::BadInput(name_of(settings) + ": " + std::string(what));
+  return Work(settings).read_lines(read, piece, size);
+}
+
 int work(const Settings& settings) {
-  if (settings.input == "-") return Work(settings).read_standard_input();
+  if (settings.input == "-") return read_log(settings, read_standard_input);
   if (!is_interface(settings.input)) {
     host::InputFile file(settings.input, host::kAnySize);
     std::error_code ignored;
     if (settings.record && std::filesystem::equivalent(settings.input, *settings.record, ignored))
       throw host::BadInput(settings.record->string() + ": cannot be read and written at once");
-    return Work(settings).read_file(file);
+    return read_log(settings, [&file](std::vector<std::uint8_t>& into) { return file.read(into); });
   }
   std::optional<host::CanSocket> socket;
   try {

@@ -12,10 +12,10 @@ struct TextLine {
   bool is_too_long = false;  ///< its text is left out
 };
 
-/// Cuts what comes into lines. Holds one line of at most kMostBytes, whatever comes: no line of candump is half as long.
+/// Cuts what comes into lines. Holds one line of at most kMostBytes, whatever comes: the longest message that canboat writes has 5400.
 class LineReader {
  public:
-  static constexpr std::size_t kMostBytes = 1024;
+  static constexpr std::size_t kMostBytes = 8192;
 
   /// Adds what was read behind what is not taken yet; it must live until next() gives nothing.
   void add(std::string_view piece) { piece_ = piece; }

@@ -15,7 +15,7 @@ bool is_digit(char c) {
 }
 
 std::optional<std::tm> calendar(const DateParts& parts) {
-  const bool is_date = parts[0] >= 1970 && parts[0] <= 9999 && parts[1] >= 1 && parts[1] <= 12 && parts[2] >= 1 && parts[2] <= 31;
+  const bool is_date = parts[0] >= 1900 && parts[0] <= 9999 && parts[1] >= 1 && parts[1] <= 12 && parts[2] >= 1 && parts[2] <= 31;
   const bool is_time = parts[3] >= 0 && parts[3] < 24 && parts[4] >= 0 && parts[4] <= 59 && parts[5] >= 0 && parts[5] <= 60;
   if (!is_date || !is_time) return std::nullopt;
   std::tm date{};
@@ -75,7 +75,7 @@ std::optional<DateParts> date_parts(std::string_view text, std::string_view shap
 
 std::optional<Time> local_time(const DateParts& parts) {
   auto date = calendar(parts);
-  if (!date) return std::nullopt;
+  if (!date || parts[0] < 1970) return std::nullopt;
   return Time{std::mktime(&*date) * kMicroseconds};
 }
 

@@ -42,7 +42,7 @@ using DateParts = std::array<int, 6>;
 
 /// Of a date of this machine's zone. Nothing for none, or one before 1970.
 [[nodiscard]] std::optional<Time> local_time(const DateParts& parts);
-/// Likewise, of UTC.
+/// Of a date of UTC; before 1970 it is negative.
 [[nodiscard]] std::optional<Time> utc_time(const DateParts& parts);
 
 }  // namespace earshot::hil

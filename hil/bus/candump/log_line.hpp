@@ -5,17 +5,27 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "firmware/core/time.hpp"
 #include "firmware/wire/n2k/frame.hpp"
+#include "firmware/wire/n2k/identifier.hpp"
 
 namespace earshot::hil {
 
-/// What one line of candump says.
+/// A message that its recorder put together.
+struct WholeMessage {
+  n2k::Identifier identifier;
+  std::vector<std::uint8_t> bytes;
+  friend bool operator==(const WholeMessage&, const WholeMessage&) = default;
+};
+
+/// What one line of a log says.
 struct LogEntry {
   std::optional<Time> time;  ///< the line's stamp: UTC, or relative with -t d and -t z; none where the line has none
   std::string interface;
-  std::optional<n2k::Frame> frame;  ///< none: a frame that NMEA 2000 has no use for (11-bit, remote, error, CAN FD)
+  std::optional<n2k::Frame> frame;  ///< neither this nor a message: a frame that NMEA 2000 has no use for (11-bit, remote, error, CAN FD)
+  std::optional<WholeMessage> message{};
   friend bool operator==(const LogEntry&, const LogEntry&) = default;
 };
 

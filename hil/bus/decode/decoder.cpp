@@ -27,10 +27,6 @@ const Message* message_in(std::uint32_t pgn, std::span<const std::uint8_t> bytes
   return found == desk_messages().end() ? nullptr : &*found;
 }
 
-bool is_fast(std::uint32_t pgn) {
-  return std::ranges::any_of(n2k::messages(), [pgn](const Message& m) { return m.pgn == pgn && m.framing == n2k::Framing::kFast; });
-}
-
 std::string in_hexadecimal(n2k::Name name) {
   std::array<char, 32> text{};
   (void)std::snprintf(text.data(), text.size(), "NAME 0x%016llX", static_cast<unsigned long long>(name));
@@ -39,6 +35,10 @@ std::string in_hexadecimal(n2k::Name name) {
 
 }  // namespace
 
+bool is_fast(std::uint32_t pgn) {
+  return std::ranges::any_of(n2k::messages(), [pgn](const Message& m) { return m.pgn == pgn && m.framing == n2k::Framing::kFast; });
+}
+
 Decoder::Taken Decoder::accept(const LogEntry& entry, Heard& heard) {
   auto bus = buses_.find(entry.interface);
   if (bus == buses_.end()) {
@@ -46,7 +46,7 @@ Decoder::Taken Decoder::accept(const LogEntry& entry, Heard& heard) {
     bus = buses_.emplace(entry.interface, std::make_unique<Bus>()).first;
   }
   ++counters_.frames;
-  if (!entry.frame) {
+  if (!entry.frame && !entry.message) {
     ++counters_.other_frames;
     return Taken::kNothingYet;
   }
@@ -54,13 +54,19 @@ Decoder::Taken Decoder::accept(const LogEntry& entry, Heard& heard) {
 }
 
 Decoder::Taken Decoder::read(Bus& bus, const LogEntry& entry, Heard& heard) {
-  const Result<n2k::Identifier> identifier = n2k::parse_identifier(entry.frame->identifier);
-  if (!identifier.ok()) return Taken::kNothingYet;
-  heard = {.time = entry.time, .interface = entry.interface, .identifier = identifier.value()};
-  if (!put_together(bus, entry, heard)) return Taken::kNothingYet;
+  heard = {.time = entry.time, .interface = entry.interface, .identifier = {}};
+  if (entry.message) {
+    heard.identifier = entry.message->identifier;
+    heard.bytes = entry.message->bytes;
+  } else {
+    const Result<n2k::Identifier> identifier = n2k::parse_identifier(entry.frame->identifier);
+    if (!identifier.ok()) return Taken::kNothingYet;
+    heard.identifier = identifier.value();
+    if (!put_together(bus, entry, heard)) return Taken::kNothingYet;
+  }
   heard.message = message_in(heard.identifier.pgn, heard.bytes);
   if (heard.message != nullptr) heard.values = values_of(*heard.message, heard.bytes);
-  remember(bus, *entry.frame, heard);
+  remember(bus, heard);
   const std::uint8_t source = heard.identifier.source;
   heard.source_name = bus.models.at(source);
   if (const auto name = bus.devices.name_of(source); heard.source_name.empty() && name) heard.source_name = in_hexadecimal(*name);
@@ -86,9 +92,11 @@ bool Decoder::put_together(Bus& bus, const LogEntry& entry, Heard& heard) {
   return true;
 }
 
-void Decoder::remember(Bus& bus, const n2k::Frame& frame, const Heard& heard) {
+void Decoder::remember(Bus& bus, const Heard& heard) {
   const std::uint8_t source = heard.identifier.source;
-  if (heard.identifier.pgn == n2k::kAddressClaimPgn) {
+  if (heard.identifier.pgn == n2k::kAddressClaimPgn && heard.bytes.size() <= n2k::Frame().data.size()) {
+    n2k::Frame frame{.size = static_cast<std::uint8_t>(heard.bytes.size())};
+    std::ranges::copy(heard.bytes, frame.data.begin());
     const auto before = bus.devices.name_of(source);
     bus.devices.accept(source, frame);
     // Another device has the address now.

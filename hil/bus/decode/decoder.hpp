@@ -36,6 +36,9 @@ struct DecoderCounters {
   std::uint64_t incomplete = 0;  ///< fast packets that are not whole, and frames that belong to none
 };
 
+/// Whether messages of a group in the table go as fast packets, however short they are.
+[[nodiscard]] bool is_fast(std::uint32_t pgn);
+
 /// Turns frames into messages: puts fast packets together, however many devices send at once, and remembers who has which address.
 class Decoder {
  public:
@@ -56,7 +59,7 @@ class Decoder {
   };
   [[nodiscard]] Taken read(Bus& bus, const LogEntry& entry, Heard& heard);
   [[nodiscard]] static bool put_together(Bus& bus, const LogEntry& entry, Heard& heard);
-  static void remember(Bus& bus, const n2k::Frame& frame, const Heard& heard);
+  static void remember(Bus& bus, const Heard& heard);
 
   std::map<std::string, std::unique_ptr<Bus>> buses_;
   DecoderCounters counters_;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <iosfwd>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -29,13 +30,21 @@ class Dump {
   [[nodiscard]] bool take(const LogEntry& entry);
 
   [[nodiscard]] DecoderCounters counters() const { return decoder_.counters(); }
+  /// Messages that a recorder put together and that are too long for frames that could be recorded.
+  [[nodiscard]] std::uint64_t unrecorded() const { return unrecorded_; }
 
  private:
+  void record(const LogEntry& entry);
+  /// As the frames that it came of.
+  void record_message(const LogEntry& entry);
+
   Shown shown_;
   Printer& printer_;
   std::ostream& out_;
   Recording* recording_;
   Decoder decoder_;
+  std::map<std::pair<std::uint32_t, std::uint8_t>, std::uint8_t> sequences_;  ///< of the next fast packet, by group and source
+  std::uint64_t unrecorded_ = 0;
 };
 
 }  // namespace earshot::hil

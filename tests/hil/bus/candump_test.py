@@ -109,6 +109,54 @@ class Reads(InAFolder):
         # (17 * 60 + 33) * 60 + 21 s after midnight.
         self.assertEqual(out.read_text().splitlines()[0], "(0000063201.107000) can0 09F11223#FF705AFF7FFF7FFD")
 
+    def test_what_canboat_put_together_and_records_the_frames_that_it_came_of(self):
+        # A list of groups (126464), 1 + 5 * 3 bytes; a heading; and what is too long for a fast packet.
+        list_ = "2020-08-22T13:52:52.882Z,6,126464,35,255,16,00,01,f8,01,02,f8,01,03,f8,01,04,f8,01,05,f8,01"
+        heading = "2020-08-22T13:52:52.932Z,2,127250,35,255,8,ff,70,5a,ff,7f,ff,7f,fd"
+        long = "2020-08-22T13:52:53.000Z,6,129540,35,255,1785," + ",".join(["00"] * 1785)
+        out = self.folder / "out.log"
+        read = candump("-", "--record", str(out), given=f"# format=FAST\n{list_}\n{heading}\n{long}\n")
+        self.assertEqual(read.returncode, 0, read.stderr)
+        self.assertIn("PGN[4] = 129029", read.stdout)
+        self.assertIn("Heading = 2.3152 rad", read.stdout)
+        self.assertIn("1 message too long for a recording; 4 frames recorded", read.stderr)
+        self.assertEqual(
+            [line.split()[2] for line in out.read_text().splitlines()],
+            [
+                "19EEFF23#00100001F80102F8",
+                "19EEFF23#010103F80104F801",
+                "19EEFF23#0205F801FFFFFFFF",
+                "09F11223#FF705AFF7FFF7FFD",
+            ],
+        )
+        again = candump(str(out)).stdout
+        self.assertEqual(again, "".join(read.stdout.splitlines(keepends=True)[:2]))
+
+    def test_traces_of_other_recorders(self):
+        for name, text in (
+            ("pcan.trc", ";$FILEVERSION=1.1\n     1)  48.6  Rx  09F11223  8  FF 70 5A FF 7F FF 7F FD \n"),
+            ("vector.asc", "base hex  timestamps absolute\n 0.0 1 9F11223x  Rx  d 8 FF 70 5A FF 7F FF 7F FD\n"),
+            ("savvy.csv", "Time Stamp,ID,Extended,Bus,LEN,D1,D2,D3\n1,09F11223,true,0,3,FF,70,5A,\n"),
+            ("old.txt", "<0x09f11223> [8] ff 70 5a ff 7f ff 7f fd \n"),
+        ):
+            with self.subTest(name=name):
+                read = candump(self.write(name, text))
+                self.assertEqual(read.returncode, 0, read.stderr)
+                self.assertIn("Heading = 2.3152 rad", read.stdout)
+
+    def test_names_a_format_that_it_does_not_read_before_anything_is_replaced(self):
+        out = self.write("out.log", LINES[0] + "\n")
+        for text, name in (
+            ("timestamp,arbitration_id,extended,remote,error,dlc,data\n1.0,0x9f11223,1,0,0,1,/w==\n", "python-can"),
+            ("LOGG\x01\x02", "BLF"),
+        ):
+            with self.subTest(name=name):
+                refused = candump(self.write("other", text), "--record", out, "--replace")
+                self.assertEqual((refused.returncode, refused.stdout), (2, ""))
+                self.assertIn(f"{self.folder}/other: is a", refused.stderr)
+                self.assertIn(name, refused.stderr)
+                self.assertEqual(Path(out).read_text(), LINES[0] + "\n")
+
     def test_quietly_and_tells_damage_all_the_same(self):
         self.assertEqual(candump(self.write("a", LINES[0]), "--quiet").stderr, "")
         bad = candump(self.write("b", LINES[0] + "\nx\n"), "--quiet")

@@ -89,6 +89,22 @@ TEST(Decoder, TakesSwappedFramesAndALastOneWithoutPadding) {
   EXPECT_EQ(decoder.counters().incomplete, 0U);
 }
 
+TEST(Decoder, TakesAMessageThatItsRecorderPutTogether) {
+  const auto bytes = n2k::product_information({.model = "compass"}).value();
+  LogEntry entry{.time = Time{5}, .interface = "can0", .frame = std::nullopt};
+  entry.message = WholeMessage{.identifier = {126996, 6, 7, n2k::kBroadcast}, .bytes = {bytes.begin(), bytes.end()}};
+  Decoder decoder;
+  Heard heard;
+  ASSERT_EQ(decoder.accept(entry, heard), Taken::kMessage);
+  EXPECT_EQ(heard.message->name, "ProductInformation");
+  EXPECT_EQ(heard.source_name, "compass");
+  EXPECT_EQ(heard.time, Time{5});
+  const n2k::Frame claim = claim_of(8, 0x9D);
+  entry.message = WholeMessage{.identifier = {60928, 6, 8, n2k::kBroadcast}, .bytes = {claim.data.begin(), claim.data.end()}};
+  ASSERT_EQ(decoder.accept(entry, heard), Taken::kMessage);
+  EXPECT_EQ(heard.source_name, "NAME 0xC0A0961CE76FE09D");
+}
+
 TEST(Decoder, NamesADeviceByItsModelElseByItsClaimUntilAnotherClaimsTheAddress) {
   Decoder decoder;
   Heard heard;
