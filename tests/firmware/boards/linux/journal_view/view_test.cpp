@@ -2,15 +2,20 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
+#include "firmware/core/big_endian.hpp"
 #include "tests/firmware/boards/linux/journal_view/known_journal.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -122,6 +127,39 @@ TEST_F(JournalView, RefusesAnOriginThatIsNone) {
   }
   EXPECT_EQ(view({"--origin", "38.5,-20.1"}), 2);
   EXPECT_EQ(view({"--csv", file("t.csv"), "--origin", "38.5,-20.1"}), 0) << errors_;
+}
+
+/// Numbers and no checksums, as liblcm writes them (tests/firmware/host/journal/bus_log_test.cpp).
+void append_logged(const fs::path& log, std::uint64_t number, Time time, std::string_view channel, std::span<const std::uint8_t> data) {
+  std::array<std::uint8_t, 28> header{0xED, 0xA1, 0xDA, 0x01};
+  store_big_endian(std::span(header).subspan(4, 8), number);
+  store_big_endian(std::span(header).subspan(12, 8), static_cast<std::uint64_t>(time.us));
+  store_big_endian(std::span(header).subspan(20, 4), channel.size());
+  store_big_endian(std::span(header).subspan(24, 4), data.size());
+  std::ofstream file(log, std::ios::binary | std::ios::app);
+  file.write(reinterpret_cast<const char*>(header.data()), 28).write(channel.data(), static_cast<std::streamsize>(channel.size()));
+  file.write(reinterpret_cast<const char*>(data.data()), static_cast<std::streamsize>(data.size()));
+}
+
+TEST_F(JournalView, ReadsALogOfTheBusAndSaysWhatItLacks) {
+  fs::remove(journal_);
+  messages::Navigation navigation{};
+  navigation.time = kBegan;
+  navigation.depth = Meters{300};
+  const wire::Encoded fix(wire::to_message(navigation));
+  messages::Health health;
+  append_logged(journal_, 0, kBegan, wire::kNavStateChannel, fix.bytes());
+  append_logged(journal_, 1, after(500), "CAMERA", fix.bytes());
+  append_logged(journal_, 2, after(1000), wire::kHealthChannel, wire::Encoded(wire::to_message(health, after(1000))).bytes());
+  health.state = messages::MissionState::kSearch;
+  append_logged(journal_, 3, after(2000), wire::kHealthChannel, wire::Encoded(wire::to_message(health, after(2000))).bytes());
+  EXPECT_EQ(view({}), 1);
+  EXPECT_NE(said_.find("2.0 s  SEARCH\n"), std::string::npos) << said_;
+  EXPECT_TRUE(errors_.starts_with(journal_.string() + ": no mission record, no checksums: ")) << errors_;
+  EXPECT_EQ(std::ranges::count(errors_, '\n'), 1) << errors_;
+  EXPECT_EQ(view({"--csv", file("t.csv"), "--jsonl", file("r.jsonl")}), 1);
+  EXPECT_NE(support::read_text(file("r.jsonl")).find("\"depth_m\":300"), std::string::npos);
+  EXPECT_NE(said_.find("t.csv: 2 turns"), std::string::npos) << said_;
 }
 
 /// A mission that is under way while earshot journal follows it.
