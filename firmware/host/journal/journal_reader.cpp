@@ -1,10 +1,12 @@
 #include "firmware/host/journal/journal_reader.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <span>
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/core/crc32.hpp"
+#include "firmware/host/journal/bus_log.hpp"
 #include "firmware/host/journal/journal_format.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/lc02.hpp"
@@ -19,7 +21,12 @@ static_assert(kWindow_bytes >= kRecordHeaderSize + wire::kMaxChannelLength + con
 
 }  // namespace
 
-JournalReader::JournalReader(const std::filesystem::path& path) : file_(path), window_(kWindow_bytes) {}
+JournalReader::JournalReader(const std::filesystem::path& path, Accepts accepts) : file_(path), window_(kWindow_bytes) {
+  if (accepts == Accepts::kJournals) return;
+  const std::optional<std::size_t> largest = largest_event_of_bus_log(path);
+  is_bus_log_ = largest.has_value();
+  window_.resize(std::max(kWindow_bytes, largest.value_or(0)));
+}
 
 std::span<const std::uint8_t> JournalReader::look_ahead(std::size_t size) {
   if (filled_ - at_ < size && !has_all_) {
@@ -40,10 +47,12 @@ JournalReader::Found JournalReader::look(std::size_t& size) {
   if (load_big_endian(rest.first(4)) != kRecordSync) return Found::kOther;
   const std::uint64_t channel_size = load_big_endian(rest.subspan(20, 4));
   const std::uint64_t data_size = load_big_endian(rest.subspan(24, 4));
-  if (channel_size < 1 || channel_size > wire::kMaxChannelLength || data_size > config::kLcmMessageBytes) return Found::kOther;
+  const std::uint64_t most_data = is_bus_log_ ? window_.size() - kRecordHeaderSize - channel_size : config::kLcmMessageBytes;
+  if (channel_size < 1 || channel_size > wire::kMaxChannelLength || data_size > most_data) return Found::kOther;
   size = kRecordHeaderSize + static_cast<std::size_t>(channel_size + data_size);
   rest = look_ahead(size);
   if (rest.size() < size) return Found::kBeginning;
+  if (is_bus_log_) return load_big_endian(rest.subspan(4, 4)) == 0 ? Found::kRecord : Found::kOther;
   return load_big_endian(rest.subspan(4, 4)) == checksum_of(rest) ? Found::kRecord : Found::kOther;
 }
 

@@ -28,6 +28,12 @@ struct JournalDamage {
   friend bool operator==(const JournalDamage&, const JournalDamage&) = default;
 };
 
+/// What a reader takes for a journal.
+enum class Accepts : std::uint8_t {
+  kJournals,
+  kBusLogs,  ///< what lcm-logger wrote, too: whatever was on a bus, without a checksum
+};
+
 /// Reads a journal from its beginning, through all of its parts (JournalParts), a piece of it at a time: a journal of any size takes 1 MiB
 /// of memory, a damaged one at most 9 MiB. Where no record matches its checksum it reads on at the next that does, and remembers what it
 /// passed over: damage costs the records that it hit, and no others. For desktop tools, and for a vehicle before its first turn: it
@@ -43,7 +49,9 @@ class JournalReader {
   static constexpr std::uint64_t kMostPassedOver_bytes = std::uint64_t{64} << 20U;
 
   /// @throws host::BadInput naming the file if it cannot be read or is no regular file.
-  explicit JournalReader(const std::filesystem::path& path);
+  explicit JournalReader(const std::filesystem::path& path, Accepts accepts = Accepts::kJournals);
+  /// It is lcm-logger's.
+  [[nodiscard]] bool is_bus_log() const { return is_bus_log_; }
 
   /// False at the end; end(), offset() and damages() then say where and why. @throws host::BadInput if the disk fails.
   [[nodiscard]] bool next(JournalRecord& record);
@@ -83,6 +91,7 @@ class JournalReader {
   void note_damage(std::uint64_t bytes);
 
   JournalParts file_;
+  bool is_bus_log_ = false;
   std::vector<std::uint8_t> window_;
   std::size_t at_ = 0;               ///< in the window: what is looked at
   std::size_t filled_ = 0;           ///< bytes of the window that hold the file's

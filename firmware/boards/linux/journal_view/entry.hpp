@@ -75,6 +75,9 @@ struct TornEnd {
   bool is_cut = false;  ///< it is the beginning of a record: the writer was stopped in it
 };
 
-using Entry = std::variant<Record, MissingRecords, DamagedBytes, NumbersGoBack>;
+/// Before the first record: this is no journal, but what somebody logged of a bus (lcm-logger).
+struct BusLog {};
+
+using Entry = std::variant<Record, MissingRecords, DamagedBytes, NumbersGoBack, BusLog>;
 
 }  // namespace earshot::journal_view

@@ -1,10 +1,26 @@
 #include "firmware/boards/linux/journal_view/record_source.hpp"
 
+#include <algorithm>
+#include <array>
+#include <string>
 #include <utility>
 
 #include "firmware/boards/linux/journal_view/content.hpp"
+#include "firmware/wire/lcm/channels.hpp"
 
 namespace earshot::journal_view {
+namespace {
+
+/// The channel in a journal of what was on a bus: a bus log knows one port.
+std::string journalled_channel(const std::string& channel) {
+  using namespace wire;
+  constexpr std::array kInputs{kNavStateChannel,      kSnrEstimateChannel,     kBearingChannel,         kOperatorCommandChannel,
+                               kVehicleStatusChannel, kAutopilotStatusChannel, kHydrophoneStatusChannel};
+  if (channel == kSetpointChannel) return std::string(kJournalledSetpointChannel);
+  return std::ranges::find(kInputs, channel) != kInputs.end() ? channel + ".1" : channel;
+}
+
+}  // namespace
 
 std::optional<Entry> RecordSource::next() {
   if (waiting_.empty()) {
@@ -26,7 +42,8 @@ void RecordSource::keep(host::JournalRecord record) {
   keep_gap_before(record.number, was_damaged);
   expected_number_ = record.number + 1;
   ++records_;
-  const Content content = content_of(record.channel, record.time, record.data);
+  const std::string channel = reader_.is_bus_log() ? journalled_channel(record.channel) : record.channel;
+  const Content content = content_of(channel, record.time, record.data);
   waiting_.emplace_back(Record{.number = record.number,
                                .time = record.time,
                                .channel = std::move(record.channel),

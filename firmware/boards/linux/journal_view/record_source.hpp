@@ -16,7 +16,9 @@ namespace earshot::journal_view {
 class RecordSource {
  public:
   /// @throws host::BadInput naming the file if it cannot be read or is no regular file.
-  explicit RecordSource(const std::filesystem::path& path) : reader_(path) {}
+  explicit RecordSource(const std::filesystem::path& path) : reader_(path, host::Accepts::kBusLogs) {
+    if (reader_.is_bus_log()) waiting_.emplace_back(BusLog{});
+  }
 
   /// Nothing at the file's end. @throws host::BadInput if the disk fails.
   [[nodiscard]] std::optional<Entry> next();

@@ -44,7 +44,7 @@ std::vector<Event> Timeline::take(const Entry& entry) {
 std::vector<Event> Timeline::finish(const std::optional<TornEnd>& torn) {
   events_.clear();
   if (torn) tell_lack(to_string(*torn));
-  if (!is_closed_)
+  if (!is_closed_ && !is_bus_log_)
     tell_lack(
         "the journal's end is missing: its program was killed, lost its power, met an error, or still writes (--follow waits for it)");
   return std::move(events_);
@@ -76,7 +76,15 @@ void Timeline::note(const NumbersGoBack& numbers) {
   tell_lack(to_string(numbers));
 }
 
+void Timeline::note(const BusLog& /*log*/) {
+  is_bus_log_ = true;
+  tell_lack(
+      "no mission record, no checksums: this is no journal of Earshot, but a log of a bus (lcm-logger); what was not on that bus is not "
+      "in it, and nobody would notice if a byte of it were another");
+}
+
 void Timeline::note_content(const Unreadable& unreadable, const Record& record) {
+  if (is_bus_log_ && !unreadable.is_known_channel) return;  // others', and sound: a bus is for everybody
   if (!unreadable_.is_news(unreadable_.seen + 1)) return;
   tell_lack("record " + std::to_string(record.number) + " on " + host::printable(record.channel) + " cannot be read: " +
             (unreadable.is_known_channel ? "its message is of another version of Earshot" : "this program knows no such channel") +

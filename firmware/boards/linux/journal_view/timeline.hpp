@@ -67,6 +67,7 @@ class Timeline {
   void note(const MissingRecords& missing);
   void note(const DamagedBytes& damage);
   void note(const NumbersGoBack& numbers);
+  void note(const BusLog& log);
 
   void note_content(const Unreadable& unreadable, const Record& record);
   void note_content(const mission_t& mission, const Record& record);
@@ -101,6 +102,7 @@ class Timeline {
   std::vector<Event> events_;  ///< of the entry that is taken
   std::optional<Time> began_;
   Time now_;
+  bool is_bus_log_ = false;
   bool is_closed_ = false;
   bool is_over_ = false;           ///< the mission
   bool is_surprise_told_ = false;  ///< in this search

@@ -12,12 +12,12 @@
 #include "firmware/boards/linux/journal_view/export/mcap_export.hpp"
 #include "firmware/boards/linux/journal_view/export/record_lines.hpp"
 #include "firmware/boards/linux/journal_view/export/turn_table.hpp"
+#include "firmware/boards/linux/journal_view/followed_journal.hpp"
 #include "firmware/boards/linux/journal_view/record_source.hpp"
 #include "firmware/boards/linux/journal_view/timeline.hpp"
 #include "firmware/boards/linux/journal_view/wording.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/distinct_files.hpp"
-#include "firmware/host/file/folder_lock.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/journal/journal_parts.hpp"
 #include "firmware/host/program/exit_status.hpp"
@@ -54,13 +54,6 @@ class Lacks {
   std::uint64_t count_ = 0;
   std::vector<std::string> told_;
 };
-
-bool is_being_written(const std::filesystem::path& path) try {
-  host::require_not_being_written(path);
-  return false;
-} catch (const host::FolderInUse&) {
-  return true;
-}
 
 /// What goes wrong when there is nothing to show.
 host::BadInput no_record_in(const std::filesystem::path& journal) {
@@ -155,7 +148,6 @@ class Viewer {
   int follow() {
     if (program::talk() != program::Talk::kQuiet)
       std::cerr << "earshot journal: follows " << host::printable(options_.journal.string()) << " until its mission ends; Ctrl-C ends it\n";
-    program::stop_on_signals();
     steady_clock::time_point last_growth = steady_clock::now();
     for (std::uint64_t before = 0;; before = source_.records()) {
       read_to_the_end();
@@ -181,7 +173,13 @@ class Viewer {
 }  // namespace
 
 int view(const ViewOptions& options) {
-  return Viewer(options).run();
+  if (!options.follow) return Viewer(options).run();
+  program::stop_on_signals();
+  const std::optional<std::filesystem::path> journal = wait_for_journal(options.journal, options.wait);
+  if (!journal) return program::kStopped;
+  ViewOptions under_way = options;
+  under_way.journal = *journal;
+  return Viewer(under_way).run();
 }
 
 }  // namespace earshot::journal_view

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 
@@ -16,6 +17,7 @@ struct ViewOptions {
   std::optional<std::filesystem::path> mcap = std::nullopt;
   std::optional<n2k::LocalPlane> plane = std::nullopt;  ///< about the mission's origin, which no journal says
   bool follow = false;                                  ///< the mission may still be under way: wait for its end
+  std::chrono::seconds wait{60};                        ///< likewise for its beginning
   host::Replace replace = host::Replace::kOwnKind;
 };
 

@@ -1,5 +1,7 @@
 // earshot-journal: what happened on a mission, out of its journal; and the journal for other programs.
 
+#include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -35,8 +37,10 @@ int main(int argc, char** argv) {
   journal_view::ViewOptions options;
   std::optional<std::string> origin;
   bool force = false;
-  line.option("JOURNAL", &options.journal, "journal of a flight (.lcmlog)").required();
+  std::uint32_t wait_s = 60;
+  line.option("JOURNAL", &options.journal, "journal of a flight (.lcmlog), or a log of its bus by lcm-logger").required();
   const program::Option follow = line.flag("--follow", &options.follow, "the mission is under way: print what happens until it ends");
+  line.option("--wait", &wait_s, "with --follow: how many seconds to wait for a mission that begins there").from(1, 86'400).shows_default();
   line.option("--csv", &options.csv, "write a table, a row for every turn").excludes(follow);
   line.option("--jsonl", &options.jsonl, "write every record as a JSON object on a line").excludes(follow);
   line.option("--mcap", &options.mcap, "write an MCAP file, for Foxglove, Lichtblick and others").excludes(follow);
@@ -52,6 +56,7 @@ int main(int argc, char** argv) {
   return program::run(line, argc, argv, [&] {
     if (origin && !options.csv && !options.mcap) throw host::BadInput("--origin: only with --csv or --mcap");
     if (origin) options.plane = plane_about(*origin);
+    options.wait = std::chrono::seconds(wait_s);
     options.replace = host::replaced_by(force);
     return journal_view::view(options);
   });

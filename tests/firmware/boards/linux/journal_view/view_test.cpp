@@ -2,14 +2,20 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
+#include "firmware/core/big_endian.hpp"
 #include "tests/firmware/boards/linux/journal_view/known_journal.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -123,6 +129,39 @@ TEST_F(JournalView, RefusesAnOriginThatIsNone) {
   EXPECT_EQ(view({"--csv", file("t.csv"), "--origin", "38.5,-20.1"}), 0) << errors_;
 }
 
+/// Numbers and no checksums, as liblcm writes them (tests/firmware/host/journal/bus_log_test.cpp).
+void append_logged(const fs::path& log, std::uint64_t number, Time time, std::string_view channel, std::span<const std::uint8_t> data) {
+  std::array<std::uint8_t, 28> header{0xED, 0xA1, 0xDA, 0x01};
+  store_big_endian(std::span(header).subspan(4, 8), number);
+  store_big_endian(std::span(header).subspan(12, 8), static_cast<std::uint64_t>(time.us));
+  store_big_endian(std::span(header).subspan(20, 4), channel.size());
+  store_big_endian(std::span(header).subspan(24, 4), data.size());
+  std::ofstream file(log, std::ios::binary | std::ios::app);
+  file.write(reinterpret_cast<const char*>(header.data()), 28).write(channel.data(), static_cast<std::streamsize>(channel.size()));
+  file.write(reinterpret_cast<const char*>(data.data()), static_cast<std::streamsize>(data.size()));
+}
+
+TEST_F(JournalView, ReadsALogOfTheBusAndSaysWhatItLacks) {
+  fs::remove(journal_);
+  messages::Navigation navigation{};
+  navigation.time = kBegan;
+  navigation.depth = Meters{300};
+  const wire::Encoded fix(wire::to_message(navigation));
+  messages::Health health;
+  append_logged(journal_, 0, kBegan, wire::kNavStateChannel, fix.bytes());
+  append_logged(journal_, 1, after(500), "CAMERA", fix.bytes());
+  append_logged(journal_, 2, after(1000), wire::kHealthChannel, wire::Encoded(wire::to_message(health, after(1000))).bytes());
+  health.state = messages::MissionState::kSearch;
+  append_logged(journal_, 3, after(2000), wire::kHealthChannel, wire::Encoded(wire::to_message(health, after(2000))).bytes());
+  EXPECT_EQ(view({}), 1);
+  EXPECT_NE(said_.find("2.0 s  SEARCH\n"), std::string::npos) << said_;
+  EXPECT_TRUE(errors_.starts_with(journal_.string() + ": no mission record, no checksums: ")) << errors_;
+  EXPECT_EQ(std::ranges::count(errors_, '\n'), 1) << errors_;
+  EXPECT_EQ(view({"--csv", file("t.csv"), "--jsonl", file("r.jsonl")}), 1);
+  EXPECT_NE(support::read_text(file("r.jsonl")).find("\"depth_m\":300"), std::string::npos);
+  EXPECT_NE(said_.find("t.csv: 2 turns"), std::string::npos) << said_;
+}
+
 /// A mission that is under way while earshot journal follows it.
 class JournalFollowed : public ::testing::Test {
  protected:
@@ -164,6 +203,85 @@ TEST_F(JournalFollowed, EndsWhenTheProgramThatWroteIsGone) {
   journal_.close();  // without a closing record, as if it had been killed
   EXPECT_EQ(process_.wait(30s), 1);
   EXPECT_NE(process_.output().find("the journal's end is missing"), std::string::npos) << process_.output();
+}
+
+/// GIVEN a folder in which a flight was made, WHEN its journal is followed, THEN it is the next flight that is told of.
+class FlightFollowed : public ::testing::Test {
+ protected:
+  FlightFollowed() {
+    WrittenJournal old(path_);
+    begin(old);
+    old.health(Time{1'000'000}, 1, messages::MissionState::kSearch);
+    old.close({.time = Time{2'000'000}, .ending = wire::Ending::kMissionOver});
+  }
+  static void begin(WrittenJournal& journal) {
+    journal.message(Time{}, wire::kMissionChannel, known_mission());
+    journal.flush();
+  }
+  void follow() {
+    process_ = std::make_unique<support::Process>(kProgram, std::vector<std::string>{path_.string(), "--follow", wait_}, said_);
+  }
+  [[nodiscard]] bool hears(const std::string& text) const {
+    for (int i = 0; i < 600; ++i, std::this_thread::sleep_for(50ms))
+      if (process_->output().find(text) != std::string::npos) return true;
+    return false;
+  }
+  [[nodiscard]] fs::path unfinished(const char* name) const {
+    fs::create_directories(folder_ / name);
+    return folder_ / name / "journal.lcmlog";
+  }
+
+  const support::TemporaryFolder folder_;
+  const fs::path path_ = folder_ / "journal.lcmlog";
+  const fs::path said_ = folder_ / "said.txt";
+  std::string wait_ = "--wait=60";
+  std::unique_ptr<support::Process> process_;
+};
+
+TEST_F(FlightFollowed, IsTheOneThatIsUnderWayThoughOneThatWasCutOffLiesBesideIt) {
+  fs::copy_file(path_, unfinished("unfinished-flight"));
+  WrittenJournal flight(unfinished("unfinished-flight-2"));
+  begin(flight);
+  follow();
+  EXPECT_TRUE(hears("mission begins"));
+  flight.health(Time{5'000'000}, 1, messages::MissionState::kSearch);
+  flight.flush();
+  EXPECT_TRUE(hears("5.0 s  SEARCH\n")) << process_->output();
+  flight.close({.time = Time{6'000'000}, .ending = wire::Ending::kMissionOver});
+  fs::rename(folder_ / "unfinished-flight-2/journal.lcmlog", path_);
+  fs::remove(folder_ / "unfinished-flight-2");
+  EXPECT_EQ(process_->wait(30s), 0);
+  EXPECT_NE(process_->output().find("6.0 s  end: the mission was over"), std::string::npos) << process_->output();
+  EXPECT_EQ(process_->output().find("1.0 s  SEARCH"), std::string::npos) << process_->output();
+}
+
+TEST_F(FlightFollowed, IsWaitedForWhereAnOlderOneLiesOrNone) {
+  for (const bool is_old_there : {true, false}) {
+    if (!is_old_there) fs::remove(path_);
+    follow();
+    EXPECT_TRUE(hears("earshot journal: waiting for a mission that writes " + path_.string())) << process_->output();
+    WrittenJournal flight(unfinished("unfinished-flight"));
+    begin(flight);
+    EXPECT_TRUE(hears("mission begins"));
+    flight.close({.time = Time{6'000'000}, .ending = wire::Ending::kMissionOver});
+    EXPECT_EQ(process_->wait(30s), 0) << process_->output();
+    EXPECT_EQ(process_->output().find("1.0 s  SEARCH"), std::string::npos) << process_->output();
+    fs::remove_all(folder_ / "unfinished-flight");
+  }
+}
+
+TEST_F(FlightFollowed, ThatDoesNotComeIsSaidAndNotReplacedByAnOlderOne) {
+  wait_ = "--wait=1";
+  follow();
+  EXPECT_EQ(process_->wait(30s), 2);
+  EXPECT_NE(
+      process_->output().find(path_.string() + ": is of a flight that is over, and no other began there; without --follow it is read"),
+      std::string::npos)
+      << process_->output();
+  fs::remove(path_);
+  follow();
+  EXPECT_EQ(process_->wait(30s), 2);
+  EXPECT_NE(process_->output().find(path_.string() + ": no such file; no mission began there"), std::string::npos) << process_->output();
 }
 
 }  // namespace
