@@ -141,6 +141,12 @@ TEST(Instruments, NavigationSaysThePositionTenTimesASecondAndTheWholeFixOnce) {
   // message can tell apart.
   EXPECT_NEAR(n2k::read(n2k::kPositionPgn, "Latitude", positions[0].bytes()).value(), 38.509008519, 1e-7);
   EXPECT_NEAR(n2k::read(n2k::kPositionPgn, "Longitude", positions[0].bytes()).value(), -28.022928593, 1e-7);
+  n2k::FastPacketAssembly assembly;
+  std::span<const std::uint8_t> fix;
+  for (const n2k::Frame& frame : of_group(n2k::kGnssPgn, frames))
+    (void)assembly.accept(n2k::parse_identifier(frame.identifier).value(), frame, fix);
+  EXPECT_NEAR(n2k::read(n2k::kGnssPgn, "Latitude", fix).value(), 38.509008519, 1e-7);
+  EXPECT_NEAR(n2k::read(n2k::kGnssPgn, "Longitude", fix).value(), -28.022928593, 1e-7);
 }
 
 TEST(Instruments, AFixIsEstimatedDatedAndBelowTheSea) {

@@ -186,6 +186,38 @@ TEST_F(OperatorTest, StartsAnEarshotThatBeginsAgain) {
   EXPECT_EQ(orders_[1].order, Order::kStart);
 }
 
+TEST_F(OperatorTest, SaysCompleteToAnEarshotThatBeganAgainAndArrivedToo) {
+  has_arrived_ = true;
+  for (const std::size_t given : {0U, 2U}) {
+    say(MissionState::kStandby);
+    pass(Duration::seconds(1));
+    ASSERT_EQ(orders_.size(), given + 1);
+    EXPECT_EQ(orders_.back().order, Order::kStart);
+    answer(orders_.back(), CommandOutcome::kObeyed);
+    say(MissionState::kSearch);
+    pass(Duration::milliseconds(500));
+    ASSERT_EQ(orders_.size(), given + 2);
+    EXPECT_EQ(orders_.back().order, Order::kComplete);
+    answer(orders_.back(), CommandOutcome::kObeyed);
+    say(MissionState::kDone);
+  }
+}
+
+TEST_F(OperatorTest, GivesARefusedCompleteAnewAfterFiveSeconds) {
+  has_arrived_ = true;
+  say(MissionState::kSearch);
+  pass(Duration::seconds(1));
+  ASSERT_EQ(orders_.size(), 1U);
+  ASSERT_EQ(orders_[0].order, Order::kComplete);
+  answer(orders_[0], CommandOutcome::kTooOld);
+  pass(Duration::seconds(5));
+  EXPECT_EQ(orders_.size(), 1U);
+  pass(Duration::milliseconds(100));
+  ASSERT_EQ(orders_.size(), 2U);
+  EXPECT_EQ(orders_[1].order, Order::kComplete);
+  EXPECT_EQ(orders_[1].number, orders_[0].number + 1);
+}
+
 TEST_F(OperatorTest, AbortsInOneFrameToEveryoneWhileNobodyIsKnownToBeEarshot) {
   destination_ = n2k::kBroadcast;
   operator_->abort();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "firmware/wire/n2k/own/orders.hpp"
@@ -90,6 +91,26 @@ TEST_F(VehicleNewsTest, TellsOnceThatSetPointsStayAway) {
   (void)run(vehicle_, Time{}, Time{11'000'000});
   EXPECT_EQ(news_.lines(Time{11'000'000}), Lines{"0:00:11  autopilot: no set-point for 10 s: stops and comes up"});
   EXPECT_EQ(news_.lines(Time{11'000'000}), Lines{});
+}
+
+TEST_F(VehicleNewsTest, TellsOfAStateAgainWhenItHasComeBackToIt) {
+  for (const auto& [state, name] :
+       {std::pair{messages::MissionState::kStandby, "STANDBY"}, std::pair{messages::MissionState::kSearch, "SEARCH"},
+        std::pair{messages::MissionState::kStandby, "STANDBY"}}) {
+    say(state, messages::EndReason::kNone);
+    EXPECT_EQ(news_.lines(Time{}), Lines{std::string("0:00:00  Earshot, address 64, is in ") + name});
+    EXPECT_EQ(news_.lines(Time{}), Lines{});
+  }
+}
+
+TEST_F(VehicleNewsTest, TellsAgainThatSetPointsStayAwayWhenSomeCameBetween) {
+  for (const std::int64_t s : {0, 11}) {
+    steer(1.0, 300.0, Time{s * 1'000'000});
+    (void)news_.lines(Time{s * 1'000'000});
+    (void)run(vehicle_, Time{s * 1'000'000}, Time{(s + 11) * 1'000'000});
+    EXPECT_EQ(news_.lines(Time{(s + 11) * 1'000'000}),
+              Lines{"0:00:" + std::to_string(s + 11) + "  autopilot: no set-point for 10 s: stops and comes up"});
+  }
 }
 
 TEST_F(VehicleNewsTest, TellsOnceThatTheDropWeightIsReleased) {

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "firmware/host/file/bad_input.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::training {
 namespace {
@@ -54,6 +57,50 @@ TEST(TrainingJob, IsRefusedWhereOneOfItsFilesWouldReplaceAnother) {
 TEST(TrainingJob, OfSeveralCheckpointsTakesNoOutputForOne) {
   EXPECT_EQ(refusal({"--resume", "a.checkpoint", "b.checkpoint", "-o", "c.checkpoint"}),
             "--output, --curve: for one training, not for several");
+}
+
+/// A checkpoint of the second of two trainings, that of seed 8; its folder also holds the run.
+class ResumedJob : public testing::Test {
+ protected:
+  ResumedJob() {
+    ppo::Checkpoint checkpoint;
+    checkpoint.observation.spec = policy::simple_state({Meters{25'000.0}, Meters{25'000.0}});
+    checkpoint.direction_count = 8;
+    checkpoint.step_length = Meters{1'000.0};
+    checkpoint.area_size = {Meters{25'000.0}, Meters{25'000.0}};
+    checkpoint.detection_threshold = Decibels{10.0};
+    ppo::ActorCritic<float> networks(checkpoint.shape());
+    checkpoint.parameters.assign(networks.parameters().begin(), networks.parameters().end());
+    checkpoint.continuation = ppo::Continuation{};
+    checkpoint.continuation->state.seed = 8;
+    checkpoint.continuation->arguments = {"run.toml", "-o", "a.checkpoint", "--seeds", "7,8", "--steps", "4096", "--force"};
+    checkpoint.continuation->directory = folder_.path().string();
+    checkpoint.continuation->curve = "curves/c.csv";
+    std::ofstream(file_) << ppo::to_text(checkpoint);
+  }
+  [[nodiscard]] TrainingJob resumed(std::vector<std::string> more) const {
+    more.insert(more.begin(), {"--resume", file_});
+    return jobs(more).at(0);
+  }
+
+  const support::TemporaryFolder folder_;
+  const std::string file_ = (folder_ / "a.seed8.checkpoint").string();
+};
+
+TEST_F(ResumedJob, GoesOnWithItsOwnSeedAndItsOwnFilesAsLongAsItWasToGo) {
+  const TrainingJob job = resumed({});
+  EXPECT_EQ(job.options.seed, 8U);
+  EXPECT_EQ(job.options.steps, 4'096U);
+  EXPECT_EQ(job.options.run_file, (folder_ / "run.toml").string());
+  EXPECT_EQ(job.output, file_);
+  EXPECT_EQ(job.curve, folder_ / "curves/c.csv");
+  EXPECT_FALSE(job.options.force) << "that was said of the first time";
+}
+
+TEST_F(ResumedJob, ForgetsInWhatItsLengthWasSaidWhenAnotherIsGiven) {
+  const TrainingJob job = resumed({"--episodes", "20"});
+  EXPECT_EQ(job.options.episodes, 20U);
+  EXPECT_FALSE(job.options.steps);
 }
 
 }  // namespace

@@ -129,5 +129,19 @@ TEST_F(TrainingWorldsTest, AreRefusedWhereTheTrainingsDepthIsBelowTheSeaFloor) {
   EXPECT_EQ(complaint_about(shallow), "--vehicle-depth-m: must be less than the depth of the sea floor in " + shallow.string());
 }
 
+TEST_F(TrainingWorldsTest, AreTheSameUnderAnotherNameToo) {
+  for (const char* name : {"policy", "sim"}) fs::create_directory_symlink(kSource + "/" + name, folder / name);
+  EXPECT_NE(complaint_about(folder / "policy/worlds/paper.toml").find("is a world that policies are judged in"), std::string::npos);
+  fs::create_directories(folder / "train");
+  const fs::path world = write("train/1.toml");
+  fs::create_symlink(world, folder / "alias.toml");
+  for (const fs::path& other : std::vector<fs::path>{folder / "train/../train/1.toml", folder / "alias.toml"}) {
+    EXPECT_EQ(complaint([&] {
+                static_cast<void>(world_files(std::vector<fs::path>{world, other}));
+              }),
+              "--world, worlds: " + other.string() + " is named twice: it would be drawn twice as often");
+  }
+}
+
 }  // namespace
 }  // namespace earshot::training

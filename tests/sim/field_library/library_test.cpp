@@ -11,6 +11,7 @@
 #include "sim/netcdf/reader.hpp"
 #include "sim/ocean/file/environment_file.hpp"
 #include "tests/sim/sonar/hilly_ocean.hpp"
+#include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::field_library {
@@ -86,12 +87,38 @@ TEST_F(Library, GivesBothDirectionsOfAFlatOceanTheSameLoss) {
   double mean = 0.0;
   for (std::size_t i = 20; i < 120; ++i) mean += 0.01 * std::abs(static_cast<double>(from_source.at(1, i, 1) - to_hydrophone.at(2, i, 0)));
   EXPECT_LT(mean, 0.05);  // accuracy 0.02 dB of each
+  for (std::size_t bearing = 0; bearing < 4; ++bearing) {
+    for (std::size_t i = 0; i < 120; ++i) {
+      ASSERT_TRUE(same(to_hydrophone.at(bearing, i, 0), to_hydrophone.at(0, i, 0))) << bearing << " " << i;
+      ASSERT_FALSE(std::isnan(to_hydrophone.at(bearing, i, 0))) << bearing << " " << i;
+    }
+  }
   EXPECT_EQ(netcdf::Reader(folder_ / "hydrophone.nc").text_attribute("depth", "long_name"), "depth of the source");
 }
 
 TEST_F(Library, RefusesToReadAPositionThatItDoesNotHave) {
   (void)write_library(file(), plan("source", "30", "300"), 2, alone_);
   EXPECT_THROW((void)read_library_fan(file(), 3), netcdf::FileError);
+}
+
+TEST_F(Library, IsNotTheOneOfAnOceanThatWasEditedSince) {
+  (void)write_library(file(), plan("source", "30", "300"), 2, alone_);
+  std::string ocean = support::read_text(folder_ / "hilly.toml");
+  const std::string level = "level_db_re_1upa_at_1m = 190.0";
+  ocean.replace(ocean.find(level), level.size(), "level_db_re_1upa_at_1m = 180.0");
+  std::ofstream(folder_ / "hilly.toml") << ocean;
+  EXPECT_THROW(write_library(file(), plan("source", "30", "300"), 2, alone_), netcdf::FileError);
+}
+
+TEST_F(Library, SaysOfAPositionOnLandThatItHasNoWaterAndHoldsTheOthers) {
+  LibraryPlan library = plan("source", "30", "300");
+  library.positions = {{Meters{0.0}, Meters{7000.0}}, {Meters{0.0}, Meters{0.0}}};  // on the island, and west of it
+  const LibrarySummary summary = write_library(file(), library, 2, alone_);
+  EXPECT_EQ(summary.without_water, 1U);
+  EXPECT_EQ(summary.computed, 1U);
+  const FieldLibrary read(file());
+  ASSERT_EQ(read.fans().size(), 1U);
+  EXPECT_EQ(read.fans()[0].centre, NorthEast{});
 }
 
 }  // namespace

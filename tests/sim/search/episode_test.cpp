@@ -257,5 +257,21 @@ TEST_F(EpisodeTest, StartsUniformlyInItsRegionAndPlacesAChangingSourceUniformlyI
   EXPECT_NEAR(source_east, 12'500.0, 255.0);
 }
 
+TEST_F(EpisodeTest, BeginsAgainWhereItIsWhateverNavigationErredBefore) {
+  Conditions conditions;
+  conditions.drift_m_per_sqrt_km = 100.0;
+  const World world(settings, Soundscape(std::vector{curve}), conditions);
+  model.spec = policy::simple_state(at(25'000, 25'000));
+  episode.start_at(world, model, kNoOceans, at(5'000, 7'000), settings.source, Pcg32(3));
+  episode.step(world, kEast);
+  ASSERT_NE(episode.believed_position(), episode.position());
+  episode.start_at(world, model, kNoOceans, at(12'500, 25'000), settings.source, Pcg32(3));
+  EXPECT_EQ(episode.believed_position(), at(12'500, 25'000));
+  std::array<float, 2> seen{};
+  episode.observe(seen);
+  EXPECT_FLOAT_EQ(seen[0], 1.0F);  // x, east: at the far edge
+  EXPECT_FLOAT_EQ(seen[1], 0.0F);  // y, north: in the middle
+}
+
 }  // namespace
 }  // namespace earshot::search

@@ -122,5 +122,12 @@ TEST(CheckSettings, RefusesAWindowThatCannotBeListenedOver) {
   EXPECT_EQ(check(settings), Status::kOk);
 }
 
+TEST(FurthestRange, IsAStepBeyondTheDiagonalOfTheDomainWhereverThatLies) {
+  SearchSettings s;
+  s.domain = {at(-500, 700), at(2'500, 4'700)};  // 3 km by 4 km
+  s.step_length = Meters{250.0};
+  EXPECT_EQ(furthest_range(s), Meters{5'250.0});
+}
+
 }  // namespace
 }  // namespace earshot::search

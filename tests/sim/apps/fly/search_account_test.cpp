@@ -28,6 +28,15 @@ TEST(SearchAccount, SaysFromWhichStepOnASearchWasSurprisedAndSweptAndHowSurprise
             "  swept       from step 11 of 100 on: what it heard fitted no ocean of its tables\n");
 }
 
+TEST(SearchAccount, TellsTheLastSurpriseOfASearchThatWasSurprisedBefore) {
+  SearchAccount account;
+  account.note({.steps_taken = 8, .believed_source = kSomewhere, .surprise_bits = 9.0F}, Meters{9'000.0});
+  account.note({.steps_taken = 9, .believed_source = kSomewhere, .surprise_bits = 2.5F}, Meters{9'000.0});
+  EXPECT_EQ(account.to_json().dump(), R"({"surprise_bits":2.5,"surprised_from_step":8,"swept_from_step":null,"declared_found":null})");
+  account.note({.steps_taken = 10, .surprise_bits = 2.0F}, Meters{9'000.0});  // an answer that names no place
+  EXPECT_EQ(account.to_json()["surprise_bits"], 2.0);
+}
+
 TEST(SearchAccount, SaysThatNothingSurprisedAndFromWhenOnItWouldHave) {
   SearchAccount account;
   account.note({.steps_taken = 8, .believed_source = kSomewhere, .surprise_bits = -19.04F}, Meters{9'000.0});
