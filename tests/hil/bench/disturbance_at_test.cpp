@@ -47,12 +47,18 @@ TEST(DisturbanceAt, AddsUpErrorsOfOneKind) {
                                        {.fault = Fault::kDepthError, .from = at_s(0), .amount = 5.0},
                                        {.fault = Fault::kDepthError, .from = at_s(0), .amount = -7.0},
                                        {.fault = Fault::kGainError, .from = at_s(0), .amount = 3.0},
-                                       {.fault = Fault::kGainError, .from = at_s(0), .amount = 3.0}};
+                                       {.fault = Fault::kGainError, .from = at_s(0), .amount = 3.0},
+                                       {.fault = Fault::kFloorRise, .from = at_s(0), .amount = 40.0},
+                                       {.fault = Fault::kFloorRise, .from = at_s(0), .amount = 2.0},
+                                       {.fault = Fault::kPositionError, .from = at_s(0), .amount = 30.0, .direction_deg = 0.0},
+                                       {.fault = Fault::kPositionError, .from = at_s(0), .amount = 50.0, .direction_deg = 0.0}};
   const Disturbance d = disturbance_at(faults, at_s(5), kTick);
   EXPECT_NEAR(d.current_mps.north.value, 0.3, 1e-12);
   EXPECT_NEAR(d.current_mps.east.value, 0.4, 1e-12);
   EXPECT_EQ(d.depth_error.value, -2.0);
   EXPECT_EQ(d.hydrophone.gain_error.value, 6.0);
+  EXPECT_EQ(d.floor_rise.value, 42.0);
+  EXPECT_NEAR(d.position_error.north.value, 80.0, 1e-12);
 }
 
 TEST(DisturbanceAt, TakesTheBatterysChargeOnceThoughItLastsToTheEnd) {

@@ -66,6 +66,14 @@ TEST_F(FindingsTest, AreTheLastHealthAndEveryEventInItsOrder) {
   EXPECT_FALSE(found.is_same_again) << "there is no mission in it";
 }
 
+TEST_F(FindingsTest, AreDatedFromWhenTheFlightBegan) {
+  record(102, wire::kSafetyEventChannel, wire::to_message(event(102, config::Condition::kLeak)));
+  journal_.reset();
+  const JournalFindings found = read_findings(path_, mission(), at_s(100));
+  ASSERT_EQ(found.events.size(), 1U);
+  EXPECT_EQ(found.events[0].time, at_s(2));
+}
+
 TEST_F(FindingsTest, NameSetPointsThatNoMissionMayGive) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   record_setpoint(1, 0.5, 2.0, 300.0);

@@ -39,6 +39,11 @@ TEST_F(TornJournalTest, HasLostTheTurnWhoseLastByteIsGone) {
   EXPECT_EQ(turns(), 9);
 }
 
+TEST_F(TornJournalTest, HasLostNoTurnThatEndsWhereItEnds) {
+  EXPECT_EQ(tear_journal(path_, 0), 10U);
+  EXPECT_EQ(turns(), 10);
+}
+
 TEST_F(TornJournalTest, HoldsNothingWhereItHadNoMoreToLose) {
   EXPECT_EQ(tear_journal(path_, 1'000'000), 0U);
   EXPECT_EQ(std::filesystem::file_size(path_), 0U);

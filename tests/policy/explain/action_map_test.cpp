@@ -60,5 +60,15 @@ TEST(ActionMap, StandingWhereTheVehicleStandsDiffersOnlyByASecondLookThatSaysNot
   for (std::size_t i = 0; i < elsewhere.size(); ++i) EXPECT_EQ(elsewhere[i].probabilities, first[i].probabilities);
 }
 
+TEST(ActionMap, StandingElsewhereRemembersTheVehiclesWayAndNoOtherPlaceOfTheMap) {
+  const auto policy = belief_policy(4);
+  const std::vector<RecordedDecision> taken = flown(*policy, 3, {});
+  const auto memory = remembered_at(policy->observation, falling_ocean(), taken, {});
+  const ActionMap nine = standing_elsewhere(*policy, falling_ocean(), 3, *memory);
+  const ActionMap middle = standing_elsewhere(*policy, falling_ocean(), 1, *memory);
+  ASSERT_EQ(nine[4].place, middle[0].place);
+  EXPECT_EQ(nine[4].probabilities, middle[0].probabilities);
+}
+
 }  // namespace
 }  // namespace earshot::explain

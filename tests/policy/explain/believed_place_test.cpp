@@ -79,6 +79,31 @@ TEST(BelievedPlace, LiesAcrossTheBearingOfAHalfRing) {
   EXPECT_LT(place.smallest_area_km2(0.5), place.smallest_area_km2(0.95));
 }
 
+/// In the south-west corner a quarter of the ring is left, from north-west to south-east.
+TEST(BelievedPlace, LiesAcrossTheBearingOfAQuarterRingOnItsOwnSideOfNorth) {
+  const policy::BeliefModel model = search::belief_model(search::SearchSettings{});
+  const auto tables = ocean_of(falling());
+  const auto belief = started(model, *tables);
+  belief->update(model, *tables, {}, {.snr = Decibels{34.0}});
+  EXPECT_NEAR(believed_place(*belief, model).ellipse.bearing.value, 0.75 * std::numbers::pi, 1e-3);
+}
+
+TEST(BelievedPlace, IsLikeliestWhereThePolicySeesItInAnAreaThatIsNotSquareToo) {
+  search::SearchSettings settings;
+  settings.domain = {{}, {Meters{10'000.0}, Meters{25'000.0}}};
+  const policy::BeliefModel model = search::belief_model(settings);
+  ASSERT_NE(model.cells_north, model.cells_east);
+  const auto tables = ocean_of(falling());
+  const auto belief = started(model, *tables);
+  // 6 km from each of two places and 7 km from the third: near 4 km north, 16 km east.
+  belief->update(model, *tables, {Meters{4'000.0}, Meters{10'000.0}}, {.snr = Decibels{34.0}});
+  belief->update(model, *tables, {Meters{4'000.0}, Meters{22'000.0}}, {.snr = Decibels{34.0}});
+  belief->update(model, *tables, {Meters{0.0}, Meters{10'250.0}}, {.snr = Decibels{33.0}});
+  const BelievedPlace place = believed_place(*belief, model);
+  EXPECT_LE(range_between(place.likeliest, belief->summary().likeliest).value, 1.0);
+  EXPECT_NEAR(place.likeliest.east.value, 16'000.0, 2'000.0);
+}
+
 TEST(ExpectedHearing, IsTheMeanOfTheTableOverTheCells) {
   policy::BeliefModel model = search::belief_model(search::SearchSettings{});
   model.area_size = {Meters{1'000.0}, Meters{2'000.0}};

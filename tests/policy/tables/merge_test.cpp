@@ -76,6 +76,10 @@ TEST(Merge, MakesOneOfAll) {
   EXPECT_EQ(merged.curves[0].name, "c");
 }
 
+TEST(Merge, CallsWhatItMergedTwiceByTheHeaviestOfAll) {
+  EXPECT_EQ(names(merge({curve("a", 3, {10}), curve("b", 5, {10.5}), curve("c", 4, {14})}, 1).curves), "b");
+}
+
 /// b and c are each audible where the other is not; their mean is nowhere, as a, which so far was nearest to d.
 TEST(Merge, SeesWhenWhatItHasMergedComesNearerToAnotherThanBothWere) {
   const Merged merged =

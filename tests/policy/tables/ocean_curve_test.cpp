@@ -113,6 +113,19 @@ TEST(OceanCurve, OfAChartIsOneForEachBearingAndSilentBehindAnIsland) {
   EXPECT_GT(curves[0].snr_db[150], -50.0);
 }
 
+/// The same island, 7 km east of the plane's origin and 12 km east of the source.
+TEST(OceanCurve, OfAChartIsOfTheBearingsFromTheSourceWhereverThatIs) {
+  const support::TemporaryFolder folder;
+  CurvePlan plan = kUsual;
+  plan.range_count = 151;
+  BelievedOcean ocean = oceans_in(tests::write_hilly_ocean(folder.path())).front();
+  ocean.environment.source.position = {Meters{0.0}, Meters{-5'000.0}};
+  const std::vector<OceanCurve> curves = curves_of(ocean, plan);
+  ASSERT_EQ(curves.size(), 4U);
+  EXPECT_GT(curves[1].snr_db[90], -50.0);  // 9 km
+  EXPECT_EQ(curves[1].snr_db[150], -200.0);
+}
+
 TEST(OceanCurves, StandInTheOrderOfTheirOceansAndThoseWithoutWaterAreTold) {
   CurvePlan plan = kUsual;
   plan.range_count = 31;

@@ -81,6 +81,8 @@ TEST(LockStepClock, LetsNothingBeReadThatMayBelongToATickThatIsNotHereYet) {
   EXPECT_EQ(clock.now(), kFirstTick);
   EXPECT_EQ(clock.mission_time_of(kFirstTick), kFirstTick) << "what is dated with the tick may be read now";
   EXPECT_EQ(clock.wait(so_far(1, 0)), Clock::Wake::kTurn);
+  EXPECT_TRUE(clock.take_due());
+  EXPECT_FALSE(clock.take_due()) << "it gives its inputs once";
   EXPECT_FALSE(clock.answered(done(), 1));
   int status = 0;
   ASSERT_EQ(waitpid(simulator, &status, 0), simulator);
@@ -129,6 +131,40 @@ TEST(LockStepClock, TakesAsManyBearingsOfItsTickAsThatAnnouncesAndNoMore) {
   EXPECT_TRUE(clock.takes_bearing(kFirstTick));
   EXPECT_TRUE(clock.takes_bearing(kFirstTick));
   EXPECT_FALSE(clock.takes_bearing(kFirstTick)) << "the simulator sent two";
+  kill(simulator, SIGKILL);
+  waitpid(simulator, nullptr, 0);
+}
+
+TEST(LockStepClock, TakesNoneOfTheBearingsAgainThatWereTakenBeforeTheTickCame) {
+  const RunSlot slot;
+  const RunId run = new_run();
+  const pid_t simulator = simulate(slot.domain(), run, 0, 3);
+  LockStepClock clock(slot.domain(), run);
+  while (!clock.has_come(100ms)) {
+  }
+  Clock::Awaited awaited = so_far(0, 0);
+  awaited.bearings_taken = 2;
+  while (clock.wait(awaited) == Clock::Wake::kNothing) {
+  }
+  EXPECT_TRUE(clock.takes_bearing(kFirstTick));
+  EXPECT_FALSE(clock.takes_bearing(kFirstTick)) << "the third of three";
+  kill(simulator, SIGKILL);
+  waitpid(simulator, nullptr, 0);
+}
+
+TEST(LockStepClock, MakesTheTurnOfTheLastTickOfAnEarlierProcessNoSecondTime) {
+  const RunSlot slot;
+  const RunId run = new_run();
+  const pid_t simulator = simulate(slot.domain(), run);
+  LockStepClock clock(slot.domain(), run);
+  messages::Health last;
+  last.turn = 1;
+  clock.go_on_after(last);
+  while (!clock.has_come(100ms)) {
+  }
+  Clock::Wake wake = Clock::Wake::kNothing;
+  while (wake == Clock::Wake::kNothing) wake = clock.wait(so_far(0, 0));
+  EXPECT_EQ(wake, Clock::Wake::kAgain);
   kill(simulator, SIGKILL);
   waitpid(simulator, nullptr, 0);
 }

@@ -250,6 +250,22 @@ TEST(LockStep, ASimulatorMissesItsRuntimeAlsoWhenAnotherIsInTheDomain) {
   waitpid(other, nullptr, 0);
 }
 
+TEST(LockStep, ASimulatorThatGivesUpItsRuntimeStillCountsTheStrangersBefore) {
+  const pid_t stranger = in_another_process([] {
+    RuntimeEnd link(own_domain(), RunId{42});
+    for (;;) {
+      link.send(answer_to(1));
+      std::this_thread::sleep_for(20ms);
+    }
+  });
+  SimulatorEnd link(own_domain(), RunId{43});
+  while (link.strangers() < 3) std::this_thread::sleep_for(10ms);
+  kill(stranger, SIGKILL);
+  waitpid(stranger, nullptr, 0);
+  link.give_up_runtime();
+  EXPECT_GE(link.strangers(), 3U);
+}
+
 TEST(LockStep, RunsInTwoDomainsDoNotMeet) {
   const Word is_there;
   const pid_t child = in_another_process([&is_there] {

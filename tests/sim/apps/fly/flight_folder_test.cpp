@@ -70,7 +70,7 @@ TEST_F(FlightFolderTest, AWholeFlightReplacesAllFilesOfAnEarlierOneAndLeavesTheO
 
 TEST_F(FlightFolderTest, OfAnEarlierFlightThatHeardNothingStaysThatTheNewOneDidNotHear) {
   write_flight(out_, "earlier", true);
-  for (const char* name : {"hearing.csv", "spectrogram.csv"}) std::ofstream(out_ / name) << "earlier";
+  for (const char* name : {"journal.tables", "hearing.csv", "spectrogram.csv"}) std::ofstream(out_ / name) << "earlier";
   {
     FlightFolder folder(out_);
     write_flight(folder.unfinished(), "new", false);
