@@ -20,7 +20,7 @@ from marked_order import mark_of, outcome_of, read_key
 parser = argparse.ArgumentParser(description="A vehicle that follows Earshot's set-points over LCM.")
 parser.add_argument("url")
 parser.add_argument("--key-file", type=pathlib.Path, help="of a mission that names one: the START must bear its mark")
-parser.add_argument("--speed", type=float, default=1.0, help="of a rehearsal, as earshotd's: it sails so much faster than it says")
+parser.add_argument("--speed", type=float, default=1.0, help="of a rehearsal, as earshotd's: it sails so much faster")
 said = parser.parse_args()
 
 vehicle = nav_state_t()
