@@ -67,6 +67,13 @@ void add_options(program::CommandLine& line, Options& o) {
       .checked(
           [](const std::string& name) { return host::is_interface_name(name) ? std::string() : std::string(host::kInterfaceNameRule); })
       .shows_default();
+  line.flag("--hear", &s.hears,
+            "the vehicle has a hydrophone, and measures the SNR itself: the mission's tables for it, and no port that tells one");
+  line.option("--battery-percent", &s.battery_percent, "a rule that ends the search when the battery is below this")
+      .between(own_search::kBattery_percent.lowest, own_search::kBattery_percent.highest);
+  line.option("--fence-m", &s.fence_m,
+              "a fence so far outside of the area: the vehicle is steered back from twice, and the mission aborted at four times that")
+      .between(own_search::kFence_m.lowest, own_search::kFence_m.highest);
   line.flag("--own-tables", &s.own_tables, "believe in oceans of your own: README.md there says how earshot tables makes tables of them");
   line.flag("--force", &o.force,
             "replace a folder that earshot init made, with what was changed in it; its key, tables, flights and journals stay");

@@ -94,12 +94,78 @@ void replace_seabed(std::string& text, double sea_floor_m) {
                is_shelf ? "attenuation_db_per_wavelength = 0.8" : "attenuation_db_per_wavelength = 1.0");
 }
 
+/// No port brings an SNR to a vehicle that measures its own.
+void leave_out_snr(std::string& text) {
+  constexpr std::string_view kRole = "\"snr\", ";
+  for (std::size_t at = text.find("\nroles = "); at != std::string::npos; at = text.find("\nroles = ", at + 1)) {
+    const std::size_t role = text.find(kRole, at);
+    if (role < text.find('\n', at + 1)) text.erase(role, kRole.size());
+  }
+}
+
+/// For a tone; its noise is learnt beside it, so that the source of ocean.toml, which never pauses, is heard.
+std::string hearing_tables(const OwnSearch& search) {
+  constexpr double kToEachSide = 0.1;  // of the frequency
+  const auto band = [&search](double factor) { return toml_number(std::round(100.0 * factor * search.frequency_hz) / 100.0); };
+  return "[[port]]\n"
+         "name = \"hydrophone\"\n"
+         "kind = \"lcm\"\n"
+         "url = \"udpm://239.255.76.68:7668?ttl=0\"  # of its own, so that its samples cannot crowd out navigation and orders\n"
+         "roles = [\"hydrophone\"]\n\n"
+         "[hydrophone]                     # the chain from water to numbers, and what is listened for\n"
+         "preset = \"continuous_tone\"       # the noise is learnt in the bands beside it, for it never pauses; for calls with pauses "
+         "\"fin_whale\", \"blue_whale\",\n"
+         "                                 # \"antarctic_blue_whale\", with a band of their own where the two keys are left out\n"
+         "band_low_hz = " +
+         band(1.0 - kToEachSide) + "\nband_high_hz = " + band(1.0 + kToEachSide) +
+         "\n"
+         "sensitivity_db_re_1v_per_upa = -180.0  # of the hydrophone, by its data sheet: negative\n"
+         "gain_db = 0.0                    # of amplifiers; what gain the blocks name comes on top\n"
+         "full_scale_v = 1.0               # at the ADC's input for a sample of 1.0: half of its range from peak to peak\n"
+         "adc_bits = 24                    # that carry signal\n\n";
+}
+
+/// Three rectangles around the area.
+std::string fence_table(const OwnSearch& search) {
+  constexpr double kSave = 2.0;
+  constexpr double kHalt = 4.0;
+  const auto rectangle = [&search](const char* tier, double factor, const char* remark) {
+    const double out_m = factor * *search.fence_m;
+    const std::string low = toml_number(-out_m);
+    const std::string north = toml_number(search.area_north_m + out_m);
+    const std::string east = toml_number(search.area_east_m + out_m);
+    return std::string(tier) + "_north_m = [" + low + ", " + north + ", " + north + ", " + low + "]  # " + remark + "\n" + tier +
+           "_east_m = [" + low + ", " + low + ", " + east + ", " + east + "]\n";
+  };
+  return "[fence]                          # corners in order, north and east of the origin, in place of the area's edge\n" +
+         rectangle("inside", 1.0, "a vehicle that is steered back goes on from here") + rectangle("save", kSave, "steered back from here") +
+         rectangle("halt", kHalt, "aborted from here") + "\n";
+}
+
+std::string battery_rules(double percent) {
+  return "[[rule]]                         # firmware/safety/README.md lists the conditions and what may be done\n"
+         "when = \"battery_percent\"\n"
+         "below = " +
+         toml_number(percent) +
+         "\nfor_s = 30.0\n"
+         "then = \"abort\"                   # and come up\n\n"
+         "[[rule]]                         # the battery is known as long as the vehicle tells it: at sea let this do more than warn\n"
+         "when = \"vehicle_status_age_s\"\n"
+         "above = 60.0\n"
+         "then = \"warn\"\n\n";
+}
+
 }  // namespace
 
 std::string tables_command(const OwnSearch& search, const fs::path& folder) {
   const auto in_folder = [&folder](const char* name) { return shell_word((folder / name).string()); };
   return command("earshot") + " tables " + in_folder(kOceanFile) + " -o " + in_folder(kTablesFile) + " --key " + in_folder(kKeyFile) +
          " --vehicle-depth-m " + toml_number(search.depth_m) + " --furthest-m " + toml_number(std::ceil(furthest_m(search)));
+}
+
+std::string extra_tables(const OwnSearch& search) {
+  return (search.hears ? hearing_tables(search) : "") + (search.fence_m ? fence_table(search) : "") +
+         (search.battery_percent ? battery_rules(*search.battery_percent) : "");
 }
 
 std::string mission_text(const OwnSearch& search, FliesBy by) {
@@ -119,7 +185,12 @@ std::string mission_text(const OwnSearch& search, FliesBy by) {
   if (search.bus != "can") mission.set("[port]", "url", toml_text(search.lcm_url));
   if (search.bus != "lcm") mission.set("[port]", "interface", toml_text(search.can_interface));
   set_policy(mission, by);
+  if (search.hears) mission.set("limits", "snr_timeout_s", "30.0  # longer than the detector is deaf after some lost blocks of sound");
   std::string text = mission.text();
+  if (search.hears) leave_out_snr(text);
+  if (search.fence_m)
+    replace_line(text, "[area]", "[area]                           # way-points lie in it; leaving the [fence] ends the mission");
+  text.insert(text.find("[origin]"), extra_tables(search));
   const std::string tables =
       toml_text(by == FliesBy::kWhatShips ? host::shipped("policy/tables/shipped").string() : std::string(kTablesFile));
   // Said in every mission of this program, though those that ship need not be: it is what an own ocean changes next.
@@ -169,7 +240,7 @@ std::string readme_text(const OwnSearch& search, FliesBy by, const fs::path& fol
   std::string text = "# A search of one's own\n```sh\n" + (to_be_made ? tables_command(search, folder) + "\n" : "") + command("earshotd") +
                      " --check " + mission + "\n" + command("earshot") + " fly --mission " + mission + " --environment " +
                      shell_word((folder / kOceanFile).string()) + " --out " + shell_word((folder / "flight").string()) +
-                     (search.bus == "lcm" ? "" : " --bus lcm") + "\n```\n";
+                     (search.bus == "lcm" ? "" : " --bus lcm") + (search.hears ? " --hear synthetic" : "") + "\n```\n";
   if (to_be_made)
     text +=
         "The first makes `search.tables`, what the vehicle believes possible of the ocean: here `ocean.toml` alone. At sea the ocean is "

@@ -48,6 +48,9 @@ double max_time_s(const OwnSearch& search, double step_length_m, double max_step
 }
 
 void require_consistent(const OwnSearch& search) {
+  if (search.hears && (search.frequency_hz < kHeard_hz.lowest || search.frequency_hz > kHeard_hz.highest))
+    throw host::BadInput("--hear: --frequency-hz " + toml_number(search.frequency_hz) + ": a hydrophone's detector is for " +
+                         toml_number(kHeard_hz.lowest) + " to " + toml_number(kHeard_hz.highest) + " Hz");
   if (search.depth_m < search.sea_floor_m) return;
   throw host::BadInput("--depth-m " + toml_number(search.depth_m) + ": must be less than --sea-floor-m (" +
                        toml_number(search.sea_floor_m) + "), the depth of the sea floor");

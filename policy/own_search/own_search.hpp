@@ -24,7 +24,10 @@ struct OwnSearch {
   /// All over LCM ("lcm"), all over CAN ("can"), or what a CAN bus brings over that and the rest over LCM ("mixed").
   std::string bus = "lcm";
   std::string can_interface = "can0";
-  bool own_tables = false;  ///< of oceans of one's own, where tables that ship would do, too
+  bool hears = false;                       ///< with a hydrophone of its own, and is told no SNR
+  std::optional<double> battery_percent{};  ///< below it the search ends
+  std::optional<double> fence_m{};          ///< so far outside of the area it may be, before it is steered back
+  bool own_tables = false;                  ///< of oceans of one's own, where tables that ship would do, too
 };
 
 struct Bounds {
@@ -39,6 +42,9 @@ inline constexpr Bounds kSpeed_mps{.lowest = 0.1, .highest = 20.0};
 inline constexpr Bounds kFrequency_hz{.lowest = 1.0, .highest = 10'000.0};
 inline constexpr Bounds kSourceLevel_db{.lowest = 60.0, .highest = 250.0};
 inline constexpr Bounds kNoise_db{.lowest = 0.0, .highest = 200.0};
+inline constexpr Bounds kBattery_percent{.lowest = 1.0, .highest = 90.0};
+inline constexpr Bounds kFence_m{.lowest = 10.0, .highest = 20'000.0};
+inline constexpr Bounds kHeard_hz{.lowest = 2.0, .highest = 900.0};  ///< with a tenth to each side: what a hydrophone's detector can
 inline constexpr Bounds kSeaFloor_m{.lowest = 10.0, .highest = 11'000.0};
 
 /// What a search is flown by.
@@ -64,7 +70,7 @@ enum class FliesBy : std::uint8_t {
 /// Source: Coates (1990), Underwater Acoustic Systems, ch. 6, fits to Wenz's curves. Oracle: OwnSearch.TakesNoiseForTheFrequency
 [[nodiscard]] double noise_db(const OwnSearch& search);
 
-/// @throws BadInput for what does not fit together: a search below the sea floor
+/// @throws BadInput for what does not fit together: a search below the sea floor, a sound that no detector is for
 void require_consistent(const OwnSearch& search);
 
 }  // namespace earshot::own_search

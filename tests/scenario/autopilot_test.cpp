@@ -211,6 +211,26 @@ TEST_F(Autopilot, GivenThePythonExampleAsItsVehicleASearchAtSeaOverLcmIsSailedUn
   EXPECT_EQ(ashore.health.commands_refused, 0);
 }
 
+TEST_F(Autopilot, GivenARehearsalAtFiveTimesTheSpeedThePythonVehicleHearsTheOceanWhereItIsAndAllIsDatedByTheWallClock) {
+  ENTER_PRIVATE_NETWORK_OR_SKIP();
+  const std::string url(host::kDefaultLcmUrl);
+  Ashore ashore(url);
+  write_mission(mission_of_short_steps("search.toml"));
+  std::ofstream(folder_ / "snr.csv") << "range_m,snr_db\n0,60\n10000,40\n20000,20\n";  // 2 dB a kilometre
+  start_earshotd({"--speed", "5"});
+  const auto vehicle = python("autopilot_over_lcm", {url, "--speed", "5"});
+  const auto ocean = python("ocean_snr_over_lcm", {url, folder_ / "snr.csv", "10000", "10000"});
+  ASSERT_TRUE(ashore.hears([&] { return ashore.health.steps_taken >= 20; }, [] {})) << vehicle->output() << ocean->output();
+  for (const decision_t& decision : ashore.decisions) {
+    const double range_m = std::hypot(decision.north_m - 10'000.0, decision.east_m - 10'000.0);
+    EXPECT_NEAR(decision.snr_db, 60.0 - 0.002 * range_m, 0.1) << "two fixes are 20 m apart, 0.04 dB";
+  }
+  EXPECT_EQ(ashore.health.snr_refused, 0);
+  EXPECT_LE(ashore.health.utime, board::HostClock().utc().us) << "the mission's clock is ahead by four seconds for each that has passed";
+  earshotd_->signal(SIGTERM);
+  EXPECT_EQ(earshotd_->wait(20s), program::kInterrupted) << earshotd_->output();
+}
+
 TEST_F(Autopilot, GivenThePythonExampleAsItsHydrophoneOnThePortThatThePageShowsItsSamplesAreHeard) {
   ENTER_PRIVATE_NETWORK_OR_SKIP();
   const std::string page = support::read_text(kBoard / "connect_your_autopilot.md");

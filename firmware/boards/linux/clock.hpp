@@ -45,6 +45,9 @@ class Clock {
   [[nodiscard]] virtual Time now() = 0;
   /// Converts a date that a sender gave by its own wall clock to the mission clock.
   [[nodiscard]] virtual Time mission_time_of(Time utc) = 0;
+  /// The other way: the wall clock's date of a moment of the mission, which is what a bus is told. A simulator's clock is the wall's to
+  /// all.
+  [[nodiscard]] virtual Time utc_of(Time mission_time) { return mission_time; }
   /// Whether a bearing that a bus brings is one of those that whoever drives the clock has sent.
   [[nodiscard]] virtual bool takes_bearing(Time /*utc*/) { return true; }
   /// Converts the end of something heard, as the hydrophone's blocks are dated, to the mission clock. It lies before what is newest: the

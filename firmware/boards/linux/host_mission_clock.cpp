@@ -51,8 +51,22 @@ Time HostMissionClock::mission_time_of(Time utc) {
   constexpr Time kNoDate{-1};
   constexpr Time kLatest{std::int64_t{1} << 55};  // the year 3111, which is never; a hundred times it fits
   if (utc.us < 0) return kNoDate;
+  const Moment& now = moment();
+  return mission_time_at(now) + scaled(std::min(utc, kLatest) - now.utc, speed_);
+}
+
+Time HostMissionClock::utc_of(Time mission_time) {
+  const Moment& now = moment();
+  return now.utc + scaled(mission_time - mission_time_at(now), 1.0 / speed_);
+}
+
+const HostMissionClock::Moment& HostMissionClock::moment() {
   if (host_.monotonic() - moment_.monotonic >= kMomentLasts) moment_ = moment_of(host_);
-  return began_ + scaled(moment_.monotonic - began_on_host_, speed_) + scaled(std::min(utc, kLatest) - moment_.utc, speed_);
+  return moment_;
+}
+
+Time HostMissionClock::mission_time_at(const Moment& moment) const {
+  return began_ + scaled(moment.monotonic - began_on_host_, speed_);
 }
 
 Clock::Wake HostMissionClock::wait(const Awaited& awaited) {

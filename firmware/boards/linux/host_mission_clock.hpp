@@ -21,6 +21,7 @@ class HostMissionClock final : public Clock {
 
   [[nodiscard]] Time now() override;
   [[nodiscard]] Time mission_time_of(Time utc) override;
+  [[nodiscard]] Time utc_of(Time mission_time) override;
   [[nodiscard]] Time arrival_of(Time utc) override { return mission_time_of(utc); }
   [[nodiscard]] Wake wait(const Awaited& awaited) override;
   /// After DONE or ABORT the autopilot is told to come up until somebody stops the program.
@@ -32,6 +33,9 @@ class HostMissionClock final : public Clock {
     Duration monotonic;
   };
   [[nodiscard]] static Moment moment_of(const HostClock& host);
+  /// A reading of both that is not too old.
+  [[nodiscard]] const Moment& moment();
+  [[nodiscard]] Time mission_time_at(const Moment& moment) const;
 
   const HostClock& host_;
   double speed_;

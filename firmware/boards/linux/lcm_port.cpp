@@ -57,6 +57,7 @@ LcmPort::LcmPort(std::uint8_t index, const host::PortSettings& settings, host::I
       endpoint_(host::parse_lcm_url(settings.address), channels_of(settings.roles), is_abort, if_missing) {}
 
 void LcmPort::collect(Clock& clock, InputSink& sink) {
+  clock_ = &clock;
   endpoint_.collect();
   for (wire::Lc02Message message; endpoint_.take(message) == Status::kOk;) {
     if (snr_is_simulators_ && is_strangers(clock, message)) continue;
@@ -107,26 +108,33 @@ bool LcmPort::send(std::string_view channel, const Message& message) {
   return sent;
 }
 
+template <class Value>
+void LcmPort::send_dated(std::string_view channel, const Value& value) {
+  auto message = wire::to_message(value);
+  message.utime = date_of(Time{message.utime}).us;
+  (void)send(channel, message);
+}
+
 std::uint64_t LcmPort::publish(Time now, const runtime::Outputs& outputs) {
   std::uint64_t setpoints = 0;
   if (has(host::Role::kAutopilot) && outputs.setpoint) {
-    if (send(wire::kSetpointChannel, wire::to_message(*outputs.setpoint, now))) ++setpoints;
+    if (send(wire::kSetpointChannel, wire::to_message(*outputs.setpoint, date_of(now)))) ++setpoints;
   }
   if (has(host::Role::kOperator)) {
     for (const messages::CommandAcknowledgement& acknowledgement : outputs.acknowledgements) {
-      if (acknowledgement.port == index()) (void)send(wire::kAcknowledgementChannel, wire::to_message(acknowledgement));
+      if (acknowledgement.port == index()) send_dated(wire::kAcknowledgementChannel, acknowledgement);
     }
   }
   if (has(host::Role::kStatus)) {
-    if (outputs.decision) (void)send(wire::kDecisionChannel, wire::to_message(*outputs.decision));
-    for (const messages::SafetyEvent& event : outputs.safety_events) (void)send(wire::kSafetyEventChannel, wire::to_message(event));
-    (void)send(wire::kHealthChannel, wire::to_message(outputs.health, now));
+    if (outputs.decision) send_dated(wire::kDecisionChannel, *outputs.decision);
+    for (const messages::SafetyEvent& event : outputs.safety_events) send_dated(wire::kSafetyEventChannel, event);
+    (void)send(wire::kHealthChannel, wire::to_message(outputs.health, date_of(now)));
   }
   return setpoints;
 }
 
 void LcmPort::publish_detection(const messages::SoundDetection& detection) {
-  if (has(host::Role::kStatus)) (void)send(wire::kDetectionChannel, wire::to_message(detection));
+  if (has(host::Role::kStatus)) send_dated(wire::kDetectionChannel, detection);
 }
 
 messages::PortReport LcmPort::report() const {

@@ -10,7 +10,8 @@
 
 namespace earshot::board {
 
-/// All that the runtime takes and gives, as LCM messages (firmware/wire/lcm).
+/// All that the runtime takes and gives, as LCM messages (firmware/wire/lcm). Every date on the bus is the wall clock's, whatever clock the
+/// mission goes by.
 class LcmPort final : public Port {
  public:
   /// @throws std::system_error, std::invalid_argument as LcmEndpoint and parse_lcm_url do.
@@ -29,8 +30,13 @@ class LcmPort final : public Port {
   [[nodiscard]] std::string strangers() const override;
 
  private:
+  /// On the bus.
+  [[nodiscard]] Time date_of(Time mission_time) const { return clock_ == nullptr ? mission_time : clock_->utc_of(mission_time); }
   template <class Message>
   bool send(std::string_view channel, const Message& message);
+  /// What bears a date of its own.
+  template <class Value>
+  void send_dated(std::string_view channel, const Value& value);
   /// @return whether it is one that this port brings
   [[nodiscard]] bool take(Clock& clock, const wire::Lc02Message& message, InputSink& sink);
   /// @return whether it is none of this flight's: then it is counted here, and nowhere else, so that the flight stays what it is
@@ -45,6 +51,7 @@ class LcmPort final : public Port {
   std::uint64_t strangers_snr_ = 0;
   std::uint64_t strangers_bearings_ = 0;
   host::LcmEndpoint endpoint_;
+  Clock* clock_ = nullptr;  ///< that what came was dated by; null: nothing was looked for yet
 };
 
 }  // namespace earshot::board

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "sim/search/scenario/scenario_file.hpp"
@@ -65,6 +66,38 @@ TEST_F(OwnFiles, MissionsOfEveryBusHaveAllPortsThatTheSeaAsksFor) {
     EXPECT_NO_THROW(host::require_ports_for_sea(host::load_mission(path), path)) << bus;
     EXPECT_NE(support::read_text(path).find("\non_found = "), std::string::npos) << bus;
   }
+}
+
+TEST_F(OwnFiles, MissionThatHearsListensAboutItsFrequencyAndIsToldNoSnr) {
+  for (const char* bus : {"lcm", "can", "mixed"}) {
+    const std::filesystem::path path = written(mission_text({.frequency_hz = 35.0, .bus = bus, .hears = true}, FliesBy::kWhatShips));
+    const host::MissionFile file = host::load_mission(path);
+    EXPECT_NO_THROW(host::require_hydrophone(file, path)) << bus;
+    EXPECT_NO_THROW(host::require_ports_for_sea(file, path)) << bus;
+    for (const host::PortSettings& port : file.ports) EXPECT_FALSE(port.roles.has(host::Role::kSnr)) << bus;
+    ASSERT_TRUE(file.hearing) << bus;
+    EXPECT_NEAR(file.hearing->band.low.value, 31.5, 1e-9);
+    EXPECT_NEAR(file.hearing->band.high.value, 38.5, 1e-9);
+    EXPECT_EQ(file.mission.snr_timeout, Duration::seconds(30));
+  }
+  EXPECT_NE(readme_text({.hears = true}, FliesBy::kWhatShips, "/own").find(" --hear synthetic\n"), std::string::npos);
+  EXPECT_THROW(require_consistent({.frequency_hz = 1'000.0, .hears = true}), host::BadInput);
+}
+
+TEST_F(OwnFiles, MissionHasTheFenceAndTheBatteryThatWereAskedFor) {
+  const OwnSearch search{.area_north_m = 20'000.0, .area_east_m = 18'000.0, .battery_percent = 25.0, .fence_m = 500.0};
+  const config::Safety safety = host::load_mission(written(mission_text(search, FliesBy::kOwnPolicy))).mission.safety;
+  ASSERT_TRUE(safety.fence);
+  ASSERT_EQ(safety.fence->inside.size(), 4U);
+  EXPECT_EQ(safety.fence->inside[2], (NorthEast{Meters{20'500.0}, Meters{18'500.0}}));
+  EXPECT_EQ(safety.fence->save[0], (NorthEast{Meters{-1'000.0}, Meters{-1'000.0}}));
+  EXPECT_EQ(safety.fence->halt[1], (NorthEast{Meters{22'000.0}, Meters{-2'000.0}}));
+  ASSERT_EQ(safety.rules.size(), 2U);
+  EXPECT_EQ(safety.rules[0].condition, config::Condition::kBattery);
+  EXPECT_EQ(safety.rules[0].limit, 25.0);
+  EXPECT_EQ(safety.rules[0].response, config::Response::kAbort);
+  EXPECT_EQ(support::read_text(folder_.path() / "file.toml").find("# leaving it ends the mission"), std::string::npos);
+  EXPECT_EQ(mission_text({}, FliesBy::kWhatShips).find("[fence]"), std::string::npos);
 }
 
 TEST_F(OwnFiles, OceanIsReadBackAsWhatWasAskedFor) {

@@ -2,7 +2,7 @@
 """A vehicle that follows Earshot's set-points over LCM, and starts the search.
 
 How to run it: ../connect_your_autopilot.md
-usage: autopilot_over_lcm.py LCM_URL [--key-file FILE]
+usage: autopilot_over_lcm.py LCM_URL [--key-file FILE] [--speed N]
 """
 
 import argparse
@@ -20,6 +20,7 @@ from marked_order import mark_of, outcome_of, read_key
 parser = argparse.ArgumentParser(description="A vehicle that follows Earshot's set-points over LCM.")
 parser.add_argument("url")
 parser.add_argument("--key-file", type=pathlib.Path, help="of a mission that names one: the START must bear its mark")
+parser.add_argument("--speed", type=float, default=1.0, help="of a rehearsal, as earshotd's: it sails so much faster")
 said = parser.parse_args()
 
 vehicle = nav_state_t()
@@ -55,7 +56,7 @@ bus.subscribe("EARSHOT_COMMAND_ACKNOWLEDGEMENT", on_acknowledgement)
 while True:
     bus.handle_timeout(100)
     now = time.time_ns() // 1000
-    travelled_m = vehicle.speed_mps * (now - vehicle.utime) * 1e-6
+    travelled_m = said.speed * vehicle.speed_mps * (now - vehicle.utime) * 1e-6
     vehicle.north_m += travelled_m * math.cos(vehicle.heading_rad)
     vehicle.east_m += travelled_m * math.sin(vehicle.heading_rad)
     vehicle.utime = now

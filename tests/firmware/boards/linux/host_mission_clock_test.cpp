@@ -54,6 +54,21 @@ TEST(HostMissionClock, ScalesWhatPassesAndWhatIsOld) {
   EXPECT_EQ(clock.mission_time_of(host.wall + seconds(-2)), Time{1'180'000'000}) << "2 s old are 2 min";
 }
 
+TEST(HostMissionClock, TellsTheWallsDateOfAMomentOfTheMission) {
+  SetHost host;
+  HostMissionClock fast(host, 60.0);
+  HostMissionClock same(host);
+  host.pass(seconds(5));
+  EXPECT_EQ(fast.utc_of(fast.now()), host.wall);
+  EXPECT_EQ(fast.utc_of(fast.now() + seconds(-120)), host.wall + seconds(-2)) << "2 min ago was 2 s ago";
+  EXPECT_EQ(same.utc_of(same.now() + seconds(-2)), host.wall + seconds(-2));
+  host.pass(seconds(1));
+  host.wall = host.wall + seconds(3600);
+  EXPECT_EQ(fast.utc_of(fast.now()), host.wall) << "as whoever reads it dates what he sends";
+  const Time date = host.wall + seconds(-3);
+  EXPECT_EQ(fast.utc_of(fast.mission_time_of(date)), date);
+}
+
 TEST(HostMissionClock, GoesOnWhereAnotherOfTheSameRehearsalIs) {
   SetHost host;
   const Time began = host.wall;

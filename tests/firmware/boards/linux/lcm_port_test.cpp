@@ -3,11 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <variant>
 
 #include "earshot/bearing_t.hpp"
+#include "earshot/command_acknowledgement_t.hpp"
+#include "earshot/decision_t.hpp"
+#include "earshot/detection_t.hpp"
+#include "earshot/health_t.hpp"
+#include "earshot/safety_event_t.hpp"
+#include "earshot/setpoint_t.hpp"
 #include "earshot/snr_estimate_t.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
@@ -70,6 +77,52 @@ TEST_F(LcmPortTest, GivenASimulatorThatTellsTheSnrIgnoresThatOfStrangersAndSaysS
   EXPECT_EQ(vehicle.strangers(),
             "vehicle, LCM udpm://239.255.76.67:7667?ttl=0: 2 SNRs and 2 bearings of somebody else on this bus were ignored: in simulation "
             "they come from the simulator alone");
+}
+
+/// Mission time an hour ahead of the wall's.
+class HourAhead final : public SetClock {
+ public:
+  [[nodiscard]] Time utc_of(Time mission_time) override { return mission_time + Duration::seconds(-3600); }
+};
+
+template <class Message>
+std::int64_t utime_of(const wire::Lc02Message& message) {
+  Message value{};
+  EXPECT_EQ(wire::decode(message.data, value), Status::kOk) << message.channel;
+  return value.utime;
+}
+
+TEST_F(LcmPortTest, DatesAllThatItSaysByTheWallClock) {
+  LcmPort vehicle(1, {.name = "vehicle", .address = kUrl, .roles = {Role::kAutopilot, Role::kOperator, Role::kStatus}});
+  host::LcmEndpoint ashore(host::parse_lcm_url(kUrl), {wire::kSetpointChannel, wire::kAcknowledgementChannel, wire::kDecisionChannel,
+                                                       wire::kSafetyEventChannel, wire::kHealthChannel, wire::kDetectionChannel});
+  HourAhead clock;
+  CountingSink sink;
+  vehicle.collect(clock, sink);
+  const Time now{1'795'000'000'000'000};
+  runtime::Outputs outputs;
+  outputs.setpoint.emplace();
+  outputs.decision.emplace();
+  outputs.decision->time = now;
+  ASSERT_EQ(outputs.acknowledgements.push_back({.time = now, .port = 1}), Status::kOk);
+  ASSERT_EQ(outputs.safety_events.push_back({.time = now}), Status::kOk);
+  vehicle.publish(now, outputs);
+  messages::SoundDetection detection;
+  detection.begin = now;
+  vehicle.publish_detection(detection);
+  ashore.collect();
+  std::map<std::string, std::int64_t> dates;
+  for (wire::Lc02Message m; ashore.take(m) == Status::kOk;) {
+    const std::string channel(m.channel);
+    dates[channel] = channel == wire::kSetpointChannel          ? utime_of<setpoint_t>(m)
+                     : channel == wire::kAcknowledgementChannel ? utime_of<command_acknowledgement_t>(m)
+                     : channel == wire::kDecisionChannel        ? utime_of<decision_t>(m)
+                     : channel == wire::kSafetyEventChannel     ? utime_of<safety_event_t>(m)
+                     : channel == wire::kHealthChannel          ? utime_of<health_t>(m)
+                                                                : utime_of<detection_t>(m);
+  }
+  EXPECT_EQ(dates.size(), 6U) << "every message that bears a date";
+  for (const auto& [channel, utime] : dates) EXPECT_EQ(utime, now.us - 3'600'000'000) << channel;
 }
 
 TEST_F(LcmPortTest, TakesEverySnrAndBearingWhereNoSimulatorTellsThem) {
