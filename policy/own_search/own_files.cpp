@@ -143,7 +143,9 @@ std::string fence_table(const OwnSearch& search) {
 }
 
 std::string battery_rules(double percent) {
-  return "[[rule]]                         # firmware/safety/README.md lists the conditions and what may be done\n"
+  return "[vehicle]                        # fenced_search.toml (firmware/boards/linux/missions) has its other keys\n"
+         "battery_percent_per_km = 0.6     # through the water, at search speed; earshot fly --battery-percent 100 simulates it\n\n"
+         "[[rule]]                         # firmware/safety/README.md lists the conditions and what may be done\n"
          "when = \"battery_percent\"\n"
          "below = " +
          toml_number(percent) +

@@ -89,6 +89,10 @@ std::optional<Tick> LockStepClock::take_due() {
 
 void give_inputs(const Tick& tick, std::uint8_t port, board::InputSink& sink) {
   if (tick.snr) sink.take(port, messages::SnrMeasurement{.time = tick.time, .snr = *tick.snr, .too_faint = tick.snr_too_faint});
+  if (tick.battery_percent)
+    sink.take(port,
+              messages::VehicleStatus{
+                  .time = tick.time, .altitude = Meters{messages::VehicleStatus::kUnknown}, .battery_percent = *tick.battery_percent});
   if (tick.command != 0) {
     sink.take(port, messages::OperatorCommand{.time = tick.time,
                                               .expiry = tick.time,

@@ -57,11 +57,11 @@ class LockStepClock final : public board::Clock {
   std::optional<NorthEast> believed_source_;  ///< as of the last decision
 };
 
-/// What a tick brings: the modelled SNR, and an order. Nothing of it has been judged.
+/// What a tick brings: the modelled SNR, the battery's charge, and an order. Nothing of it has been judged.
 /// @param port  that it came by
 void give_inputs(const Tick& tick, std::uint8_t port, board::InputSink& sink);
 
-/// What the tick brings, as a port: the modelled SNR, and the orders of who runs the simulation.
+/// What the tick brings, as a port: the modelled SNR, the battery's charge, and the orders of who runs the simulation.
 class LockStepPort final : public board::Port {
  public:
   LockStepPort(std::uint8_t index, LockStepClock& clock) : Port(index, {host::Role::kSnr, host::Role::kOperator}), clock_(clock) {}

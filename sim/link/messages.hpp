@@ -20,6 +20,7 @@ struct Tick {
   std::optional<Decibels> snr;
   bool snr_too_faint = false;  ///< not measured: the signal lies somewhere below `snr`
   std::uint8_t command = 0;
+  std::optional<double> battery_percent = std::nullopt;  ///< charge that is left, of a vehicle that tells it
 };
 
 struct Answer {

@@ -16,7 +16,8 @@ Tick from_wire(const earshot_sim_Tick& sample) {
           .hydrophone_blocks = sample.hydrophone_blocks,
           .snr = sample.snr_valid ? std::optional(Decibels{sample.snr_db}) : std::nullopt,
           .snr_too_faint = sample.snr_too_faint,
-          .command = sample.command};
+          .command = sample.command,
+          .battery_percent = sample.battery_valid ? std::optional(sample.battery_percent) : std::nullopt};
 }
 
 earshot_sim_Answer to_wire(const Answer& answer, RunId run) {

@@ -70,7 +70,9 @@ void SimulatorEnd::send(const Tick& tick) {
                                 .snr_valid = tick.snr.has_value(),
                                 .command = tick.command,
                                 .snr_db = tick.snr.value_or(Decibels{}).value,
-                                .snr_too_faint = tick.snr_too_faint};
+                                .snr_too_faint = tick.snr_too_faint,
+                                .battery_valid = tick.battery_percent.has_value(),
+                                .battery_percent = tick.battery_percent.value_or(0.0)};
   write(entities_->ticks, &sample, "a tick");
 }
 

@@ -45,7 +45,7 @@ void MovingVehicle::move(Time now, const vehicle::Command& wanted) {
     turning_ = RadiansPerSecond{wrap_to_pi(state_.heading - before.heading).value / seconds};
   state_.position = state_.position + NorthEast{disturbance_.current_mps.north * seconds, disturbance_.current_mps.east * seconds};
   sailed_ += way;
-  battery_.percent = std::max(battery_.percent - way.value * 1e-3 * battery_.percent_per_km, 0.0);
+  battery_.sail(way);
   tell();
 }
 

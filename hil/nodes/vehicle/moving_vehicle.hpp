@@ -5,15 +5,12 @@
 #include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
 #include "hil/nodes/disturbance.hpp"
+#include "sim/vehicle/battery.hpp"
 #include "sim/vehicle/vehicle.hpp"
 
 namespace earshot::hil {
 
-/// Its charge, and what it takes of it.
-struct Battery {
-  double percent = 100.0;
-  double percent_per_km = 0.6;
-};
+using vehicle::Battery;
 
 /// A vehicle in the water and what is wrong with it, whatever bus its devices are on: where it is, and what its instruments measure of
 /// that.

@@ -22,4 +22,12 @@ struct FlightPlan {
 [[nodiscard]] FlightPlan load_flight_plan(const std::filesystem::path& mission, const std::filesystem::path& environment,
                                           const std::optional<std::filesystem::path>& vehicle = std::nullopt);
 
+/// Of `--battery-percent` of both programs.
+inline constexpr const char* kBatteryHelp =
+    "simulate the battery, which has so much charge at the start: the vehicle tells it at every tick, and each kilometre takes the "
+    "mission's "
+    "vehicle.battery_percent_per_km; default: the vehicle tells none";
+/// @throws host::BadInput when the mission does not say what a kilometre takes of a battery that is to be simulated
+void require_known_consumption(const config::Mission& mission, const std::filesystem::path& path);
+
 }  // namespace earshot::fly

@@ -65,6 +65,7 @@ struct Options {
   std::optional<std::string> journal_survives;
   std::optional<std::string> hear;
   std::optional<std::string> board;
+  std::optional<double> battery_percent;
   bool ignore_source = false;
   bool no_report = false;
 };
@@ -108,6 +109,7 @@ void declare(program::CommandLine& line, Options& o) {
               "a microcontroller decides, emulated: qemu-m7 with the capacities of a vehicle computer, qemu-m7-small with its own (25 x 25 "
               "cells)")
       .one_of({fly::kBoardFull, fly::kBoardSmall});
+  line.option("--battery-percent", &o.battery_percent, fly::kBatteryHelp).between(0.0, 100.0);
   line.flag("--ignore-source", &o.ignore_source, "fly on to the last step even when the source is reached (benchmarks)");
   line.flag("--no-report", &o.no_report, "do not write report.html");
 }
@@ -142,6 +144,7 @@ std::vector<std::string> simulator_arguments(const Options& o, const Meeting& me
                      "--seed", std::to_string(o.seed), "--source", o.source, "--speed", o.speed});
   add(a, "--hear", o.hear);
   if (o.board) a.emplace_back("--slow-runtime");
+  if (o.battery_percent) a.insert(a.end(), {"--battery-percent", std::to_string(*o.battery_percent)});
   if (o.ignore_source) a.emplace_back("--ignore-source");
   if (program::talk() == program::Talk::kQuiet) a.emplace_back("--quiet");
   return a;
@@ -331,6 +334,7 @@ host::MissionFile checked_mission(const Options& o) {
   const fly::FlightPlan plan = fly::load_flight_plan(o.mission, o.environment, o.vehicle);
   warn_of_another_frequency(o, plan);
   host::MissionFile mission = plan.mission;
+  if (o.battery_percent) fly::require_known_consumption(mission.mission, o.mission);
   host::override_ports(mission, {.bus = o.bus, .lcm_url = std::nullopt, .can_interface = std::nullopt});
   if (o.hear) {
     host::require_hydrophone(mission, o.mission);

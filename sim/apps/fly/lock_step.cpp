@@ -59,6 +59,7 @@ class Stepper {
  public:
   Stepper(const Flight& flight, const vehicle::State& start, const std::atomic<bool>& stop)
       : flight_(flight), vehicle_(start), command_{.heading = start.heading, .speed = start.speed, .depth = start.depth}, stop_(stop) {
+    result_.battery = flight.setup.battery;
     surroundings_.start(flight.setup.world, start.position, flight.setup.source, Pcg32(flight.setup.seed, kConditionsStream));
     if (flight.sound != nullptr) sound_ = std::make_unique<Sound>(*flight.sound, surroundings_, flight.setup.tick);
     source_ = surroundings_.nearest_source(start.position);
@@ -92,6 +93,7 @@ class Stepper {
   void advance() {
     const NorthEast before = vehicle_.position;
     vehicle_ = vehicle::advance_for(vehicle_, command_, flight_.setup.vehicle, flight_.setup.tick);
+    if (result_.battery) result_.battery->sail(range_between(before, vehicle_.position));
     vehicle_.position = surroundings_.carry(flight_.setup.world, before, vehicle_.position, flight_.setup.tick.to_seconds());
     source_ = surroundings_.nearest_source(vehicle_.position);
   }
@@ -116,7 +118,8 @@ class Stepper {
                           .hydrophone_blocks = sound_ ? sound_->blocks() : 0,
                           .snr = sound_ ? std::nullopt : std::optional(reception.snr),
                           .snr_too_faint = !sound_ && reception.too_faint,
-                          .command = order(reached)};
+                          .command = order(reached),
+                          .battery_percent = result_.battery ? std::optional(result_.battery->percent) : std::nullopt};
     flight_.link.send(tick);
     flight_.link.observe({.time = now_,
                           .vehicle = vehicle_.position,

@@ -16,6 +16,7 @@
 #include "sim/apps/fly/search_account.hpp"
 #include "sim/link/simulator_end.hpp"
 #include "sim/search/scenario/surroundings.hpp"
+#include "sim/vehicle/battery.hpp"
 #include "sim/vehicle/vehicle.hpp"
 
 namespace earshot::fly {
@@ -30,6 +31,7 @@ struct FlightSetup {
   Meters found_within;         ///< l: the source is reached at this range
   bool may_be_found = true;    ///< false: fly on to the last step even so (benchmarks)
   vehicle::Limits vehicle;
+  std::optional<vehicle::Battery> battery{};  ///< as the flight begins; none: the vehicle tells no status
   Duration tick = search::kLookInterval;
   std::uint64_t seed = 1;  ///< of what the conditions draw
   std::chrono::milliseconds answer_patience = kAnswerPatience;
@@ -44,9 +46,10 @@ struct FlightResult {
   Time last_tick;
   double wall_time_s = 0.0;  ///< from the first tick to the last answer
   vehicle::State end;
-  Time search_began;             ///< when START was said
-  SearchAccount account;         ///< of what the vehicle said while it searched
-  std::unique_ptr<Sound> sound;  ///< of a flight that hears
+  std::optional<vehicle::Battery> battery;  ///< at the end
+  Time search_began;                        ///< when START was said
+  SearchAccount account;                    ///< of what the vehicle said while it searched
+  std::unique_ptr<Sound> sound;             ///< of a flight that hears
 };
 
 /// Everything that one flight needs; all must outlive it.

@@ -62,6 +62,7 @@ struct Options {
   std::uint32_t wait_for_runtime_s = 0;
   bool slow_runtime = false;
   bool ignore_source = false;
+  std::optional<double> battery_percent;
   std::optional<std::string> hear;
 };
 
@@ -91,6 +92,7 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--lcm-url", &o.ports.lcm_url, "address of every LCM port but a hydrophone's instead of the mission's");
   line.option("--hydrophone-url", &o.ports.hydrophone_url, "address of the hydrophone's port instead of the mission's");
   line.option("--hear", &o.hear, fly::kHearHelp).checked(fly::hear_complaint, fly::kHearsAllowed);
+  line.option("--battery-percent", &o.battery_percent, fly::kBatteryHelp).between(0.0, 100.0);
   line.option("--can-interface", &o.ports.can_interface, "interface of every CAN port instead of the mission's");
   line.flag("--slow-runtime", &o.slow_runtime,
             "wait a quarter of an hour for earshotd, and two minutes for its answers: an emulator decides");
@@ -199,6 +201,7 @@ nlohmann::ordered_json summary_of(const Options& o, const config::Mission& missi
                                  {"max_steps", mission.max_steps},
                                  {"detection_threshold_db", mission.detection_threshold.value}};
   summary.update(result.account.to_json());
+  if (result.battery) summary["battery_percent"] = result.battery->percent;
   if (result.sound) summary["hearing"] = hearing_of(o, result);
   return summary;
 }
@@ -213,6 +216,13 @@ bool succeeds(Work work) {
     std::cerr << "earshot-sim: " << e.what() << "\n";
     return false;
   }
+}
+
+/// Nothing: it is not simulated. @throws host::BadInput when the mission does not say what a kilometre takes of it
+std::optional<vehicle::Battery> battery_of(const Options& o, const config::Mission& mission) {
+  if (!o.battery_percent) return std::nullopt;
+  require_known_consumption(mission, o.mission);
+  return vehicle::Battery{.percent = *o.battery_percent, .percent_per_km = mission.safety.vehicle.battery_percent_per_km};
 }
 
 int simulate(const Options& o) {
@@ -235,6 +245,7 @@ int simulate(const Options& o) {
                           .found_within = settings.step_length,
                           .may_be_found = !o.ignore_source,
                           .vehicle = {},
+                          .battery = battery_of(o, file.mission),
                           .seed = o.seed,
                           .answer_patience = o.slow_runtime ? kSlowAnswerPatience : fly::kAnswerPatience,
                           .wait_for_runtime = std::chrono::seconds(o.wait_for_runtime_s),

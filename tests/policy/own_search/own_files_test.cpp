@@ -95,6 +95,7 @@ TEST_F(OwnFiles, MissionHasTheFenceAndTheBatteryThatWereAskedFor) {
   ASSERT_EQ(safety.rules.size(), 2U);
   EXPECT_EQ(safety.rules[0].condition, config::Condition::kBattery);
   EXPECT_EQ(safety.rules[0].limit, 25.0);
+  EXPECT_EQ(safety.vehicle.battery_percent_per_km, 0.6);
   EXPECT_EQ(safety.rules[0].response, config::Response::kAbort);
   EXPECT_EQ(support::read_text(folder_.path() / "file.toml").find("# leaving it ends the mission"), std::string::npos);
   EXPECT_EQ(mission_text({}, FliesBy::kWhatShips).find("[fence]"), std::string::npos);
