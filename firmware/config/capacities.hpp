@@ -55,6 +55,9 @@ inline constexpr std::size_t kBeliefBlocks = by_profile(3, 3, 2);
 inline constexpr std::size_t kMaxBeliefLooks = by_profile(128, 128, 1);
 /// Looks of such others that are weighed in one go, between two decisions; full: the next go weighs on.
 inline constexpr std::size_t kLooksInASlice = by_profile(50, 5);
+/// Sources that the tables think possible, by which silence is judged to be long (of 1024 a few are left where one in 256 is unheard, at a
+/// byte each); full: never, there are as many.
+inline constexpr std::size_t kSilentSources = by_profile(1024, 1024, 32);
 /// Bytes of the belief about the source, with its tables; full: does not compile.
 inline constexpr std::size_t kOceanBeliefBytes = by_profile(260, 64, 4) * 1024;
 /// Seconds that a decision may listen over (a blue whale calls every one or two minutes); full: policy refused at load.
@@ -69,7 +72,7 @@ inline constexpr std::size_t kMaxProvenance = 1024;
 /// full: passed over.
 inline constexpr std::size_t kKeptProvenance = by_profile(kMaxProvenance, 0);
 /// Bytes of the whole on-vehicle state (nearly all of them belief, ocean tables and policy weights); full: does not compile.
-inline constexpr std::size_t kRuntimeBytes = by_profile(332, 128, 72) * 1024;
+inline constexpr std::size_t kRuntimeBytes = by_profile(333, 128, 72) * 1024;
 
 // Inputs and commands (firmware/messages, firmware/runtime).
 /// Ports of a vehicle (buses, serial lines, the simulation link); full: mission refused.

@@ -7,13 +7,13 @@
 
 namespace earshot::guidance {
 
-/// What a search falls back to once its belief explains nothing that it hears: a sweep of the area, to the end of the search.
+/// What a search falls back to while its belief explains nothing that it hears, or it has heard nothing for long: a sweep of the area.
 class Fallback {
  public:
   /// A new search begins.
   void start() { is_sweeping_ = false; }
-  /// The action to take in place of `wanted`: that of the sweep from the first call for one on.
-  /// @param calls_for_sweep  what was heard so far
+  /// The action to take in place of `wanted`: as long as it is called for, that of a sweep, which begins where the vehicle is then.
+  /// @param calls_for_sweep  whether what was heard so far does
   /// @param position      of the vehicle, finite
   /// @param actions       the directions of a step, at least one
   /// Oracle: Fallback.*

@@ -53,5 +53,7 @@ namespace earshot::messages {
 inline constexpr std::string_view kSaysFound = "says that the source is found";
 inline constexpr std::string_view kIsSurprised = "is surprised: what it hears is unlikely in every ocean of its tables";
 inline constexpr std::string_view kSweeps = "sweeps the area: what it hears fits no ocean of its tables";
+/// Of a sweep in a search that nothing has surprised (kSurprising_bits): there is no other reason for one.
+inline constexpr std::string_view kSweepsInSilence = "sweeps the area: it has heard nothing for long, where its tables say that it should";
 
 }  // namespace earshot::messages

@@ -61,7 +61,7 @@ std::optional<messages::FoundDeclaration> Runtime::found() const {
 /// The policy's action; that of a sweep of the area once what is heard fits nothing that the belief thinks possible.
 std::size_t Runtime::choose(NorthEast position, std::span<const float> logits) {
   const std::size_t action = policy::draw_action(policy_.draw, logits, progress_.random);
-  const bool calls_for_sweep = has_belief() && memory_.belief().surprise().calls_for_sweep();
+  const bool calls_for_sweep = has_belief() && memory_.belief().calls_for_sweep();
   const guidance::SweepPlan plan{.area = mission_.operating_area, .margin = mission_.edge_margin, .step_length = mission_.step_length};
   return progress_.fallback.choose(calls_for_sweep, action, plan, position, std::span(policy_.actions.begin(), policy_.actions.size()));
 }

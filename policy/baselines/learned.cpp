@@ -27,7 +27,7 @@ std::size_t Learned::choose(const DecisionInput& input) {
   policy::find_logits(policy_, seen, scores);
   const std::size_t action = policy::draw_action(draw_, scores, random_);
   const guidance::SweepPlan plan{.area = domain_, .margin = edge_margin_, .step_length = policy_.step_length};
-  const bool calls_for_sweep = policy::needs_belief(policy_.observation.spec) && memory_.belief().surprise().calls_for_sweep();
+  const bool calls_for_sweep = policy::needs_belief(policy_.observation.spec) && memory_.belief().calls_for_sweep();
   return fallback_.choose(calls_for_sweep, action, plan, input.position, std::span(policy_.actions.begin(), policy_.actions.size()));
 }
 

@@ -21,6 +21,7 @@ struct RecordedDecision {
   bool overridden = false;  ///< the safety layer changed the way-point
   bool sweeping = false;    ///< the action is a sweep's, not the policy's
   float surprise_bits = 0.0F;
+  bool was_surprised = false;                             ///< then, or before in this search
   std::optional<float> found_probability = std::nullopt;  ///< where the vehicle says that it has found the source
   NorthEast waypoint;
   std::vector<float> observation;

@@ -62,6 +62,9 @@ std::string found_sentence(const DecisionAccount& a) {
 }
 
 std::string sweep_sentence(const DecisionAccount& a) {
+  if (!a.decision.was_surprised)
+    return "It has heard nothing for long, where its tables say that it should: it sweeps the area, and went " +
+           a.actions[a.decision.action].name + ".";
   return "What it heard fits no ocean of its tables (surprise " + fixed(static_cast<double>(a.decision.surprise_bits), 1) +
          " bits): it sweeps the area, and went " + a.actions[a.decision.action].name + ".";
 }

@@ -6,12 +6,14 @@
 #include <span>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "earshot/decision_t.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/host/toml/table_reader.hpp"
+#include "firmware/messages/health.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
@@ -209,7 +211,10 @@ JournalledSearch read_journal(const std::filesystem::path& path) {
       search.closing = closing;
     decision_t decision{};
     if (record.channel != wire::kDecisionChannel || wire::decode(record.data, decision) != Status::kOk) continue;
-    search.decisions.push_back(decision_of(decision));
+    explain::RecordedDecision recorded = decision_of(decision);
+    const bool was_before = recorded.step > 0 && !search.decisions.empty() && search.decisions.back().was_surprised;
+    recorded.was_surprised = was_before || recorded.surprise_bits >= messages::kSurprising_bits;
+    search.decisions.push_back(std::move(recorded));
   }
   search.end = journal.end();
   search.damages = journal.damages();

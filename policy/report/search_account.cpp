@@ -79,6 +79,8 @@ std::string surprise_to_string(const SearchAccount& account) {
   if (account.surprised_step)
     return "From " + step_to_string(*account.surprised_step) + " on what it heard was unlikely in every ocean of its tables (" + bits +
            "which counts from " + level + " on)";
+  if (account.swept_in_silence())
+    return "Its tables explain what it heard, but not that it was so little (" + bits + "which would count from " + level + " on)";
   return "Nothing unexpected: the oceans of its tables explain what it heard (" + bits + "which would count from " + level + " on)";
 }
 
@@ -90,7 +92,8 @@ std::string to_string(const SearchAccount& account) {
   if (account.believes) say(surprise_to_string(account));
   if (account.sweep_step)
     say("Swept from " + step_to_string(*account.sweep_step) + (account.max_steps ? " of " + std::to_string(*account.max_steps) : "") +
-        " on: what it heard fitted no ocean of its tables");
+        (account.swept_in_silence() ? " on: it had heard nothing for long, where its tables say that it should"
+                                    : " on: what it heard fitted no ocean of its tables"));
   if (account.declared_step) say("Declared found at " + step_to_string(*account.declared_step) + declared_where(account));
   return text;
 }

@@ -28,6 +28,10 @@ constexpr int kNoPosterior = std::numeric_limits<int>::min() / 2;
 
 /// None of eight is weighed any longer than it can still be held.
 bool OceanBelief::ponder(const BeliefModel& model, const OceanTables& tables) {
+  if (silence_.is_behind()) {
+    silence_.catch_up(model, tables);
+    return to_weigh_ > 0;
+  }
   const auto is_measured = [](const Look& look) { return !look.too_faint; };
   for (std::size_t slice = config::kLooksInASlice; slice > 0 && to_weigh_ > 0;) {
     if (!has_candidates_) draw_candidates(model, tables);

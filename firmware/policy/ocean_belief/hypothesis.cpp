@@ -8,9 +8,7 @@ namespace earshot::policy {
 namespace {
 
 // Prior probabilities; those of each kind add up to one.
-constexpr std::array<float, kLevelOffsets_db.size()> kLevelPriors{0.07F, 0.13F, 0.19F, 0.22F, 0.19F, 0.13F, 0.07F};
 constexpr std::array<float, kSpreads_db.size()> kSpreadPriors{0.2F, 0.35F, 0.35F, 0.1F};
-constexpr std::array<float, kSilenceShares.size()> kSilencePriors{0.85F, 0.07F, 0.05F, 0.03F};
 constexpr std::array<float, kMobilities.size()> kMobilityPriors{0.8F, 0.1F, 0.06F, 0.04F};
 
 float sum_of_priors(const OceanTables& tables) {

@@ -21,6 +21,8 @@ namespace {
 constexpr float kLeastShare = 1e-4F;
 /// More than any regret.
 constexpr float kAnyRegret = 1e9F;
+/// Further than any vehicle gets.
+constexpr double kAnyRange_m = 1e9;
 /// Between two looks of the vehicle so many of blocks of eight others are weighed at most. With 50 fewer sources are found (README.md),
 /// with 400 no more than with 200.
 constexpr std::size_t kLooksOfOthers = 200;
@@ -60,6 +62,8 @@ void OceanBelief::start(const BeliefModel& model, const OceanTables& tables) {
   found_rule_.start();
   declaration_.reset();
   surprise_.start();
+  silence_.start();
+  calls_for_sweep_ = false;
   std::fill_n(bearings_.log_weights.begin(), cell_count(model), std::int16_t{0});
   bearings_.scale = 0;
   std::uint8_t likeliest = 0;
@@ -94,6 +98,8 @@ void OceanBelief::start(const BeliefModel& model, const OceanTables& tables) {
 void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, NorthEast position, Reception reception) {
   while (ponder(model, tables)) {
   }
+  silence_.take_in(model, position, reception, expected_detection(model, position));
+  listened_at_ = position;
   const Look look{.position = position,
                   .snr = reception.snr,
                   .bearing = to_remember(reception.bearing),
@@ -123,6 +129,7 @@ void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, No
   find_outlooks(not_cut_off, probabilities, {std::span(foreseen_).first(ranges), tables.range_step}, position - corner,
                 std::span(outlooks_).first(model.actions.size()));
   find_regrets(model, position);
+  calls_for_sweep_ = surprise_.calls_for_sweep() || silence_.is_long();
 }
 
 /// What all of it costs, counted from the least. A vehicle that has been at a place without finding the source gains nothing by going back
@@ -275,6 +282,18 @@ EARSHOT_WIDE std::size_t OceanBelief::foresee(const BeliefModel& model, const Oc
   find_search_cost(model, tables.range_step, exp(model.costs.log_step_discount), std::span(detected).first(ranges), search_cost);
   find_samples(search_cost, std::span(detected).first(ranges), std::span(foreseen_).first(ranges));
   return ranges;
+}
+
+/// Of a look there, by what was expected of the action whose end is next to it.
+float OceanBelief::expected_detection(const BeliefModel& model, NorthEast position) const {
+  float expected = 0.0F;
+  Meters nearest{kAnyRange_m};
+  for (std::size_t a = 0; heard_ > 0 && a < model.actions.size(); ++a) {
+    const Meters range = range_between(listened_at_ + model.step_length * model.actions[a], position);
+    if (range < nearest) expected = outlooks_[a].detected;
+    nearest = std::min(nearest, range);
+  }
+  return expected;
 }
 
 void OceanBelief::add_joint(const BeliefModel& model, std::size_t index, std::span<float> joint) const {

@@ -18,6 +18,7 @@
 #include "firmware/policy/ocean_belief/candidates.hpp"
 #include "firmware/policy/ocean_belief/hypothesis_block.hpp"
 #include "firmware/policy/ocean_belief/lane_likelihoods.hpp"
+#include "firmware/policy/ocean_belief/silence.hpp"
 #include "firmware/policy/ocean_belief/surprise.hpp"
 #include "firmware/policy/reception.hpp"
 #include "firmware/policy/tables/ocean_tables.hpp"
@@ -61,6 +62,11 @@ class OceanBelief {
   [[nodiscard]] float share(std::size_t index) const { return shares_[index / kLanes][index % kLanes]; }
   /// How unlikely what was heard is under every hypothesis that is held.
   [[nodiscard]] const Surprise& surprise() const { return surprise_; }
+  /// How unlikely it is that nothing was detected for so long; what the last look says against the tables once it is pondered.
+  [[nodiscard]] const Silence& silence() const { return silence_; }
+  /// Whether, after the last update(), the vehicle had better sweep the area: what it hears fits no hypothesis, or it has heard nothing for
+  /// long, against the tables up to the look before.
+  [[nodiscard]] bool calls_for_sweep() const { return calls_for_sweep_; }
   /// Adds the probability of every cell together with that of one of the hypotheses that are held.
   /// @param joint  [north x east]
   void add_joint(const BeliefModel& model, std::size_t index, std::span<float> joint) const;
@@ -112,6 +118,7 @@ class OceanBelief {
   void find_marginal(const BeliefModel& model, NorthEast corner, std::uint32_t looks, const CellWindow& window);
   std::size_t foresee(const BeliefModel& model, const OceanTables& tables, NorthEast position);
   void find_regrets(const BeliefModel& model, NorthEast position);
+  [[nodiscard]] float expected_detection(const BeliefModel& model, NorthEast position) const;
 
   using Posteriors = std::array<int, kLanes>;  ///< log2 of what is proportional to the probability of each hypothesis, in 1/512
 
@@ -128,6 +135,9 @@ class OceanBelief {
   bool is_history_whole_;  ///< every look is in it
   Pcg32 random_{0};
   Surprise surprise_;
+  Silence silence_;
+  NorthEast listened_at_;  ///< the last look
+  bool calls_for_sweep_;
   PlacePrior bearings_;                                        ///< what all bearings say together
   std::array<std::int16_t, config::kMaxBeliefCells> by_cell_;  ///< [north x east], what one says, or a declaration
   LaneLikelihoods likelihoods_;

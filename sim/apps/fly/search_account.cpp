@@ -28,6 +28,13 @@ nlohmann::json value_in(const nlohmann::json& summary, const char* key) {
   return summary.value(key, nlohmann::json());
 }
 
+/// Whether the vehicle swept because it had heard nothing for long: nothing had surprised it by then.
+bool swept_in_silence(const nlohmann::json& summary) {
+  const nlohmann::json swept = value_in(summary, "swept_from_step");
+  const nlohmann::json surprised = value_in(summary, "surprised_from_step");
+  return !swept.is_null() && (surprised.is_null() || surprised.get<std::uint32_t>() > swept.get<std::uint32_t>());
+}
+
 }  // namespace
 
 void SearchAccount::note(const link::Answer& answer, Meters range) {
@@ -69,13 +76,15 @@ std::string account_lines(const nlohmann::json& s) {
                             decimals(static_cast<double>(messages::kSurprising_bits), 2) + " on";
     text += "  surprise    ";
     text += value_in(s, "surprised_from_step").is_null()
-                ? "none: the oceans of its tables explain what it heard"
+                ? (swept_in_silence(s) ? "none by what it heard, but it heard less than its tables say"
+                                       : "none: the oceans of its tables explain what it heard")
                 : "from " + step_in(s, "surprised_from_step") + " on what it heard was unlikely in every ocean of its tables";
     text += " (" + end + ")\n";
   }
   if (!value_in(s, "swept_from_step").is_null())
     text += "  swept       from " + step_in(s, "swept_from_step") + " of " + std::to_string(s.at("max_steps").get<int>()) +
-            " on: what it heard fitted no ocean of its tables\n";
+            (swept_in_silence(s) ? " on: it had heard nothing for long, where its tables say that it should\n"
+                                 : " on: what it heard fitted no ocean of its tables\n");
   if (const nlohmann::json declared = value_in(s, "declared_found"); !declared.is_null()) {
     const double range_m = declared.at("range_m");
     const bool is_wrong = range_m > s.at("step_length_m").get<double>();

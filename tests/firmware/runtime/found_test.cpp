@@ -88,6 +88,24 @@ TEST(SurpriseOnBoard, MakesTheVehicleSweepTheAreaToTheEnd) {
   }
 }
 
+TEST(SilenceOnBoard, MakesTheVehicleSweepTheAreaUntilItHearsSomething) {
+  // A dead hydrophone, where the source would be heard to 15 km.
+  Rig rig(*policy_that_advises(), paper_mission(), *one_ocean());
+  rig.snr = Decibels{-30.0};
+  rig.sail(Order::kStart);
+  for (int i = 0; i < 60 && rig.state() == MissionState::kSearch && !rig.outputs.health.is_sweeping; ++i) rig.sail_to_decision();
+  ASSERT_TRUE(rig.outputs.decision && rig.outputs.decision->sweeping);
+  EXPECT_TRUE(rig.outputs.health.is_sweeping);
+  EXPECT_LT(rig.outputs.health.surprise_bits, messages::kSurprising_bits);
+  rig.sail_to_decision();
+  EXPECT_TRUE(rig.outputs.health.is_sweeping);
+  rig.snr = Decibels{12.0};
+  rig.sail_to_decision();
+  EXPECT_FALSE(rig.outputs.health.is_sweeping);
+  ASSERT_TRUE(rig.outputs.decision);
+  EXPECT_FALSE(rig.outputs.decision->sweeping);
+}
+
 TEST(SurpriseOnBoard, IsNoneOfAPolicyWithoutABelief) {
   Rig rig(*policy_that_goes(kNorthward));
   rig.snr = Decibels{45.0};

@@ -47,10 +47,20 @@ TEST_F(DecisionReportTest, SaysWhyTheVehicleSweptInPlaceOfWhatThePolicyWouldHave
   DecisionReport report = make_decision_report(flight, 2, explain::Baseline::kCentre);
   report.account.decision.sweeping = true;
   report.account.decision.surprise_bits = 9.25F;
+  report.account.decision.was_surprised = true;
   const std::string html = as_html(report);
   EXPECT_EQ(count(html, "What it heard fits no ocean of its tables (surprise 9.2 bits): it sweeps the area, and went "), 1U);
   EXPECT_EQ(count(html, "It chose "), 0U);
   EXPECT_EQ(nlohmann::json::parse(as_json(report))["sweeping"], true);
+}
+
+TEST_F(DecisionReportTest, SaysThatTheVehicleSweptBecauseItHadHeardNothingWhereNothingHadSurprisedIt) {
+  const RecordedFlight flight = open_recording(folder_, {});
+  DecisionReport report = make_decision_report(flight, 2, explain::Baseline::kCentre);
+  report.account.decision.sweeping = true;
+  const std::string html = as_html(report);
+  EXPECT_EQ(count(html, "It has heard nothing for long, where its tables say that it should: it sweeps the area, and went "), 1U);
+  EXPECT_EQ(count(html, "fits no ocean"), 0U);
 }
 
 TEST_F(DecisionReportTest, SaysThatTheVehicleDeclaredTheSourceFound) {

@@ -23,6 +23,16 @@ TEST(SearchAccountInReport, SaysThatNothingWasUnexpectedAndFromWhenOnItWouldBe) 
       "on).");
 }
 
+TEST(SearchAccountInReport, SaysOfASweepBeforeAnySurpriseThatNothingHadBeenHeard) {
+  EXPECT_EQ(to_string({.believes = true, .surprise_bits = -9.0, .sweep_step = 43, .max_steps = 100}),
+            "Its tables explain what it heard, but not that it was so little (surprise -9.0 bits at the end, which would count from 6.75 "
+            "on). Swept from step 43 of 100 on: it had heard nothing for long, where its tables say that it should.");
+  const SearchAccount surprised_later{.believes = true, .surprise_bits = 7.0, .surprised_step = 44, .sweep_step = 43};
+  EXPECT_TRUE(surprised_later.swept_in_silence());
+  const SearchAccount surprised{.believes = true, .surprise_bits = 13.0, .surprised_step = 43, .sweep_step = 43};
+  EXPECT_FALSE(surprised.swept_in_silence());
+}
+
 TEST(SearchAccountInReport, CallsADeclarationWrongFromMoreThanAStepLengthOn) {
   EXPECT_EQ(declared_where({.declared_range_m = 1'000.0, .step_length_m = 1'000.0}), ": 1000 m from the source");
   EXPECT_EQ(declared_where({.declared_range_m = 1'001.0, .step_length_m = 1'000.0}), ", wrongly: 1001 m from the source");

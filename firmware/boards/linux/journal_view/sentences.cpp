@@ -133,7 +133,7 @@ std::string to_string(const messages::SafetyEvent& event) {
   return text + ": " + std::string(config::kResponseWords.at(response));
 }
 
-std::string to_string(const health_t& m, AbortedBy by) {
+std::string to_string(const health_t& m, bool was_surprised, AbortedBy by) {
   const auto reason = static_cast<EndReason>(m.end_reason);
   const auto authority = static_cast<Authority>(m.authority);
   const auto state = static_cast<MissionState>(m.state);
@@ -143,7 +143,7 @@ std::string to_string(const health_t& m, AbortedBy by) {
   if (authority == Authority::kListen) return text + ", listening: it commands nothing";
   if (m.paused != 0) return text + ", paused by an operator";
   if (m.found != 0) return text + ", " + std::string(messages::kSaysFound);
-  return m.sweeping != 0 ? text + ", " + std::string(messages::kSweeps) : text;
+  return m.sweeping != 0 ? text + ", " + std::string(was_surprised ? messages::kSweeps : messages::kSweepsInSilence) : text;
 }
 
 std::string to_string(const wire::ClosingRecord& closing, AbortedBy by) {

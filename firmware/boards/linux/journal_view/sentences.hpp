@@ -31,7 +31,7 @@ namespace earshot::journal_view {
 enum class AbortedBy : std::uint8_t { kOperator, kProgram };
 
 /// "ABORT: navigation went silent, after 12 steps"; "SEARCH, listening: it commands nothing"
-[[nodiscard]] std::string to_string(const health_t& health, AbortedBy by = AbortedBy::kOperator);
+[[nodiscard]] std::string to_string(const health_t& health, bool was_surprised, AbortedBy by = AbortedBy::kOperator);
 
 /// "end: the mission was over; DONE: the source is reached, after 37 steps; no record was lost"
 [[nodiscard]] std::string to_string(const wire::ClosingRecord& closing, AbortedBy by = AbortedBy::kOperator);

@@ -146,9 +146,10 @@ void Timeline::note_content(const health_t& health, const Record& /*record*/) {
     if (health.state == health_t::SEARCH) is_surprise_told_ = false;
   }
   const bool is_abort = health.state == health_t::ABORT;
-  if (const std::string state = to_string(health, aborted_by_); state_.changes_to(state))
+  const bool is_surprised = health.surprise_bits >= messages::kSurprising_bits;
+  if (const std::string state = to_string(health, is_surprise_told_ || is_surprised, aborted_by_); state_.changes_to(state))
     tell(is_abort ? Severity::kWarning : Severity::kInformation, state);
-  if (health.surprise_bits >= messages::kSurprising_bits && !std::exchange(is_surprise_told_, true))
+  if (is_surprised && !std::exchange(is_surprise_told_, true))
     warn(std::string(messages::kIsSurprised) + " (surprise " + decimal(double{health.surprise_bits}, 1) + " bits)");
   is_over_ = health.end_reason != 0;
   note_refused(health);

@@ -40,7 +40,7 @@ std::string_view remark_on(const messages::Health& health, bool is_surprised) {
   if (health.authority == messages::Authority::kListen) return "listening: it commands nothing";
   if (health.is_paused) return "paused by an operator";
   if (health.is_found) return messages::kSaysFound;
-  if (health.is_sweeping) return messages::kSweeps;
+  if (health.is_sweeping) return is_surprised ? messages::kSweeps : messages::kSweepsInSilence;
   return is_surprised ? messages::kIsSurprised : std::string_view{};
 }
 

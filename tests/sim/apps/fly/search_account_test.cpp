@@ -44,6 +44,14 @@ TEST(SearchAccount, SaysThatNothingSurprisedAndFromWhenOnItWouldHave) {
             "  surprise    none: the oceans of its tables explain what it heard (-19.0 bits at the end, a surprise from 6.75 on)\n");
 }
 
+TEST(SearchAccount, SaysOfASweepBeforeAnySurpriseThatNothingHadBeenHeard) {
+  SearchAccount account;
+  account.note({.steps_taken = 43, .believed_source = kSomewhere, .surprise_bits = -9.0F, .is_sweeping = true}, Meters{9'000.0});
+  EXPECT_EQ(account_lines(summary_with(account)),
+            "  surprise    none by what it heard, but it heard less than its tables say (-9.0 bits at the end, a surprise from 6.75 on)\n"
+            "  swept       from step 43 of 100 on: it had heard nothing for long, where its tables say that it should\n");
+}
+
 TEST(SearchAccount, SaysNothingOfSurpriseWhereThePolicyHoldsNoBelief) {
   SearchAccount account;
   account.note({.steps_taken = 3}, Meters{9'000.0});

@@ -105,16 +105,16 @@ TEST(JournalSentence, SaysWhoHoldsASearchBack) {
   health_t m{};
   m.state = health_t::SEARCH;
   m.authority = health_t::LISTEN;
-  EXPECT_EQ(to_string(m), "SEARCH, listening: it commands nothing");
+  EXPECT_EQ(to_string(m, false), "SEARCH, listening: it commands nothing");
   m.authority = health_t::COMMAND;
   m.paused = 1;
-  EXPECT_EQ(to_string(m), "SEARCH, paused by an operator");
+  EXPECT_EQ(to_string(m, false), "SEARCH, paused by an operator");
   m.authority = health_t::DISCONNECTED;
-  EXPECT_EQ(to_string(m), "SEARCH, the autopilot is not heard");
+  EXPECT_EQ(to_string(m, false), "SEARCH, the autopilot is not heard");
   m.end_reason = 4;
   m.state = health_t::ABORT;
   m.steps_taken = 12;
-  EXPECT_EQ(to_string(m), "ABORT: navigation went silent, after 12 steps");
+  EXPECT_EQ(to_string(m, false), "ABORT: navigation went silent, after 12 steps");
 }
 
 TEST(JournalSentence, SaysHowAJournalEndsAndWhatItLost) {

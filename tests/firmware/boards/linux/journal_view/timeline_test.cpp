@@ -107,6 +107,17 @@ TEST_F(TimelineTest, TellsOnceInASearchThatItIsSurprisedAndWhenItBeginsToSweep) 
   EXPECT_EQ(tell(health).size(), 2U) << "another search";
 }
 
+TEST_F(TimelineTest, TellsThatASearchSweepsBecauseItHasHeardNothingWhereNothingHasSurprisedIt) {
+  health_t health{};
+  health.state = health_t::SEARCH;
+  health.authority = health_t::COMMAND;
+  (void)tell(health);
+  health.sweeping = 1;
+  EXPECT_EQ(tell(health), Lines{"SEARCH, sweeps the area: it has heard nothing for long, where its tables say that it should"});
+  health.sweeping = 0;
+  EXPECT_EQ(tell(health), Lines{"SEARCH"}) << "something is heard";
+}
+
 /// What is told of the state and of the end when an ABORT ended the mission.
 health_t aborted() {
   health_t health{};

@@ -15,33 +15,65 @@
 namespace earshot::board {
 namespace {
 
-TEST(SurpriseNews, SaysOnceThatASearchIsSurprisedAndThatItSweeps) {
-  std::array<int, 2> ends{};
-  ASSERT_EQ(::pipe2(ends.data(), O_CLOEXEC), 0);
-  const host::FileDescriptor out(ends[0]);
-  host::FileDescriptor in(ends[1]);
-  std::optional<LineWriter> writer(in.number());
-  PortSet ports;
-  FlightNews news(ports, *writer);
-  messages::Health health;
-  health.state = messages::MissionState::kSearch;
-  const auto tell = [&](int second, float surprise_bits) {
+/// A search of which each turn is told, 20 s after the one before.
+class SurpriseNews : public testing::Test {
+ protected:
+  void tell(float surprise_bits, bool is_sweeping) {
+    messages::Health health;
+    health.state = messages::MissionState::kSearch;
     health.surprise_bits = surprise_bits;
-    news.tell(Time{} + Duration::seconds(second), health);
-  };
-  tell(0, 6.7F);
-  tell(20, 6.75F);
-  tell(40, 5.0F);
-  health.is_sweeping = true;
-  tell(60, 12.0F);
-  writer.reset();
-  in = host::FileDescriptor();
-  std::string text(10'000, '\0');
-  text.resize(static_cast<std::size_t>(std::max<ssize_t>(::read(out.number(), text.data(), text.size()), 0)));
-  EXPECT_EQ(text,
+    health.is_sweeping = is_sweeping;
+    news_->tell(now_, health);
+    now_ = now_ + Duration::seconds(20);
+  }
+
+  void SetUp() override {
+    std::array<int, 2> ends{};
+    ASSERT_EQ(::pipe2(ends.data(), O_CLOEXEC), 0);
+    out_ = host::FileDescriptor(ends[0]);
+    in_ = host::FileDescriptor(ends[1]);
+    writer_.emplace(in_.number());
+    news_.emplace(ports_, *writer_);
+  }
+
+  std::string told() {
+    news_.reset();
+    writer_.reset();
+    in_ = host::FileDescriptor();
+    std::string text(10'000, '\0');
+    text.resize(static_cast<std::size_t>(std::max<ssize_t>(::read(out_.number(), text.data(), text.size()), 0)));
+    return text;
+  }
+
+ private:
+  host::FileDescriptor out_;
+  host::FileDescriptor in_;
+  PortSet ports_;
+  std::optional<LineWriter> writer_;
+  std::optional<FlightNews> news_;
+  Time now_;
+};
+
+TEST_F(SurpriseNews, SaysOnceThatASearchIsSurprisedAndThatItSweeps) {
+  tell(6.7F, false);
+  tell(6.75F, false);
+  tell(5.0F, false);
+  tell(12.0F, true);
+  EXPECT_EQ(told(),
             "earshotd: 0 s: SEARCH\n"
             "earshotd: 20 s: SEARCH, is surprised: what it hears is unlikely in every ocean of its tables\n"
             "earshotd: 60 s: SEARCH, sweeps the area: what it hears fits no ocean of its tables\n");
+}
+
+TEST_F(SurpriseNews, SaysThatASearchSweepsBecauseItHasHeardNothingAndWhenThatIsOver) {
+  tell(-9.0F, false);
+  tell(-9.5F, true);
+  tell(-9.5F, true);
+  tell(-9.0F, false);
+  EXPECT_EQ(told(),
+            "earshotd: 0 s: SEARCH\n"
+            "earshotd: 20 s: SEARCH, sweeps the area: it has heard nothing for long, where its tables say that it should\n"
+            "earshotd: 60 s: SEARCH\n");
 }
 
 }  // namespace
