@@ -6,6 +6,7 @@
 #include "firmware/boards/linux/journal_view/sentences.hpp"
 #include "firmware/boards/linux/journal_view/wording.hpp"
 #include "firmware/core/geometry.hpp"
+#include "firmware/messages/health.hpp"
 #include "firmware/messages/health_words.hpp"
 
 namespace earshot::replay_view {
@@ -40,7 +41,9 @@ std::string one_way(const std::optional<decision_t>& d, Time began) {
 std::string to_string(const Standing& standing, Time began) {
   const bool is_by_rule = standing.rule && standing.health.end_reason == static_cast<std::int8_t>(messages::EndReason::kSafetyRule);
   const std::string rule = is_by_rule ? ", " + journal_view::to_string(*standing.rule) : "";
-  return journal_view::to_string(standing.health) + formatted(" (since %.1f s", seconds_since(began, standing.since.us)) + rule + ")";
+  const bool was_surprised = standing.health.surprise_bits >= messages::kSurprising_bits;
+  return journal_view::to_string(standing.health, was_surprised) + formatted(" (since %.1f s", seconds_since(began, standing.since.us)) +
+         rule + ")";
 }
 
 }  // namespace
