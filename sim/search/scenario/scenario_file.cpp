@@ -107,14 +107,17 @@ Scenario load_scenario(const std::filesystem::path& path) {
                     .field_library = keys.scenario.field_library,
                     .conditions = keys.scenario.conditions};
   std::uint32_t& crc = scenario.environment.file_crc32;
+  std::vector<std::filesystem::path>& files = scenario.environment.files;
   if (keys.scenario.family) scenario.other_oceans = draw_family(scenario.environment, *keys.scenario.family);
   if (std::filesystem::exists(scenario.field_library)) {  // whoever needs it says when it is not there
     field_library::require_library(scenario.field_library);
     crc = host::crc32_of_file(scenario.field_library, crc);
+    files.push_back(scenario.field_library);
   }
   for (const OtherOcean& other : keys.scenario.other_oceans) {
     scenario.other_oceans.push_back(load_other_ocean(other));
     crc = crc32_of(scenario.other_oceans.back().file_crc32, crc);
+    files.insert(files.end(), scenario.other_oceans.back().files.begin(), scenario.other_oceans.back().files.end());
   }
   return scenario;
 }

@@ -150,7 +150,13 @@ TEST_F(ReplayCommand, ReplacesNothingOfAnotherKindAndNeverTheJournal) {
   EXPECT_EQ(support::read_text(file("r.json")), "notes of mine");
   EXPECT_EQ(replay({"--json", file("r.json"), "--force"}), 0) << errors_;
   const std::string before = support::read_text(journal_);
-  EXPECT_EQ(replay({"--json", journal_.string(), "--force"}), 2);
+  fs::create_hard_link(journal_, file("hard.json"));
+  for (const std::string& name : {journal_.string(), file("hard.json")}) {
+    EXPECT_EQ(replay({"--json", name, "--force"}), 2);
+    EXPECT_EQ(errors_, "JOURNAL " + journal_.string() + ", --json " + name + ": the same file, one would replace the other\n");
+  }
+  EXPECT_EQ(replay({"--policy", file("north.policy"), "--json", file("north.policy"), "--force"}), 2);
+  EXPECT_EQ(replay({"--policy", file("north.policy"), "--json", file("a.svg"), "--map", file("a.svg"), "--force"}), 2);
   EXPECT_EQ(support::read_text(journal_), before);
   std::ofstream(file("journal.part2.lcmlog")) << "a part whose beginning is damaged";
   EXPECT_EQ(replay({"--json", file("journal.part2.lcmlog"), "--force"}), 2);
