@@ -105,7 +105,7 @@ TEST_F(NoAllocationOverLcm, GivenAWholeMissionWithRefusedOrdersAndNonsenseOnTheB
   EXPECT_EQ(vehicle.health.commands_refused, 1);
   EXPECT_EQ(stop(), 0);
   expect_said("\nearshotd: 0 allocations in 3 threads over ");
-  expect_said("  runtime, of 339968 allowed\n");
+  expect_said("  runtime, of 340992 allowed\n");
   expect_said("     7159244  journal ring\n");
   expect_said("      262144  stack of thread journal\n");
   expect_said("      262144  stack of thread news\n");
