@@ -90,6 +90,9 @@ TEST_F(EnvironmentData, TakesSeaFloorAndWaterFromCharts) {
   const Environment sea = load();
   EXPECT_EQ(sea.seabed.depth, Meters{2500.0});
   EXPECT_NEAR(sound_speed(sea.water, Meters{1000.0}).value, 1550.744, 0.001);
+  std::set<std::string> names;
+  for (const std::filesystem::path& file : sea.files) names.insert(file.filename());
+  EXPECT_EQ(names, (std::set<std::string>{sea.files.front().filename(), "g.nc", "woa.nc"}));
   const Section section = section_along(sea, sea.source.position, Radians{1.0}, Meters{25'000.0});
   EXPECT_EQ(sea_floor_depth(section, Meters{20'000.0}), Meters{2500.0});
 }
@@ -129,6 +132,7 @@ TEST_F(EnvironmentData, ChangesItsChecksumWithTheDataItNames) {
   write("w.csv", "depth_m,sound_speed_mps\n0,1500\n3000,1500\n");
   const auto before = load().file_crc32;
   EXPECT_EQ(load().file_crc32, before);
+  EXPECT_EQ(load().files.back().filename(), "w.csv");
   write("w.csv", "depth_m,sound_speed_mps\n0,1500\n3000,1501\n");
   EXPECT_NE(load().file_crc32, before);
 }

@@ -241,6 +241,7 @@ sound_speed_mps = 1600.0
   };
   std::set<std::uint32_t> checksums;
   for (int speed = 1510; speed < 1574; ++speed) checksums.insert(checksum_with(std::to_string(speed)));
+  EXPECT_EQ(load("[[oceans]]\nenvironment = \"other.toml\"\n").environment.files.back(), folder_ / "cast.csv");
   EXPECT_EQ(checksums.size(), 64U) << "of 64 numbers of 32 bits two are the same but for a chance of 5e-7";
   EXPECT_TRUE(checksums.contains(checksum_with("1510")));
 }
@@ -251,6 +252,7 @@ TEST_F(ScenarioFile, ChangesTheChecksumWithTheFieldLibrary) {
     return load("[field_library]\nfile = \"library.nc\"\n").environment.file_crc32;
   };
   EXPECT_NE(checksum_with(70.0F), checksum_with(71.0F));
+  EXPECT_EQ(load("[field_library]\nfile = \"library.nc\"\n").environment.files.back(), folder_ / "library.nc");
 }
 
 TEST_F(ScenarioFile, RefusesAVastFieldLibraryByItsHeader) {
