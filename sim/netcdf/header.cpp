@@ -6,6 +6,7 @@
 #include <cstring>
 #include <utility>
 
+#include "sim/netcdf/packing.hpp"
 #include "sim/netcdf/text_attribute.hpp"
 
 namespace earshot::netcdf {
@@ -34,6 +35,7 @@ std::optional<Variable> read_variable(int file, int id, Name& name) {
     if (std::optional<std::string> text = text_attribute(file, id, attribute.data()))
       variable.texts.emplace(attribute.data(), *std::move(text));
   }
+  variable.packing_fault = Packing(file, id).fault();
   return variable;
 }
 
@@ -100,6 +102,7 @@ std::string to_bytes(const Header& header) {
       add(bytes, attribute);
       add(bytes, text);
     }
+    add(bytes, variable.packing_fault);
   }
   return bytes;
 }
@@ -117,6 +120,7 @@ std::optional<Header> header_from(std::string_view from) {
       std::string attribute = bytes.text();
       variable.texts[std::move(attribute)] = bytes.text();
     }
+    variable.packing_fault = bytes.text();
   }
   if (!bytes.are_sound()) return std::nullopt;
   return header;

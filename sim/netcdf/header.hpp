@@ -17,6 +17,7 @@ struct Dimension {
 struct Variable {
   std::vector<Dimension> dimensions;
   std::map<std::string, std::string> texts;  ///< attributes that are texts, by name
+  std::string packing_fault{};               ///< Packing::fault()
 };
 
 /// What a file says of its values: the variables of its root group, by name.

@@ -177,6 +177,7 @@ std::vector<double> Reader::read(const std::string& variable) const {
 
 std::vector<double> Reader::read(const std::string& variable, const Block& block) const {
   const std::vector<std::size_t> shape = shape_of(variable);
+  if (const std::string& fault = find(variable).packing_fault; !fault.empty()) throw error(variable, fault);
   std::size_t values = 1;
   if (block.start.size() != shape.size() || block.count.size() != shape.size()) throw error(variable, "has another number of dimensions");
   for (std::size_t i = 0; i < shape.size(); ++i) {

@@ -9,7 +9,10 @@ namespace earshot::netcdf {
 namespace {
 
 const Header kChart{{"depth", {.dimensions = {}, .texts = {}}},
-                    {"elevation", {.dimensions = {{"lat", 3}, {"lon", 5'000'000'000}}, .texts = {{"units", "m"}, {"comment", ""}}}}};
+                    {"elevation",
+                     {.dimensions = {{"lat", 3}, {"lon", 5'000'000'000}},
+                      .texts = {{"units", "m"}, {"comment", ""}},
+                      .packing_fault = "add_offset: must be one number"}}};
 
 TEST(NetcdfHeader, IsTheSameInAnotherProcess) {
   const auto header = header_from(to_bytes(kChart));
@@ -21,6 +24,7 @@ TEST(NetcdfHeader, IsTheSameInAnotherProcess) {
   EXPECT_EQ(elevation.dimensions[0].name, "lat");
   EXPECT_EQ(elevation.dimensions[1].length, 5'000'000'000U);
   EXPECT_EQ(elevation.texts, kChart.at("elevation").texts);
+  EXPECT_EQ(elevation.packing_fault, "add_offset: must be one number");
   EXPECT_TRUE(header_from("")->empty());
 }
 
