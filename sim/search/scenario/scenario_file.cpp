@@ -14,6 +14,7 @@
 #include "sim/ocean/file/environment_file.hpp"
 #include "sim/search/scenario/conditions_table.hpp"
 #include "sim/search/scenario/family.hpp"
+#include "sim/search/scenario/file_kind.hpp"
 
 namespace earshot::search {
 namespace {
@@ -102,6 +103,7 @@ ocean::Environment load_other_ocean(const OtherOcean& other) {
 }  // namespace
 
 Scenario load_scenario(const std::filesystem::path& path) {
+  require_kind("", path, FileKind::kEnvironment);
   const FileKeys keys = read_keys(path);
   Scenario scenario{.environment = ocean::environment_of(path, keys.environment),
                     .field_library = keys.scenario.field_library,
