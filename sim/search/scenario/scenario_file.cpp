@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -21,6 +22,8 @@ namespace {
 
 using host::BadInput;
 using host::TableReader;
+
+constexpr std::size_t kMostOceans = 1'000;  // as [family] may have members: a propagation model is solved in each
 
 /// Another environment that may be the true one, and where the file names it: "ocean.toml:31: oceans 1: environment".
 struct OtherOcean {
@@ -70,7 +73,7 @@ ScenarioKeys read_scenario_keys(const host::TomlFile& file, TableReader& root, c
   if (const auto conditions = root.optional_table("conditions")) keys.conditions = read_conditions(*conditions);
   if (const auto family = root.optional_table("family")) keys.family = read_own_family(*family, environment);
   if (root.has("oceans")) {
-    for (TableReader& ocean : root.tables("oceans"))
+    for (TableReader& ocean : root.tables("oceans", kMostOceans))
       keys.other_oceans.push_back({.place = ocean.place_of("environment"), .file = file.resolve(ocean.text("environment"))});
   }
   if (auto library = root.optional_table("field_library")) keys.field_library = file.resolve(library->text("file"));

@@ -175,6 +175,15 @@ TEST_F(EnvironmentData, NamesADataFileThatIsMissing) {
   expect_mentions(complaint(), "none.nc: no such file");
 }
 
+TEST_F(EnvironmentData, HasRoomForTenThousandProfilesOfTheWater) {
+  water = "[water]\nprofile = \"table\"\n";
+  for (int i = 0; i <= 10'000; ++i)
+    water += "[[water.stations]]\nrange_m = " + std::to_string(i) + "\ndepth_m = [0.0, 3000.0]\nsound_speed_mps = [1500.0, 1500.0]\n";
+  expect_mentions(complaint(), "water.stations: has 10001 tables, must have at most 10000");
+  water.erase(water.rfind("[[water.stations]]"));
+  EXPECT_EQ(load().water_stations.size(), 10'000U);
+}
+
 TEST_F(EnvironmentData, RefusesSedimentStationsThatDoNotFollowEachOther) {
   seabed =
       "[seabed]\ndepth_m = 3000.0\n"

@@ -192,6 +192,12 @@ TEST_F(ScenarioFile, IsRefusedForAnEmptyFileName) {
   expect_refused("[field_library]\nfile = \"\"\n", "field_library.file = '': must be a text of at least one character");
 }
 
+TEST_F(ScenarioFile, HasRoomForAThousandOtherOceansAndLoadsNoneOfMore) {
+  std::string oceans;
+  for (int i = 0; i < 25'000; ++i) oceans += "[[oceans]]\nenvironment = \"none.toml\"\n";
+  EXPECT_TRUE(complaint(oceans).ends_with("oceans: has 25000 tables, must have at most 1000")) << complaint(oceans);
+}
+
 TEST_F(ScenarioFile, TurnsABearingsDegreesToRadiansAndRefusesAnAmbiguityOfNone) {
   EXPECT_FALSE(load("[conditions]\n").conditions.bearing.has_value());
   const auto clear = load("[conditions]\nbearing_deg = 180.0\n").conditions.bearing;
