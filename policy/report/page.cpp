@@ -166,7 +166,7 @@ std::string sound_to_string(const Flight& flight) {
 Pictures pictures_of(const Flight& flight) {
   if (flight.sea)
     return {.map = sea_map_svg(*flight.sea, flight.journal.decisions), .history = sea_history_svg(*flight.sea, flight.journal.decisions)};
-  if (!flight.is_complete()) return {};
+  if (!flight.is_complete() || flight.summary.is_null()) return {};  // a journal alone may not even begin with its mission
   Pictures pictures{.map = map_svg(flight), .history = history_svg(flight)};
   if (flight.sound.is_there()) {
     const Decibels threshold{flight.summary.at("detection_threshold_db").get<double>()};
