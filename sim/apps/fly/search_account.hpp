@@ -39,7 +39,8 @@ class SearchAccount {
 /// How a flight ended, for a person; its summary holds the word, and the rule that ended it.
 [[nodiscard]] std::string outcome(const nlohmann::json& summary);
 
-/// What the vehicle said of its battery and of its search, and what it heard, in lines of at most 100 columns; a summary of an earlier version says nothing of it.
+/// What the vehicle said of its battery and of its search, and what it heard, in lines of at most 100 columns; a summary of an earlier
+/// version says nothing of it.
 [[nodiscard]] std::string account_lines(const nlohmann::json& summary);
 
 }  // namespace earshot::fly
