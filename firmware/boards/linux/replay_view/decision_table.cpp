@@ -88,8 +88,7 @@ std::string what_it_means(const Counterfactual& told, std::span<const StepPair> 
   if (told.steering || parting(pairs) != nullptr)
     text +=
         "What stands behind the first difference is no forecast: the fixes and SNRs are those of the vehicle that followed the journal. "
-        "One "
-        "that\nhad followed the other decisions would have been elsewhere, and would have heard something else.\n";
+        "One that had followed the other decisions would have been elsewhere, and would have heard something else.\n";
   return text;
 }
 
