@@ -7,6 +7,15 @@ constexpr std::chrono::milliseconds kLookUp{100};         ///< how often a waiti
 constexpr std::chrono::milliseconds kPortPatience{2000};  ///< for what was sent before its tick: on one host it is there already
 constexpr std::uint32_t kIssuer = 0x53494d;               ///< "SIM": of the simulator's orders
 
+/// The strongest that begins to act, of equals the first: the supervisor's own choice.
+std::optional<messages::SafetyEvent> ending_rule(const runtime::Outputs& outputs) {
+  std::optional<messages::SafetyEvent> ending;
+  for (const messages::SafetyEvent& event : outputs.safety_events) {
+    if (event.begins && event.response >= config::Response::kAbort && (!ending || event.response > ending->response)) ending = event;
+  }
+  return ending;
+}
+
 }  // namespace
 
 board::Clock::Wake LockStepClock::wait(const Awaited& awaited) {
@@ -77,7 +86,8 @@ bool LockStepClock::answered(const runtime::Outputs& outputs, std::uint64_t setp
               .believed_source = believed_source_,
               .surprise_bits = outputs.health.surprise_bits,
               .is_sweeping = outputs.health.is_sweeping,
-              .is_found = outputs.health.is_found});
+              .is_found = outputs.health.is_found,
+              .rule = ending_rule(outputs)});
   return outputs.health.state != messages::MissionState::kDone && outputs.health.state != messages::MissionState::kAbort;
 }
 

@@ -6,6 +6,7 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
+#include "firmware/messages/safety_event.hpp"
 
 namespace earshot::link {
 
@@ -30,10 +31,11 @@ struct Answer {
   std::uint32_t steps_taken = 0;
   std::uint8_t state = 0;
   std::uint8_t end_reason = 0;
-  std::optional<NorthEast> believed_source = std::nullopt;  ///< where it was likeliest at the last decision
-  float surprise_bits = 0.0F;                               ///< of the belief after its last look; 0 without one
-  bool is_sweeping = false;                                 ///< the last decision was the sweep's
-  bool is_found = false;                                    ///< with its last look the vehicle said that it has found the source
+  std::optional<NorthEast> believed_source = std::nullopt;   ///< where it was likeliest at the last decision
+  float surprise_bits = 0.0F;                                ///< of the belief after its last look; 0 without one
+  bool is_sweeping = false;                                  ///< the last decision was the sweep's
+  bool is_found = false;                                     ///< with its last look the vehicle said that it has found the source
+  std::optional<messages::SafetyEvent> rule = std::nullopt;  ///< that ends the mission with this turn
 };
 
 struct GroundTruth {

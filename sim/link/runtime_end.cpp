@@ -21,6 +21,7 @@ Tick from_wire(const earshot_sim_Tick& sample) {
 }
 
 earshot_sim_Answer to_wire(const Answer& answer, RunId run) {
+  const messages::SafetyEvent rule = answer.rule.value_or(messages::SafetyEvent{});
   return {.run = run,
           .number = answer.number,
           .turns_made = answer.turns_made,
@@ -33,7 +34,13 @@ earshot_sim_Answer to_wire(const Answer& answer, RunId run) {
           .source_east_m = answer.believed_source.value_or(NorthEast{}).east.value,
           .surprise_bits = answer.surprise_bits,
           .sweeping = answer.is_sweeping,
-          .found = answer.is_found};
+          .found = answer.is_found,
+          .rule_acted = answer.rule.has_value(),
+          .rule = rule.rule,
+          .rule_condition = static_cast<std::uint8_t>(rule.condition),
+          .rule_response = static_cast<std::uint8_t>(rule.response),
+          .rule_measure = rule.measure,
+          .rule_limit = rule.limit};
 }
 
 }  // namespace

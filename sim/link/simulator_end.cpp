@@ -6,6 +6,16 @@
 namespace earshot::link {
 namespace {
 
+/// What a rule of another version is called, whoever puts it into words says.
+messages::SafetyEvent rule_in(const earshot_sim_Answer& sample) {
+  return {.time = {},
+          .rule = sample.rule,
+          .condition = static_cast<config::Condition>(sample.rule_condition),
+          .response = static_cast<config::Response>(sample.rule_response),
+          .measure = sample.rule_measure,
+          .limit = sample.rule_limit};
+}
+
 Answer from_wire(const earshot_sim_Answer& sample) {
   return {.number = sample.number,
           .turns_made = sample.turns_made,
@@ -17,7 +27,8 @@ Answer from_wire(const earshot_sim_Answer& sample) {
               sample.source_believed ? std::optional(NorthEast{Meters{sample.source_north_m}, Meters{sample.source_east_m}}) : std::nullopt,
           .surprise_bits = sample.surprise_bits,
           .is_sweeping = sample.sweeping,
-          .is_found = sample.found};
+          .is_found = sample.found,
+          .rule = sample.rule_acted ? std::optional(rule_in(sample)) : std::nullopt};
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ class Stepper {
                            .state = static_cast<messages::MissionState>(answer.state),
                            .steps_taken = answer.steps_taken};
     result_.account.note(answer, range);
-    record(point, static_cast<messages::EndReason>(answer.end_reason));
+    record(point, answer);
     if (sound_) sound_->note_motion(vehicle_.speed);
     if (live_.is_due()) show(point, answer.believed_source);
   }
@@ -242,16 +242,18 @@ class Stepper {
     return false;
   }
 
-  void record(const TrackPoint& point, messages::EndReason reason) {
+  void record(const TrackPoint& point, const link::Answer& answer) {
     flight_.track.add(point);
     flight_.score.add(point);
     if (state_ == messages::MissionState::kStandby) result_.search_began = point.time;
     state_ = point.state;
     over_ = point.state == messages::MissionState::kDone || point.state == messages::MissionState::kAbort;
     if (!over_) return fail_when_nothing_is_heard();
+    const auto reason = static_cast<messages::EndReason>(answer.end_reason);
     const bool is_declared = reason == messages::EndReason::kFound;
     result_.found = reason == messages::EndReason::kCompleted || (is_declared && point.range <= flight_.setup.found_within);
     result_.end_reason = word_for(reason);
+    if (reason != messages::EndReason::kOperatorAbort) result_.ending_rule = answer.rule;
   }
 
   void fail_when_nothing_is_heard() {

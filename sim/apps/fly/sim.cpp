@@ -191,6 +191,7 @@ nlohmann::ordered_json summary_of(const Options& o, const config::Mission& missi
                                  {"wall_time_s", result.wall_time_s},
                                  {"seed", o.seed},
                                  {"end_reason", result.end_reason},
+                                 {"ended_by", ending_rule_to_json(result.ending_rule)},
                                  {"environment", o.environment.string()},
                                  {"mission", o.mission.string()},
                                  {"source", place(source)},

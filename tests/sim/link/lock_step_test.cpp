@@ -23,6 +23,12 @@ std::uint32_t own_domain() {
 }
 
 constexpr std::uint64_t kNever = ~0ULL;
+constexpr messages::SafetyEvent kRule{.time = {},
+                                      .rule = 9,
+                                      .condition = config::Condition::kBattery,
+                                      .response = config::Response::kRelease,
+                                      .measure = 29.998,
+                                      .limit = 30.0};
 
 Tick tick_number(std::uint64_t number) {
   Tick tick;
@@ -89,7 +95,8 @@ void answer_every_tick(std::uint64_t until) {
                .believed_source = tick.snr ? std::optional(NorthEast{Meters{1.5}, Meters{-tick.snr->value}}) : std::nullopt,
                .surprise_bits = 0.5F * static_cast<float>(tick.number),
                .is_sweeping = tick.number % 2 == 1,
-               .is_found = tick.number % 3 == 0});
+               .is_found = tick.number % 3 == 0,
+               .rule = tick.number % 5 == 0 ? std::optional(kRule) : std::nullopt});
   }
 }
 
@@ -123,6 +130,7 @@ TEST(LockStep, EveryTickIsAnsweredInOrderWithWhatItSaid) {
     EXPECT_EQ(answer.surprise_bits, 0.5F * static_cast<float>(n));
     EXPECT_EQ(answer.is_sweeping, n % 2 == 1);
     EXPECT_EQ(answer.is_found, n % 3 == 0);
+    EXPECT_EQ(answer.rule, n % 5 == 0 ? std::optional(kRule) : std::nullopt);
   }
   int status = 0;
   waitpid(child, &status, 0);

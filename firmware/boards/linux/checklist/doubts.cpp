@@ -67,6 +67,9 @@ void doubt_battery(const config::Mission& mission, Doubts& doubts) {
   }
   const bool watches_way_home = has_rule_about(mission, config::Condition::kBatteryAtHome);
   doubt_if(!watches_way_home && !has_rule_about(mission, config::Condition::kBattery), doubts, "no rule watches the battery");
+  doubt_if(
+      !watches_way_home && has_rule_about(mission, config::Condition::kBattery) && mission.safety.vehicle.battery_percent_per_km == 0.0,
+      doubts, "vehicle.battery_percent_per_km is not given: whether the battery lasts for all steps is not known");
   doubt_if(watches_way_home && mission.safety.vehicle.battery_percent_per_km == 0.0, doubts,
            "vehicle.battery_percent_per_km is not given: battery_at_home_percent counts no way home");
 }

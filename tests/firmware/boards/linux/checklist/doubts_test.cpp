@@ -62,6 +62,15 @@ TEST(Doubts, DoubtsABatteryThatLastsForTheSearchButNotForTheWayHome) {
   EXPECT_FALSE(is_doubted(file, "way home need"));
 }
 
+TEST(Doubts, DoubtsABatteryOfWhichNobodySaysHowFarItLasts) {
+  host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
+  file.mission.safety.rules.clear();
+  ASSERT_EQ(file.mission.safety.rules.push_back({.condition = config::Condition::kBattery, .limit = 20.0, .persistence = {}}), Status::kOk);
+  EXPECT_FALSE(is_doubted(file, "whether the battery lasts"));
+  file.mission.safety.vehicle.battery_percent_per_km = 0.0;
+  EXPECT_TRUE(is_doubted(file, "vehicle.battery_percent_per_km is not given: whether the battery lasts for all steps is not known"));
+}
+
 TEST(Doubts, DoubtsAChargeAtHomeThatCountsNoWay) {
   host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
   file.mission.safety.vehicle.battery_percent_per_km = 0.0;
