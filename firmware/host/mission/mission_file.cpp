@@ -356,7 +356,7 @@ void leave_out_hydrophones(MissionFile& file) {
 void leave_snr_to_simulator(MissionFile& file) {
   for (PortSettings& port : file.ports) {
     if (port.kind == PortKind::kCan) port.roles.remove(Role::kSnr);
-    port.snr_is_simulators = port.kind == PortKind::kLcm;  // the role stays: bearings come by it
+    port.snr_is_simulators = port.kind == PortKind::kLcm;  // the role stays: a hydrophone's status comes by it
   }
 }
 
