@@ -6,6 +6,7 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
+#include "firmware/messages/bearing_measurement.hpp"
 #include "firmware/messages/safety_event.hpp"
 
 namespace earshot::link {
@@ -16,10 +17,10 @@ struct Tick {
   std::uint64_t number = 0;  ///< 0 knocks, and stays within the link
   Time time;
   std::uint64_t navigation_messages = 0;
-  std::uint64_t bearing_messages = 0;
   std::uint64_t hydrophone_blocks = 0;
   std::optional<Decibels> snr;
-  bool snr_too_faint = false;  ///< not measured: the signal lies somewhere below `snr`
+  bool snr_too_faint = false;                               ///< not measured: the signal lies somewhere below `snr`
+  std::optional<messages::Bearing> bearing = std::nullopt;  ///< of a vehicle that has an array
   std::uint8_t command = 0;
   std::optional<double> battery_percent = std::nullopt;  ///< charge that is left, of a vehicle that tells it
 };

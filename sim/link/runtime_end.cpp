@@ -8,14 +8,20 @@
 namespace earshot::link {
 namespace {
 
+messages::Bearing bearing_of(const earshot_sim_Tick& sample) {
+  return {.direction = Radians{sample.bearing_rad},
+          .deviation = Radians{sample.bearing_deviation_rad},
+          .mirror_axis = sample.bearing_ambiguous ? std::optional(Radians{sample.bearing_axis_rad}) : std::nullopt};
+}
+
 Tick from_wire(const earshot_sim_Tick& sample) {
   return {.number = sample.number,
           .time = {sample.time_us},
           .navigation_messages = sample.navigation_messages,
-          .bearing_messages = sample.bearing_messages,
           .hydrophone_blocks = sample.hydrophone_blocks,
           .snr = sample.snr_valid ? std::optional(Decibels{sample.snr_db}) : std::nullopt,
           .snr_too_faint = sample.snr_too_faint,
+          .bearing = sample.bearing_valid ? std::optional(bearing_of(sample)) : std::nullopt,
           .command = sample.command,
           .battery_percent = sample.battery_valid ? std::optional(sample.battery_percent) : std::nullopt};
 }

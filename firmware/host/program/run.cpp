@@ -8,6 +8,7 @@
 #include <new>
 
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/output_file.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/program/standard_streams.hpp"
 #include "firmware/host/program/talk.hpp"
@@ -24,6 +25,7 @@ bool is_all_printed() {
 
 int run(CommandLine& line, int argc, char** argv, const std::function<int()>& work) {
   open_standard_streams();
+  host::remove_unfinished_on_signals();
   (void)std::signal(SIGXFSZ, SIG_IGN);  // a file over its limit is a full disk: write(2) says so, and nothing is ended in the middle
   try {
     if (const std::optional<std::string> answer = line.read(argc, argv)) {

@@ -373,7 +373,7 @@ int fly_search(Options o) {
   if (has_flown && conclude(o, folder, is_flown(simulator, runtime))) return status;
   if (stop_requested && !has_flown) std::cerr << "earshot fly: stopped before the flight began\n";
   if (fs::exists(folder.unfinished()))
-    std::cerr << "earshot fly: this flight is not whole; what there is of it is in " << folder.unfinished().string() << "\n";
+    std::cerr << "earshot fly: this flight is not whole; " << fly::place_of_rest(folder.unfinished()) << "\n";
   return status == program::kDone ? program::kLost : status;
 }
 
