@@ -76,7 +76,7 @@ TEST(DecisionAccount, OfAPolicyWithoutANetworkTellsWhatEachActionIsWorthAndOfATr
   const auto policy = advice_policy();
   const std::vector<RecordedDecision> decisions = flown(*policy, 4, {});
   const DecisionAccount account =
-      account_of({.policy = *policy, .belief = policy->observation.belief, .tables = falling_ocean()}, decisions);
+      account_of({.policy = *policy, .belief = policy->observation.belief, .tables = falling_ocean(), .south_west = {}}, decisions);
   double best = 0.0;
   for (std::size_t a = 0; a < account.actions.size(); ++a) {
     ASSERT_TRUE(account.actions[a].worth);
@@ -87,7 +87,9 @@ TEST(DecisionAccount, OfAPolicyWithoutANetworkTellsWhatEachActionIsWorthAndOfATr
   EXPECT_NEAR(best, 1.0, 1e-6);
   const auto trained = belief_policy(1);
   const std::vector<RecordedDecision> others = flown(*trained, 2, {});
-  EXPECT_FALSE(account_of({.policy = *trained, .belief = trained->observation.belief, .tables = falling_ocean()}, others).actions[0].worth);
+  EXPECT_FALSE(account_of({.policy = *trained, .belief = trained->observation.belief, .tables = falling_ocean(), .south_west = {}}, others)
+                   .actions[0]
+                   .worth);
 }
 
 TEST(DecisionAccount, NamesTheHypothesesThatAreLikelyTheLikeliestFirst) {
