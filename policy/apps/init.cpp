@@ -69,7 +69,8 @@ void add_options(program::CommandLine& line, Options& o) {
           [](const std::string& name) { return host::is_interface_name(name) ? std::string() : std::string(host::kInterfaceNameRule); })
       .shows_default();
   line.flag("--hear", &s.hears,
-            "the vehicle has a hydrophone, and measures the SNR itself: the mission's tables for it, and no port that tells one");
+            "the vehicle has a hydrophone, and measures the SNR itself: the mission's tables for it, and no port that tells one; "
+            "for a sound of 9.1 to 740 Hz");
   line.option("--battery-percent", &s.battery_percent, "a rule that ends the search when the battery is below this")
       .between(own_search::kBattery_percent.lowest, own_search::kBattery_percent.highest);
   line.option("--battery-percent-per-km", &s.battery_percent_per_km,

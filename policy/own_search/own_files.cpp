@@ -6,6 +6,7 @@
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/toml/table_reader.hpp"
+#include "firmware/host/transport/lcm_url.hpp"
 #include "policy/own_search/own_policy.hpp"
 #include "policy/own_search/template_text.hpp"
 
@@ -103,6 +104,14 @@ void leave_out_snr(std::string& text) {
   }
 }
 
+/// A bus of its own.
+std::string hydrophone_url(const OwnSearch& search) {
+  const std::string url = "udpm://239.255.76.68:7668?ttl=0";
+  const host::LcmUrl usual = host::parse_lcm_url(url);
+  const host::LcmUrl vehicles = host::parse_lcm_url(search.lcm_url);
+  return vehicles.group == usual.group && vehicles.port == usual.port ? "udpm://239.255.76.69:7669?ttl=0" : url;
+}
+
 /// For a tone; its noise is learnt beside it, so that the source of ocean.toml, which never pauses, is heard.
 std::string hearing_tables(const OwnSearch& search) {
   constexpr double kToEachSide = 0.1;  // of the frequency
@@ -110,7 +119,9 @@ std::string hearing_tables(const OwnSearch& search) {
   return "[[port]]\n"
          "name = \"hydrophone\"\n"
          "kind = \"lcm\"\n"
-         "url = \"udpm://239.255.76.68:7668?ttl=0\"  # of its own, so that its samples cannot crowd out navigation and orders\n"
+         "url = \"" +
+         hydrophone_url(search) +
+         "\"  # of its own, so that its samples cannot crowd out navigation and orders\n"
          "roles = [\"hydrophone\"]\n\n"
          "[hydrophone]                     # the chain from water to numbers, and what is listened for\n"
          "preset = \"continuous_tone\"       # the noise is learnt in the bands beside it, for it never pauses; for calls with pauses "
@@ -122,7 +133,10 @@ std::string hearing_tables(const OwnSearch& search) {
          "sensitivity_db_re_1v_per_upa = -180.0  # of the hydrophone, by its data sheet: negative\n"
          "gain_db = 0.0                    # of amplifiers; what gain the blocks name comes on top\n"
          "full_scale_v = 1.0               # at the ADC's input for a sample of 1.0: half of its range from peak to peak\n"
-         "adc_bits = 24                    # that carry signal\n\n";
+         "adc_bits = 24                    # that carry signal\n"
+         "# expected_noise_db_re_1upa = " +
+         toml_number(noise_db(search)) +
+         " # in the band, where it is known: earshotd --check judges the chain by it, and flow noise is known by it\n\n";
 }
 
 /// Three rectangles around the area.

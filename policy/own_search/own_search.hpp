@@ -46,7 +46,8 @@ inline constexpr Bounds kNoise_db{.lowest = 0.0, .highest = 200.0};
 inline constexpr Bounds kBattery_percent{.lowest = 1.0, .highest = 90.0};
 inline constexpr Bounds kBattery_percent_per_km{.lowest = 0.001, .highest = 100.0};
 inline constexpr Bounds kFence_m{.lowest = 10.0, .highest = 20'000.0};
-inline constexpr Bounds kHeard_hz{.lowest = 2.0, .highest = 900.0};  ///< with a tenth to each side: what a hydrophone's detector can
+/// With a tenth to each side, and the bands beside that in which the noise is learnt: what a hydrophone's detector can (detector::check).
+inline constexpr Bounds kHeard_hz{.lowest = 9.1, .highest = 740.0};
 inline constexpr Bounds kSeaFloor_m{.lowest = 10.0, .highest = 11'000.0};
 
 /// What a search is flown by.

@@ -44,7 +44,8 @@ int run(CommandLine& line, int argc, char** argv, const std::function<int()>& wo
   } catch (const host::BadInput& e) {
     std::cerr << host::printable_lines(e.what()) << "\n";
   } catch (const std::filesystem::filesystem_error& e) {
-    std::cerr << host::printable(e.path1().string()) << ": cannot be read or written: " << e.code().message() << "\n";
+    const std::string path = e.path1().empty() ? std::string("a file or folder without a name") : host::printable(e.path1().string());
+    std::cerr << path << ": cannot be read or written: " << e.code().message() << "\n";
   } catch (const std::bad_alloc&) {
     std::cerr << line.name() << ": not enough memory for what was asked\n";
   } catch (const std::exception& e) {

@@ -72,6 +72,12 @@ TEST(Run, LeavesNothingOfAFileThatALibraryWritesWhenASignalEndsTheProgram) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+TEST(Run, SaysOfAPathThatIsEmptyThatItIs) {
+  const Ran refused = ran([]() -> int { throw std::filesystem::filesystem_error("", std::make_error_code(std::errc::invalid_argument)); });
+  EXPECT_EQ(refused.status, kBadInput);
+  EXPECT_EQ(refused.error, "a file or folder without a name: cannot be read or written: Invalid argument\n");
+}
+
 TEST(Run, AnswersAQuestionAndDoesNoWork) {
   bool has_worked = false;
   const Ran asked = ran(
