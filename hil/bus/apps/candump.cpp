@@ -189,7 +189,7 @@ class Work {
     std::cerr << "earshot candump: " << what_is_wrong << plural(counters.frames, " frame") << ", " << plural(counters.messages, " message")
               << " (" << counters.unknown << " unknown)";
     if (counters.other_frames > 0) std::cerr << ", " << plural(counters.other_frames, " frame") << " of another kind than NMEA 2000's";
-    if (counters.incomplete > 0) std::cerr << ", " << counters.incomplete << " pieces of fast packets that were not whole";
+    if (counters.incomplete > 0) std::cerr << ", " << plural(counters.incomplete, " piece") << " of fast packets that were not whole";
     if (lost_before_ > 0) std::cerr << ", " << plural(lost_before_, " frame") << " lost by who recorded (DROPCOUNT)";
     if (dump_.unrecorded() > 0) std::cerr << ", " << plural(dump_.unrecorded(), " message") << " too long for a recording";
     if (record_ != nullptr) std::cerr << "; " << plural(record_->frames(), " frame") << " recorded";
