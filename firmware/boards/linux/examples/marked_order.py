@@ -19,6 +19,8 @@ OUTCOMES = (
     "NOT_VERIFIED",
     "NOT_TIGHTER",
     "AUTOPILOT_SILENT",
+    "OLD_MARK",
+    "UNREADABLE",
 )
 
 
