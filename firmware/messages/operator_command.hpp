@@ -28,7 +28,7 @@ struct OperatorLimits {
   friend constexpr bool operator==(const OperatorLimits&, const OperatorLimits&) = default;
 };
 
-/// A message authentication code (firmware/host/mission/command_key.hpp); nothing but zeros: there is none.
+/// A message authentication code (firmware/host/mission/authority/command_key.hpp); nothing but zeros: there is none.
 using CommandMark = std::array<std::uint8_t, 16>;
 
 /// An order of a person, or of a simulator in a person's place.

@@ -50,7 +50,7 @@ LcmPort::LcmPort(std::uint8_t index, const host::PortSettings& settings, host::I
     : Port(index, settings.roles),
       name_(settings.name),
       address_(settings.address),
-      command_key_(settings.command_key),
+      command_proof_(settings.command_proof),
       snr_is_simulators_(settings.snr_is_simulators),
       endpoint_(host::parse_lcm_url(settings.address), channels_of(settings.roles), is_abort, if_missing) {}
 
@@ -95,7 +95,7 @@ bool LcmPort::take_order(Clock& clock, std::span<const std::uint8_t> data, Input
     return false;
   }
   if (order.form == wire::OrderForm::kAbort) sink.tell_order_trouble(index(), OrderTrouble::kCutAbort);
-  command.is_verified = command_key_ && command_key_->verifies(command);
+  judge_mark(command_proof_, command, sink);
   command.time = clock.mission_time_of(command.time);
   command.expiry = clock.mission_time_of(command.expiry);
   sink.take(index(), command);
@@ -145,6 +145,7 @@ std::uint64_t LcmPort::publish(Time now, const runtime::Outputs& outputs) {
     if (send(wire::kSetpointChannel, wire::to_message(*outputs.setpoint, date_of(now)))) ++setpoints;
   }
   if (has(host::Role::kOperator)) {
+    if (command_proof_) (void)send(wire::kChallengeChannel, wire::to_message(command_proof_->told(date_of(now))));
     for (const messages::CommandAcknowledgement& acknowledgement : outputs.acknowledgements) {
       if (acknowledgement.port == index()) send_dated(wire::kAcknowledgementChannel, acknowledgement);
     }

@@ -51,7 +51,7 @@ class LcmPort final : public Port {
 
   std::string name_;
   std::string address_;
-  std::optional<host::CommandKey> command_key_;
+  std::optional<host::CommandProof> command_proof_;
   bool snr_is_simulators_;
   std::uint64_t strangers_snr_ = 0;
   std::uint64_t strangers_bearings_ = 0;

@@ -49,7 +49,9 @@ VehicleTrust MissionJudge::trust() const {
   VehicleTrust trust{.said_in = vehicle_->path.string(),
                      .command_key = std::nullopt,
                      .command_key_file = vehicle_->command_key_file.value_or(""),
-                     .reads_own_command_key = !vehicle_->requires_signed_mission};
+                     .reads_own_command_key = !vehicle_->requires_signed_mission,
+                     .vehicle_id = vehicle_->vehicle_id,
+                     .accepts_old_marks = vehicle_->accepts_old_marks};
   if (vehicle_->command_key_file) trust.command_key = CommandKey(trust.command_key_file);
   return trust;
 }

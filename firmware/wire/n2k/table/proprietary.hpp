@@ -166,6 +166,37 @@ inline constexpr Signal kCommandAcknowledgementSignals[]{
     instant("Time", 104),
 };
 
+// Four bytes each, little-endian, of what challenge_t says: nonce, vehicle, mission, mark.
+inline constexpr Signal kChallengeSignals[]{
+    manufacturer(),
+    industry(),
+    instant("Time", 16),
+    any_number("Nonce0", 80),
+    any_number("Nonce1", 112),
+    any_number("Nonce2", 144),
+    any_number("Nonce3", 176),
+    any_number("Vehicle0", 208),
+    any_number("Vehicle1", 240),
+    any_number("Vehicle2", 272),
+    any_number("Vehicle3", 304),
+    any_number("Vehicle4", 336),
+    any_number("Vehicle5", 368),
+    any_number("Vehicle6", 400),
+    any_number("Vehicle7", 432),
+    any_number("Mission0", 464),
+    any_number("Mission1", 496),
+    any_number("Mission2", 528),
+    any_number("Mission3", 560),
+    any_number("Mission4", 592),
+    any_number("Mission5", 624),
+    any_number("Mission6", 656),
+    any_number("Mission7", 688),
+    any_number("ChallengeMark0", 720),
+    any_number("ChallengeMark1", 752),
+    any_number("ChallengeMark2", 784),
+    any_number("ChallengeMark3", 816),
+};
+
 // One frame that aborts, for senders that cannot cut a fast packet. It is given when it arrives.
 inline constexpr Signal kAbortSignals[]{
     manufacturer(),

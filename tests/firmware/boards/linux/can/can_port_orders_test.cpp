@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "firmware/boards/linux/can/can_port.hpp"
+#include "firmware/wire/n2k/own/challenge.hpp"
 #include "tests/firmware/boards/linux/can/bus_rig.hpp"
 
 namespace earshot::board {
@@ -55,6 +56,44 @@ TEST_F(CanPortOrders, AnswerTheSenderOfOneThatCannotBeRead) {
   EXPECT_EQ(answer.value().issuer, 4711U);
   EXPECT_EQ(answer.value().number, 3U);
   EXPECT_EQ(port_->report().malformed, 1U);
+}
+
+TEST_F(CanPortOrders, AreMarkedForTheChallengeThatTheVehicleTellsOnceASecond) {
+  const host::CommandKey key(host::KeyBytes{7});
+  settings_.command_proof = {.key = key, .challenge = host::new_challenge("auv-7", {}), .accepts_old_marks = false};
+  open_settled();
+  port_->publish(clock_.time, {});
+  port_->publish(clock_.time + Duration::milliseconds(200), {});
+  const std::vector<Heard> told = heard(n2k::kChallengePgn);
+  ASSERT_EQ(told.size(), 1U);
+  const Result<messages::ToldChallenge> challenge = n2k::read_challenge(told[0].bytes);
+  ASSERT_TRUE(challenge.ok());
+  EXPECT_TRUE(key.verifies(challenge.value()));
+  messages::OperatorCommand start{
+      .time = clock_.time, .expiry = clock_.time + Duration::seconds(10), .issuer = 4711, .number = 3, .order = Order::kStart};
+  const auto say = [&] {
+    n2k::FastPacketFrames frames;
+    ASSERT_EQ(n2k::compose_command(start, {.source = kCommander, .destination = kOwn, .sequence = sequence_++}, frames), Status::kOk);
+    send_all(frames);
+    collect();
+  };
+  say();
+  start.mark = key.mark_of(start, challenge.value().challenge);
+  say();
+  start.mark = key.old_mark_of(start);
+  say();
+  const std::vector<messages::OperatorCommand> orders = taken_.all<messages::OperatorCommand>();
+  ASSERT_EQ(orders.size(), 3U);
+  EXPECT_FALSE(orders[0].is_verified);
+  EXPECT_TRUE(orders[1].is_verified);
+  EXPECT_TRUE(orders[2].has_old_mark);
+  EXPECT_EQ(taken_.order_troubles, (std::vector{OrderTrouble::kNoMark, OrderTrouble::kOldMark}));
+}
+
+TEST_F(CanPortOrders, NeedNoChallengeWhereThereIsNoKey) {
+  open_settled();
+  port_->publish(clock_.time, {});
+  EXPECT_TRUE(heard(n2k::kChallengePgn).empty());
 }
 
 }  // namespace
