@@ -12,7 +12,7 @@ namespace {
 void write_pair(const std::filesystem::path& secret_file, const SecretKey& key, bool replaces) {
   const std::filesystem::path public_file = public_file_of(secret_file);
   OutputFile secret_half(secret_file, Access::kOwnerOnly);
-  OutputFile public_half(public_file);
+  OutputFile public_half(public_file, Access::kOwnerWrites);
   std::string secret = to_text(key);
   secret_half.write(secret);
   wipe({reinterpret_cast<std::uint8_t*>(secret.data()), secret.size()});

@@ -54,7 +54,7 @@ void begin_counter(const std::filesystem::path& counter_file, std::uint64_t coun
   if (std::filesystem::symlink_status(counter_file, error).type() != std::filesystem::file_type::not_found)
     throw BadInput(counter_file.string() +
                    ": is there already, and never replaced: it knows what the vehicle flew; move a damaged one away");
-  write_new(counter_file, text_of({.counter = counter, .mission = {}, .policy = {}}));
+  write_new(counter_file, text_of({.counter = counter, .mission = {}, .policy = {}}), Access::kOwnerWrites);
 }
 
 void raise_counter(const std::filesystem::path& counter_file, std::uint64_t counter) {

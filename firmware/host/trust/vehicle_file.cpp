@@ -60,6 +60,16 @@ bool is_vehicle_id(std::string_view text) {
   return !text.empty() && text.size() <= kLongestVehicleId && std::ranges::all_of(text, fits);
 }
 
+std::vector<std::filesystem::path> files_of(const VehicleFile& vehicle) {
+  std::vector<std::filesystem::path> files{vehicle.path};
+  for (const std::vector<TrustedKey>* const keys : {&vehicle.policy_keys, &vehicle.mission_keys}) {
+    for (const TrustedKey& key : *keys) files.push_back(key.file);
+  }
+  if (!vehicle.counter_file.empty()) files.push_back(vehicle.counter_file);
+  if (vehicle.command_key_file) files.push_back(*vehicle.command_key_file);
+  return files;
+}
+
 std::optional<std::filesystem::path> vehicle_file_of(const std::optional<std::filesystem::path>& named,
                                                      const std::filesystem::path& usual) {
   if (named) return named;

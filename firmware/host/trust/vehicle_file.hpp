@@ -33,6 +33,9 @@ inline constexpr const char* kVehicleIdRule = "must be 1 to 32 letters, digits, 
 /// @throws BadInput with everything that is wrong with the file, and for a trusted key that is none.
 [[nodiscard]] VehicleFile load_vehicle(const std::filesystem::path& path);
 
+/// All files that say whom it trusts: itself, public keys, the counter, the key of commands.
+[[nodiscard]] std::vector<std::filesystem::path> files_of(const VehicleFile& vehicle);
+
 /// `named`; else the file at the usual place, if anything is there, readable or not: a vehicle does not forget whom it trusts because of a
 /// disk's whim.
 [[nodiscard]] std::optional<std::filesystem::path> vehicle_file_of(const std::optional<std::filesystem::path>& named,

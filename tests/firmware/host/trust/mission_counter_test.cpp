@@ -77,6 +77,14 @@ TEST_F(MissionCounterFile, BeginsWhereItIsTold) {
   EXPECT_EQ(read_flown_last(file_).counter, 41U);
 }
 
+TEST_F(MissionCounterFile, IsItsOwnersAloneToWriteWhateverTheUmask) {
+  const mode_t before = ::umask(0);
+  begin_counter(file_, 0);
+  MissionCounter(file_).record(numbered(258));
+  ::umask(before);
+  EXPECT_EQ(fs::status(file_).permissions(), fs::perms{0644});
+}
+
 TEST_F(MissionCounterFile, IsRaisedByAPersonAndNeverLowered) {
   write(kText);
   raise_counter(file_, 5'000'000'000);
