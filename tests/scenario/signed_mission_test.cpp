@@ -145,7 +145,7 @@ TEST_F(SignedMissions, AreNotFlownByAVehicleWhoseTrustOthersCanChange) {
   for (const std::string name : {"vehicle.toml", "walk.pub", "ops.pub", "mission.counter"}) {
     fs::permissions(folder_ / name, fs::perms::group_write, fs::perm_options::add);
     for (const Words& words : {kFly, kCheck}) {
-      expect_refused("earshotd", words, "vehicle.toml: whom the vehicle trusts can be changed by others than root and ");
+      expect_refused("earshotd", words, "vehicle.toml: whom the vehicle trusts can be changed by others than root");
       EXPECT_NE(said().find(name + " may be written by its group. What mends it: chmod go-w "), std::string::npos) << said();
     }
     fs::permissions(folder_ / name, fs::perms::group_write, fs::perm_options::remove);

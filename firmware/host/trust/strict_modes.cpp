@@ -52,9 +52,9 @@ class Findings {
     std::string remedy;
     if (!to_close_.empty()) remedy += "chmod go-w" + to_close_;
     if (!to_own_.empty()) remedy += (remedy.empty() ? "" : " && ") + std::string("chown root") + to_own_;
-    throw BadInput(first.string() + ": whom the vehicle trusts can be changed by others than root and " + name_of(::geteuid()) +
-                   ", who runs this: " + wrong_ + ". What mends it: " + remedy +
-                   (to_own_.empty() ? std::string() : " (or run this as their owner)"));
+    const std::string user = ::geteuid() == 0 ? std::string() : " and " + name_of(::geteuid());
+    throw BadInput(first.string() + ": whom the vehicle trusts can be changed by others than root" + user + ", who runs this: " + wrong_ +
+                   ". What mends it: " + remedy + (to_own_.empty() ? std::string() : " (or run this as their owner)"));
   }
 
  private:
