@@ -30,7 +30,8 @@ EmulatedVehicle::EmulatedVehicle(const VehicleSetup& setup)
     auto ashore = std::make_unique<Operator>(OperatorSetup{.issuer = setup.issuer,
                                                            .utc = setup.utc,
                                                            .has_arrived = [this, within = setup.found_within] { return range() <= within; },
-                                                           .unique_number = own});
+                                                           .unique_number = own,
+                                                           .mark = setup.mark});
     operator_ = ashore.get();
     return ashore;
   });

@@ -39,6 +39,7 @@ struct VehicleSetup {
   /// The wall clock's time, by which the operator dates its orders.
   std::function<Time()> utc = {};
   std::uint32_t issuer = 1;               ///< of the operator's orders, 16 bits
+  MakeMark mark = {};                     ///< of the operator's orders, where the mission names a key
   std::uint32_t first_number = 1;         ///< unique number of the first device; the others have the next
   std::vector<std::string> without = {};  ///< of kDeviceNames: devices that are there as hardware, or not at all
 };

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "firmware/wire/n2k/identifier.hpp"
+#include "firmware/wire/n2k/own/challenge.hpp"
 #include "firmware/wire/n2k/own/orders.hpp"
 #include "firmware/wire/n2k/table/messages.hpp"
 
@@ -26,7 +27,7 @@ Operator::Operator(OperatorSetup setup)
                    .device_function = 160,
                    .preferred_address = 0x29,
                    .unique_number = setup_.unique_number},
-                  {n2k::kPeerPgn}, {n2k::kPeerPgn, n2k::kHealthPgn, n2k::kDecisionPgn}) {}
+                  {n2k::kPeerPgn}, {n2k::kPeerPgn, n2k::kHealthPgn, n2k::kDecisionPgn, n2k::kChallengePgn}) {}
 
 void Operator::accept(const n2k::Frame& frame, Time now) {
   membership_.accept(frame, now);
@@ -34,11 +35,13 @@ void Operator::accept(const n2k::Frame& frame, Time now) {
   if (!parsed.ok()) return;
   const n2k::Identifier& identifier = parsed.value();
   const bool is_for_us = identifier.pgn == n2k::kPeerPgn && identifier.destination == membership_.address();
-  if (!is_for_us && identifier.pgn != n2k::kHealthPgn && identifier.pgn != n2k::kDecisionPgn) return;
+  const bool is_told = identifier.pgn == n2k::kHealthPgn || identifier.pgn == n2k::kDecisionPgn || identifier.pgn == n2k::kChallengePgn;
+  if (!is_for_us && !is_told) return;
   std::span<const std::uint8_t> bytes;
   if (assembly_.accept(identifier, frame, bytes) != Status::kOk) return;
   if (const auto report = n2k::read_health(bytes); identifier.pgn == n2k::kHealthPgn && report.ok())
     take_health(identifier.source, report.value());
+  if (const auto told = n2k::read_challenge(bytes); identifier.pgn == n2k::kChallengePgn && told.ok()) challenge_ = told.value();
   if (const auto answer = n2k::read_acknowledgement(bytes); is_for_us && answer.ok()) take_answer(answer.value(), now);
   if (const auto decision = n2k::read_decision(bytes); identifier.pgn == n2k::kDecisionPgn && decision.ok()) {
     decision_ = decision.value();
@@ -111,13 +114,18 @@ void Operator::step(Time now, Frames& frames) {
   }
 }
 
-Status Operator::send(const Waiting& waiting, std::uint8_t source, Frames& frames) {
+Status Operator::send(Waiting& waiting, std::uint8_t source, Frames& frames) {
   const n2k::Route route{.source = source, .destination = vehicle_.value_or(n2k::kBroadcast), .sequence = sequence_++};
   if (waiting.command.order == Order::kAbort) {
     n2k::Frame frame;
     const Status status = n2k::compose_abort(waiting.command.issuer, waiting.command.number, route, frame);
     if (status == Status::kOk) frames.push_back(frame);
     return status;
+  }
+  if (setup_.mark) {
+    const auto mark = challenge_ ? setup_.mark(waiting.command, *challenge_) : std::nullopt;
+    if (!mark) return Status::kNotReady;
+    waiting.command.mark = *mark;
   }
   n2k::FastPacketFrames packet;
   const Status status = n2k::compose_command(waiting.command, route, packet);

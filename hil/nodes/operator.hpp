@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "firmware/core/time.hpp"
+#include "firmware/messages/challenge.hpp"
 #include "firmware/messages/decision.hpp"
 #include "firmware/messages/operator_command.hpp"
 #include "firmware/wire/n2k/fast_packet.hpp"
@@ -20,6 +21,9 @@ namespace earshot::hil {
 /// How long after it was given an order may be obeyed and is repeated, by the wall clock.
 inline constexpr Duration kOrderLife = Duration::seconds(30);
 
+/// Marks an order for what the vehicle tells (firmware/authority/README.md). Nothing: that is not the vehicle that is meant.
+using MakeMark = std::function<std::optional<messages::CommandMark>(const messages::OperatorCommand&, const messages::ToldChallenge&)>;
+
 struct OperatorSetup {
   std::uint32_t issuer = 1;  ///< 16 bits, best drawn anew for every start
   /// The wall clock's time, by which orders are dated.
@@ -27,6 +31,7 @@ struct OperatorSetup {
   /// Whether the source is reached, which nobody aboard can know; empty: it never is.
   std::function<bool()> has_arrived;
   std::uint32_t unique_number = 0;
+  MakeMark mark = {};  ///< where the mission names a key: nothing but an ABORT is said before the vehicle's challenge (130953) is heard
 };
 
 /// A person at the other end of a modem on the bus (126720): says START when Earshot is in STANDBY, COMPLETE when the source is reached,
@@ -63,13 +68,14 @@ class Operator final : public Device {
   void give_what_is_due(Time now);
   void forget_expired();
   [[nodiscard]] bool is_waiting(messages::Order order) const;
-  [[nodiscard]] Status send(const Waiting& waiting, std::uint8_t source, Frames& frames);
+  [[nodiscard]] Status send(Waiting& waiting, std::uint8_t source, Frames& frames);
 
   OperatorSetup setup_;
   Membership membership_;
   n2k::FastPacketAssembly assembly_;
   std::optional<std::uint8_t> vehicle_;
   std::optional<n2k::HealthReport> health_;
+  std::optional<messages::ToldChallenge> challenge_;  ///< that the vehicle told last
   std::optional<messages::Decision> decision_;
   std::uint64_t decisions_ = 0;
   std::vector<messages::CommandAcknowledgement> answers_;

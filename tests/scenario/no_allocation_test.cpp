@@ -29,6 +29,7 @@
 #include "tests/scenario/walk_at_sea.hpp"
 #include "tests/support/private_network.hpp"
 #include "tests/support/process.hpp"
+#include "tests/support/secret_file.hpp"
 #include "tests/support/signed_policy.hpp"
 
 namespace earshot {
@@ -117,6 +118,21 @@ TEST_F(NoAllocationOverLcm, GivenAWholeMissionWithRefusedOrdersAndNonsenseOnTheB
   // Of the vehicle that has no configuration; of the proof there is none.
   EXPECT_EQ(earshotd_->output().rfind("warning"), earshotd_->output().find("warning: no vehicle's configuration")) << earshotd_->output();
   EXPECT_EQ(earshotd_->output().find("has grown"), std::string::npos);
+}
+
+TEST_F(NoAllocationOverLcm, GivenAKeyThereIsNoneAsItTellsItsChallengeAndRefusesWhatIsNotMarkedForIt) {
+  write_mission("search.toml", "20");
+  std::ofstream(folder_ / "mission.toml", std::ios::app) << "\n[authority]\nkey_file = \"vehicle.key\"\n";
+  support::write_secret_file(folder_ / "vehicle.key", std::string(64, '1'));
+  VehicleOverLcm vehicle{std::string(host::kDefaultLcmUrl)};
+  start_proof({});
+  ASSERT_TRUE(vehicle.sails_until([&] { return vehicle.turns > 20; })) << earshotd_->output();
+  vehicle.order(Order::kStart);
+  ASSERT_TRUE(vehicle.sails_until([&] { return vehicle.health.commands_refused > 0; })) << earshotd_->output();
+  EXPECT_EQ(vehicle.state(), MissionState::kStandby);
+  EXPECT_EQ(stop(), 0);
+  expect_said("\nearshotd: 0 allocations in 3 threads over ");
+  expect_said("an order was refused that does not bear the mark of who knows the key");
 }
 
 TEST_F(NoAllocationOverLcm, GivenALinkThatGoesDownAndComesBackItIsOpenedAgainWithoutAny) {

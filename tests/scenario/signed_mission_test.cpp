@@ -125,6 +125,36 @@ TEST_F(SignedMissions, AreTheOnlyOnesOfAVehicleThatAsksForThem) {
   EXPECT_EQ(flown_last(), 0U);
 }
 
+TEST_F(SignedMissions, DoNotUseUpTheCounterByOneSignatureUnlessAPersonSaysSoOnTheVehicle) {
+  host::begin_counter(folder_ / "mission.counter", 4);
+  ASSERT_EQ(sign(9'223'372'036'854'775'807U), 0);
+  expect_refused("earshotd", kFly, "counter 9223372036854775807 is more than 4294967296 above 4");
+  expect_refused("earshot-verify", {"--vehicle", "vehicle.toml", "mission.toml"}, "is more than 4294967296 above 4");
+  ASSERT_EQ(sign(5'000'000'000U), 0);
+  const Words raise{"--vehicle", "vehicle.toml", "mission.toml", "--raise-counter"};
+  EXPECT_EQ(run("earshot-verify", {raise[0], raise[1], raise[2], raise[3], "4999999999"}), 0) << said();
+  EXPECT_TRUE(printed().starts_with("mission.counter: missions with a counter above 4999999999 may be flown\n")) << printed();
+  expect_refused("earshot-verify", {raise[0], raise[1], raise[3], "9"}, "mission.counter: stands at 4999999999, and is raised only");
+}
+
+TEST_F(SignedMissions, AreNotFlownByAVehicleWhoseTrustOthersCanChange) {
+  host::begin_counter(folder_ / "mission.counter", 0);
+  ASSERT_EQ(sign(1), 0);
+  const Words kCheck{"--vehicle", "vehicle.toml", "--check", "mission.toml", "--out", "."};
+  const Words kSimulate{"--mission", "mission.toml", "--vehicle", "vehicle.toml", "--out", "flight", "--no-report", "--quiet"};
+  for (const std::string name : {"vehicle.toml", "walk.pub", "ops.pub", "mission.counter"}) {
+    fs::permissions(folder_ / name, fs::perms::group_write, fs::perm_options::add);
+    for (const Words& words : {kFly, kCheck}) {
+      expect_refused("earshotd", words, "vehicle.toml: whom the vehicle trusts can be changed by others than root");
+      EXPECT_NE(said().find(name + " may be written by its group. What mends it: chmod go-w "), std::string::npos) << said();
+    }
+    fs::permissions(folder_ / name, fs::perms::group_write, fs::perm_options::remove);
+  }
+  EXPECT_EQ(run("earshotd", kCheck), 0) << said();
+  fs::permissions(folder_ / "vehicle.toml", fs::perms::group_write, fs::perm_options::add);
+  EXPECT_EQ(start("earshot-fly", kSimulate).wait(60s), 0) << "no vehicle moves: " << said();
+}
+
 TEST_F(SignedMissions, AreVerifiedBeforeADive) {
   host::begin_counter(folder_ / "mission.counter", 4);
   ASSERT_EQ(sign(5), 0);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/stat.h>
+
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -16,6 +18,7 @@ namespace earshot::support {
 class SignedMission {
  public:
   explicit SignedMission(std::filesystem::path folder) : folder_(std::move(folder)) {
+    ::umask(S_IWGRP | S_IWOTH);  // else the vehicle would refuse them
     key_.seed.fill(3);
     write_secret_file(folder_ / "ops.key", host::to_text(key_));
     std::ofstream(folder_ / "ops.pub") << host::to_text(host::public_key_of(key_));

@@ -2,15 +2,18 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 
 #include "firmware/boards/linux/can/bus_trouble.hpp"
 #include "firmware/boards/linux/clock.hpp"
 #include "firmware/boards/linux/hydrophone/heard_chain.hpp"
+#include "firmware/boards/linux/order_trouble.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/host/mission/port_settings.hpp"
 #include "firmware/messages/input.hpp"
+#include "firmware/messages/operator_command.hpp"
 #include "firmware/messages/port_report.hpp"
 #include "firmware/messages/sound_detection.hpp"
 #include "firmware/runtime/runtime.hpp"
@@ -35,6 +38,8 @@ class InputSink {
   virtual void tell_chain(std::uint8_t /*port*/, const HeardChain& /*chain*/) {}
   /// Something is wrong with a port from now on, or no longer.
   virtual void tell_trouble(std::uint8_t /*port*/, BusTrouble /*trouble*/, bool /*is_there*/) {}
+  /// Something was wrong with an order that a port brought.
+  virtual void tell_order_trouble(std::uint8_t /*port*/, OrderTrouble /*trouble*/) {}
 };
 
 /// One way in and out of the vehicle computer. After construction nothing allocates and nothing waits.
@@ -86,6 +91,15 @@ class Port {
   [[nodiscard]] bool has(host::Role role) const { return roles_.has(role); }
 
  protected:
+  /// Says of an order, whose dates are still the sender's, what its mark is worth, and tells a person of one that is worth nothing.
+  void judge_mark(const std::optional<host::CommandProof>& proof, messages::OperatorCommand& command, InputSink& sink) const {
+    command.is_verified = command.has_old_mark = false;  // whatever its sender says
+    if (!proof) return;
+    proof->judge(command);
+    if (command.is_verified || command.order == messages::Order::kAbort) return;
+    sink.tell_order_trouble(index(), command.has_old_mark ? OrderTrouble::kOldMark : OrderTrouble::kNoMark);
+  }
+
   messages::PortReport report_;
 
  private:

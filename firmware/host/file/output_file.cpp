@@ -32,6 +32,13 @@ std::optional<mode_t> mode_at(const std::filesystem::path& path) {
   return std::nullopt;
 }
 
+constexpr mode_t mode_of(Access access) {
+  constexpr mode_t kOwner = S_IRUSR | S_IWUSR;
+  constexpr mode_t kOthersRead = S_IRGRP | S_IROTH;
+  if (access == Access::kOwnerOnly) return kOwner;
+  return access == Access::kOwnerWrites ? kOwner | kOthersRead : kOwner | kOthersRead | S_IWGRP | S_IWOTH;
+}
+
 /// The mode of the file that is to be replaced.
 std::optional<mode_t> require_regular(const std::filesystem::path& path) {
   const std::optional<mode_t> mode = mode_at(path);
@@ -133,11 +140,11 @@ void require_writable(const std::filesystem::path& path, const OutputKind& kind,
 OutputFile::OutputFile(const std::filesystem::path& path, Access access)
     : path_(path), target_(followed(path)), partial_(partial_of(target_)) {
   const std::optional<mode_t> older = require_regular(path);
-  const mode_t made = access == Access::kOwnerOnly ? S_IRUSR | S_IWUSR : S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;
+  const mode_t made = mode_of(access);
   make_room_for_partial();
   if (!open_without_name(made)) open_partial(made);
   // Who may read it stays as it was, where the file system knows of that.
-  if (older && access == Access::kEveryone) (void)::fchmod(file_.number(), *older & 0777U);
+  if (older && access != Access::kOwnerOnly) (void)::fchmod(file_.number(), *older & 0777U);
 }
 
 void OutputFile::make_room_for_partial() const {

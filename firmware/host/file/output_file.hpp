@@ -39,8 +39,12 @@ enum class Replace : std::uint8_t {
   return force ? Replace::kAny : Replace::kOwnKind;
 }
 
-/// Whether others may read a file that is made anew.
-enum class Access : std::uint8_t { kEveryone, kOwnerOnly };
+/// What others may do with a file that is made anew, as far as the umask lets them.
+enum class Access : std::uint8_t {
+  kEveryone,     ///< read and write it
+  kOwnerWrites,  ///< read it: what a vehicle trusts
+  kOwnerOnly,    ///< nothing
+};
 
 /// The file that a path stands for: where its symbolic links end, whether anything is there yet or not.
 /// Throws BadInput when they go round in a circle.

@@ -9,8 +9,10 @@
 #include <system_error>
 
 #include "firmware/config/capacities.hpp"
+#include "firmware/host/file/input_file.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/listening/listening_words.hpp"
+#include "firmware/host/mission/authority/authority_table.hpp"
 #include "firmware/host/mission/hydrophone_table.hpp"
 #include "firmware/host/mission/n2k_table.hpp"
 #include "firmware/host/mission/rule_words.hpp"
@@ -22,7 +24,6 @@
 namespace earshot::host {
 namespace {
 
-constexpr const char* kCommandKeyFile = "key_file";
 constexpr double kFarthest_m = 1e6;    // of a local plane
 constexpr double kDeepest_m = 11'000;  // of any ocean
 constexpr double kSlowest_mps = 0.01;  // less is a drift, and no search
@@ -215,43 +216,6 @@ void check_patience(TableReader limits, const MissionFile& file) {
                      " where the hydrophone is listened to: for nearly so long no SNR comes after one lost block of sound");
 }
 
-void read_command_key(TableReader table, const TomlFile& toml, MissionFile& file) {
-  const std::string key_file = table.text(kCommandKeyFile);
-  if (table.is_noted(kCommandKeyFile)) return;
-  file.mission.authority.needs_verified_commands = true;
-  file.command_key_file = toml.resolve(key_file);
-  try {
-    file.command_key = CommandKey(file.command_key_file);
-  } catch (const BadInput& e) {
-    table.problem(kCommandKeyFile, e.what());
-  }
-}
-
-void read_authority(TableReader table, const TomlFile& toml, const VehicleTrust* vehicle, MissionFile& file) {
-  config::Authority& authority = file.mission.authority;
-  if (table.has("autopilot_timeout_s"))
-    authority.autopilot_timeout = seconds(table.number("autopilot_timeout_s", Range::between(0.5, 3600.0)));
-  if (!table.has(kCommandKeyFile)) return;
-  const bool has_vehicles = vehicle != nullptr && vehicle->command_key;
-  if (vehicle == nullptr || (vehicle->reads_own_command_key && !has_vehicles)) return read_command_key(table, toml, file);
-  (void)table.text(kCommandKeyFile);
-  if (!has_vehicles)
-    table.problem(kCommandKeyFile,
-                  "no signature covers that key: this vehicle takes the key of its commands from trust.command_key_file in " +
-                      vehicle->said_in + ", which names none");
-}
-
-void take_command_key(const VehicleTrust& vehicle, MissionFile& file) {
-  if (!vehicle.command_key) return;
-  file.command_key = vehicle.command_key;
-  file.command_key_file = vehicle.command_key_file;
-  file.mission.authority.needs_verified_commands = true;
-}
-
-void give_command_key(MissionFile& file) {
-  for (PortSettings& port : file.ports) port.command_key = port.roles.has(Role::kOperator) ? file.command_key : std::nullopt;
-}
-
 void require_named(const std::filesystem::path& path, const std::string& named_at, const char* option) {
   std::error_code error;
   if (named_at.empty() || std::filesystem::exists(path, error)) return;
@@ -277,8 +241,9 @@ void read_public_key(TableReader policy, const TomlFile& toml, const VehicleTrus
   file.public_key_named_at = policy.place_of(kKey);
 }
 
+/// @param text     that `toml` was read from
 /// @param vehicle  null: none judges it but itself
-MissionFile read_mission(const TomlFile& toml, const VehicleTrust* vehicle) {
+MissionFile read_mission(const TomlFile& toml, const std::string& text, const VehicleTrust* vehicle) {
   TableReader root = toml.root();
   MissionFile file;
   file.step_period = seconds(root.number_or("step_period_s", 1.0, Range::between(0.1, 1.0)));
@@ -292,9 +257,7 @@ MissionFile read_mission(const TomlFile& toml, const VehicleTrust* vehicle) {
   SafetyTables safety = safety_tables(root);
   file.mission.safety = read_safety(safety);
   read_ports(root, file);
-  if (const std::optional<TableReader> authority = root.optional_table("authority")) read_authority(*authority, toml, vehicle, file);
-  if (vehicle != nullptr) take_command_key(*vehicle, file);
-  give_command_key(file);
+  read_authority(root, toml, sha256_of(std::string_view(text)), vehicle, file);
   if (const std::optional<TableReader> hydrophone = root.optional_table("hydrophone")) read_hearing(*hydrophone, search, file);
   read_origin(root.table("origin"), file);
   TableReader policy = root.table("policy");
@@ -321,11 +284,12 @@ void require_named_files(const MissionFile& file) {
 }
 
 MissionFile load_mission(const std::filesystem::path& path) {
-  return read_mission(TomlFile{path}, nullptr);
+  const std::string text = read_text(path, kTomlFile);
+  return read_mission(TomlFile{path, text}, text, nullptr);
 }
 
 MissionFile load_mission(const std::filesystem::path& path, const std::string& text, const VehicleTrust& vehicle) {
-  return read_mission(TomlFile{path, text}, &vehicle);
+  return read_mission(TomlFile{path, text}, text, &vehicle);
 }
 
 void override_ports(MissionFile& file, const PortOverride& said) {
@@ -335,7 +299,7 @@ void override_ports(MissionFile& file, const PortOverride& said) {
     std::vector<PortSettings> ports = ports_named(*said.bus, file);
     std::ranges::copy_if(file.ports, std::back_inserter(ports), [](const PortSettings& port) { return port.roles.has(Role::kHydrophone); });
     file.ports = std::move(ports);
-    give_command_key(file);
+    give_command_proof(file);
   }
   for (PortSettings& port : file.ports) {
     const std::optional<std::string>& over_lcm = port.roles.has(Role::kHydrophone) ? said.hydrophone_url : said.lcm_url;

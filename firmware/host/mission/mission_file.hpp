@@ -31,6 +31,8 @@ struct MissionFile {
   std::optional<detector::SoundSettings> hearing;  ///< what the hydrophone's port listens for; none: it counts samples only
   n2k::LocalPlane plane;                           ///< about the mission's geographic origin; CAN speaks latitude and longitude
   std::optional<CommandKey> command_key;           ///< of those who may command the vehicle
+  messages::Challenge challenge;                   ///< what their orders are marked for: of this loading of the file
+  bool accepts_old_marks = false;                  ///< of their orders: made without the challenge
   std::filesystem::path command_key_file;          ///< that it stands in
   std::filesystem::path policy;
   std::filesystem::path tables;  ///< of the oceans that are possible there: a file, or a folder of which one covers the mission; empty:
@@ -50,6 +52,8 @@ struct VehicleTrust {
   std::optional<CommandKey> command_key = {};   ///< of who may command it
   std::filesystem::path command_key_file = {};  ///< that it stands in
   bool reads_own_command_key = false;           ///< of the mission, whose signature covers no other file
+  std::string vehicle_id = {};                  ///< its name; empty: the mission's, if that names one
+  bool accepts_old_marks = false;               ///< with the vehicle's key
 };
 /// A mission whose bytes have been read from `path`, for such a vehicle: which key vouches for its policy is not the mission's to say.
 [[nodiscard]] MissionFile load_mission(const std::filesystem::path& path, const std::string& text, const VehicleTrust& vehicle);

@@ -49,7 +49,9 @@ VehicleTrust MissionJudge::trust() const {
   VehicleTrust trust{.said_in = vehicle_->path.string(),
                      .command_key = std::nullopt,
                      .command_key_file = vehicle_->command_key_file.value_or(""),
-                     .reads_own_command_key = !vehicle_->requires_signed_mission};
+                     .reads_own_command_key = !vehicle_->requires_signed_mission,
+                     .vehicle_id = vehicle_->vehicle_id,
+                     .accepts_old_marks = vehicle_->accepts_old_marks};
   if (vehicle_->command_key_file) trust.command_key = CommandKey(trust.command_key_file);
   return trust;
 }
@@ -119,6 +121,11 @@ void MissionJudge::judge_counter(const SignedSearch& search, const std::filesyst
       throw BadInput(counter + " is rolled back: the vehicle has flown " + last + flown);
     case ManifestVerdict::kCounterInUse:
       throw BadInput(counter + " has been used, and not for this mission and policy" + flown);
+    case ManifestVerdict::kTooFarAhead:
+      throw BadInput(counter + " is more than " + std::to_string(authority::kMostCounterStep) + " above " + last +
+                     ", which the vehicle has flown (" + vehicle_->counter_file.string() +
+                     "): a slip? Sign with a lower counter, or, if it is meant, say so on the vehicle: earshot verify --raise-counter " +
+                     std::to_string(manifest_->counter - 1));
     case ManifestVerdict::kAccepted:
     case ManifestVerdict::kForeignKey:
     case ManifestVerdict::kFalseSignature:

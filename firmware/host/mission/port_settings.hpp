@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "firmware/host/mission/command_key.hpp"
+#include "firmware/host/mission/authority/command_proof.hpp"
 #include "firmware/wire/n2k/identifier.hpp"
 #include "firmware/wire/n2k/navigation.hpp"
 
@@ -60,8 +60,8 @@ struct PortSettings {
   PortKind kind = PortKind::kLcm;
   std::string address;  ///< LCM URL or CAN interface
   Roles roles;
-  N2kSettings n2k = {};                                  ///< of a CAN port
-  std::optional<CommandKey> command_key = std::nullopt;  ///< of a port that brings orders, where the mission names one
+  N2kSettings n2k = {};                                      ///< of a CAN port
+  std::optional<CommandProof> command_proof = std::nullopt;  ///< of a port that brings orders, where the mission names a key
   bool snr_is_simulators = false;  ///< of an LCM port: an SNR that comes by it is a stranger's, and counts for nothing
 };
 

@@ -12,8 +12,10 @@ namespace {
 void write_pair(const std::filesystem::path& secret_file, const SecretKey& key, bool replaces) {
   const std::filesystem::path public_file = public_file_of(secret_file);
   OutputFile secret_half(secret_file, Access::kOwnerOnly);
-  OutputFile public_half(public_file);
-  secret_half.write(to_text(key));
+  OutputFile public_half(public_file, Access::kOwnerWrites);
+  std::string secret = to_text(key);
+  secret_half.write(secret);
+  wipe({reinterpret_cast<std::uint8_t*>(secret.data()), secret.size()});
   public_half.write(to_text(public_key_of(key)));
   secret_half.commit_as_new();
   try {

@@ -1,6 +1,7 @@
 #include "firmware/host/trust/keys.hpp"
 
 #include <sodium.h>
+#include <sys/prctl.h>
 
 #include "firmware/host/file/bad_input.hpp"
 
@@ -19,9 +20,20 @@ struct ExpandedKey {
     ready_libsodium();
     crypto_sign_seed_keypair(public_half.data(), bytes.data(), key.seed.data());
   }
+  ~ExpandedKey() { wipe(bytes); }
+  ExpandedKey(const ExpandedKey&) = delete;
+  ExpandedKey& operator=(const ExpandedKey&) = delete;
 };
 
 }  // namespace
+
+void wipe(std::span<std::uint8_t> bytes) {
+  sodium_memzero(bytes.data(), bytes.size());
+}
+
+void guard_memory() {
+  (void)::prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);  // fails for values only
+}
 
 void ready_libsodium() {
   if (sodium_init() < 0) throw BadInput("libsodium finds no source of random numbers");
@@ -29,6 +41,7 @@ void ready_libsodium() {
 
 SecretKey make_key() {
   ready_libsodium();
+  guard_memory();
   SecretKey key;
   randombytes_buf(key.seed.data(), key.seed.size());
   return key;
@@ -80,11 +93,15 @@ std::string to_text(const PublicKey& key) {
   return to_hex(key) + "\n";
 }
 
-KeyBytes key_from(std::string_view text, const std::filesystem::path& file, const char* kind) {
+void read_key(std::string_view text, const std::filesystem::path& file, const char* kind, KeyBytes& key) {
   const std::size_t digits = text.find_last_not_of("\n\r ") + 1;  // nothing but space: npos + 1, which is 0
-  KeyBytes key{};
   if (!from_hex(text.substr(0, digits), key))
     throw BadInput(file.string() + ": must hold " + kind + " of 64 hexadecimal digits and nothing else");
+}
+
+KeyBytes key_from(std::string_view text, const std::filesystem::path& file, const char* kind) {
+  KeyBytes key{};
+  read_key(text, file, kind, key);
   return key;
 }
 

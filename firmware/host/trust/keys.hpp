@@ -17,10 +17,18 @@ using KeyBytes = std::array<std::uint8_t, 32>;
 using PublicKey = authority::Ed25519Key;
 using Signature = authority::Ed25519Signature;
 
-/// The half of an Ed25519 pair that signs: the seed that the rest follows from.
+/// Fills it with zeros, which no optimiser leaves out.
+void wipe(std::span<std::uint8_t> bytes);
+
+/// A key that nobody else may know, such as the half of an Ed25519 pair that signs: the seed that the rest follows from. Wiped when it
+/// goes.
 struct SecretKey {
   KeyBytes seed{};
+  ~SecretKey() { wipe(seed); }
 };
+
+/// From now on this process leaves no core dump, and nobody but root reads its memory: it holds a secret.
+void guard_memory();
 
 /// Readies libsodium, which everything that uses it does first; again costs nothing. Throws BadInput when it cannot be used.
 void ready_libsodium();
@@ -48,6 +56,7 @@ void ready_libsodium();
 [[nodiscard]] std::string to_text(const PublicKey& key);
 /// @param kind  with its article: "a public key"
 /// @throws BadInput, naming `file`, for anything but 64 hexadecimal digits and the end of the line
+void read_key(std::string_view text, const std::filesystem::path& file, const char* kind, KeyBytes& key);
 [[nodiscard]] KeyBytes key_from(std::string_view text, const std::filesystem::path& file, const char* kind);
 
 }  // namespace earshot::host

@@ -54,7 +54,14 @@ void begin_counter(const std::filesystem::path& counter_file, std::uint64_t coun
   if (std::filesystem::symlink_status(counter_file, error).type() != std::filesystem::file_type::not_found)
     throw BadInput(counter_file.string() +
                    ": is there already, and never replaced: it knows what the vehicle flew; move a damaged one away");
-  write_new(counter_file, text_of({.counter = counter, .mission = {}, .policy = {}}));
+  write_new(counter_file, text_of({.counter = counter, .mission = {}, .policy = {}}), Access::kOwnerWrites);
+}
+
+void raise_counter(const std::filesystem::path& counter_file, std::uint64_t counter) {
+  MissionCounter held(counter_file);
+  if (counter <= held.flown_last().counter)
+    throw BadInput(counter_file.string() + ": stands at " + std::to_string(held.flown_last().counter) + ", and is raised only");
+  held.record({.counter = counter, .mission = {}, .policy = {}});
 }
 
 void require_recordable(const std::filesystem::path& counter_file) {

@@ -14,6 +14,7 @@ constexpr const char* kMissionKeys = "mission_keys";
 constexpr const char* kRequire = "require_signed_mission";
 constexpr const char* kCounter = "counter_file";
 constexpr const char* kCommandKey = "command_key_file";
+constexpr const char* kVehicleId = "vehicle_id";
 
 std::vector<TrustedKey> read_keys(TableReader& trust, const char* name, const TomlFile& toml) {
   std::vector<TrustedKey> keys;
@@ -45,8 +46,28 @@ VehicleFile load_vehicle(const std::filesystem::path& path) {
   if (vehicle.requires_signed_mission || trust.has(kMissionKeys)) vehicle.mission_keys = read_keys(trust, kMissionKeys, toml);
   if (vehicle.requires_signed_mission || trust.has(kCounter)) vehicle.counter_file = toml.resolve(trust.text(kCounter));
   if (trust.has(kCommandKey)) vehicle.command_key_file = toml.resolve(trust.text(kCommandKey));
+  vehicle.vehicle_id = trust.text_or(kVehicleId, "");
+  if (trust.has(kVehicleId) && !trust.is_noted(kVehicleId) && !is_vehicle_id(vehicle.vehicle_id)) trust.problem(kVehicleId, kVehicleIdRule);
+  vehicle.accepts_old_marks = trust.boolean_or("accept_old_marks", false);
   toml.finish();
   return vehicle;
+}
+
+bool is_vehicle_id(std::string_view text) {
+  const auto fits = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+  };
+  return !text.empty() && text.size() <= kLongestVehicleId && std::ranges::all_of(text, fits);
+}
+
+std::vector<std::filesystem::path> files_of(const VehicleFile& vehicle) {
+  std::vector<std::filesystem::path> files{vehicle.path};
+  for (const std::vector<TrustedKey>* const keys : {&vehicle.policy_keys, &vehicle.mission_keys}) {
+    for (const TrustedKey& key : *keys) files.push_back(key.file);
+  }
+  if (!vehicle.counter_file.empty()) files.push_back(vehicle.counter_file);
+  if (vehicle.command_key_file) files.push_back(*vehicle.command_key_file);
+  return files;
 }
 
 std::optional<std::filesystem::path> vehicle_file_of(const std::optional<std::filesystem::path>& named,

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "firmware/host/trust/key_file.hpp"
@@ -19,10 +22,19 @@ struct VehicleFile {
   bool requires_signed_mission = true;                    ///< false: anybody's
   std::filesystem::path counter_file;                     ///< what it flew last; none where missions need no signature
   std::optional<std::filesystem::path> command_key_file;  ///< secret of those who may command it, whatever a mission names
+  std::string vehicle_id;                                 ///< its name, which orders are marked for; empty: it has none
+  bool accepts_old_marks = false;                         ///< of orders: made without the vehicle's challenge
 };
+
+inline constexpr std::size_t kLongestVehicleId = 32;
+inline constexpr const char* kVehicleIdRule = "must be 1 to 32 letters, digits, '-', '_' or '.'";
+[[nodiscard]] bool is_vehicle_id(std::string_view text);
 
 /// @throws BadInput with everything that is wrong with the file, and for a trusted key that is none.
 [[nodiscard]] VehicleFile load_vehicle(const std::filesystem::path& path);
+
+/// All files that say whom it trusts: itself, public keys, the counter, the key of commands.
+[[nodiscard]] std::vector<std::filesystem::path> files_of(const VehicleFile& vehicle);
 
 /// `named`; else the file at the usual place, if anything is there, readable or not: a vehicle does not forget whom it trusts because of a
 /// disk's whim.

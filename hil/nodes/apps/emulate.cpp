@@ -99,6 +99,15 @@ hil::SnrOfRange snr_of(const ocean::Environment& environment, const config::Miss
   return [curve = sonar::compute_snr_curve(environment, mission.search_depth, furthest)](Meters range) { return curve.at(range); };
 }
 
+/// With the key of the mission that earshotd flies, for that mission and the vehicle that it names.
+hil::MakeMark mark_for(const host::MissionFile& file) {
+  if (!file.command_key) return {};
+  return [key = *file.command_key, meant = file.challenge](const messages::OperatorCommand& command, const messages::ToldChallenge& told) {
+    const bool is_meant = told.challenge.vehicle == meant.vehicle && told.challenge.mission == meant.mission;
+    return is_meant && key.verifies(told) ? std::optional(key.mark_of(command, told.challenge)) : std::nullopt;
+  };
+}
+
 hil::VehicleSetup setup_of(const Options& o, const host::MissionFile& file, const ocean::Environment& environment) {
   const config::Mission& mission = file.mission;
   Pcg32 random(o.seed);
@@ -119,6 +128,7 @@ hil::VehicleSetup setup_of(const Options& o, const host::MissionFile& file, cons
   setup.issuer = 1 + Pcg32(o.seed, static_cast<std::uint64_t>(hil::ScaledClock::utc().us)).next() % 0xFFFFU;
   if (o.variation_deg) setup.magnetic_field = hil::MagneticField{Radians{*o.variation_deg * std::numbers::pi / 180.0}};
   setup.without = o.without;
+  setup.mark = mark_for(file);
   return setup;
 }
 

@@ -4,6 +4,7 @@
 // spoil()). A type's bytes begin as those of a message of zeros, with the type's fingerprint.
 
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 #include "earshot/hydrophone_block_t.hpp"
@@ -11,6 +12,7 @@
 #include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "firmware/wire/lcm/hydrophone_block.hpp"
+#include "firmware/wire/lcm/order_reader.hpp"
 #include "tests/fuzz/targets/flown_runtime.hpp"
 
 namespace earshot::fuzz {
@@ -26,10 +28,24 @@ std::vector<std::uint8_t> bytes_in(Input& input, const Message& message = {}) {
   return bytes;
 }
 
+/// What a port makes of an order, whole or not: only an ABORT may be less than whole, and one that is whole is read as it stands.
+void judge_order(const std::vector<std::uint8_t>& bytes, Status whole) {
+  wire::ReadOrder read;
+  {
+    const WithoutHeap without;
+    read = wire::read_order(bytes);
+  }
+  require((read.form == wire::OrderForm::kWhole) == (whole == Status::kOk), "an order is whole for one reader and not for the other");
+  require(read.form != wire::OrderForm::kAbort || read.command.order == messages::Order::kAbort, "something else is obeyed by half");
+}
+
 template <class Message>
 void give(FlownRuntime& runtime, Input& input, Duration later, const Message& zeros) {
   Message message = zeros;
-  if (wire::decode(bytes_in(input, zeros), message) == Status::kOk) runtime.take(wire::from_message(message), later);
+  const std::vector<std::uint8_t> bytes = bytes_in(input, zeros);
+  const Status status = wire::decode(bytes, message);
+  if constexpr (std::is_same_v<Message, operator_command_t>) judge_order(bytes, status);
+  if (status == Status::kOk) runtime.take(wire::from_message(message), later);
 }
 
 void read_block(Input& input) {

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
+#include <optional>
 
+#include "firmware/wire/n2k/own/challenge.hpp"
 #include "firmware/wire/n2k/own/orders.hpp"
 #include "firmware/wire/n2k/own/reports.hpp"
 #include "firmware/wire/n2k/table/messages.hpp"
@@ -237,6 +240,40 @@ TEST_F(OperatorTest, RepeatsAnAbortUntilItIsAnsweredHoweverLongThatTakes) {
   answer(orders_.back(), CommandOutcome::kObeyed);
   pass(Duration::seconds(10));
   EXPECT_EQ(orders_.size(), 120U);
+}
+
+TEST_F(OperatorTest, WithAKeySaysNothingButAnAbortBeforeTheChallengeIsHeardAndThenMarksForIt) {
+  // Stands for a key: a mark tells which challenge it was made for, and which order.
+  const MakeMark mark = [](const messages::OperatorCommand& command, const messages::ToldChallenge& told) {
+    const bool is_meant = told.challenge.vehicle[0] == 'a';
+    return is_meant ? std::optional(messages::CommandMark{told.challenge.nonce[0], static_cast<std::uint8_t>(command.order)})
+                    : std::nullopt;
+  };
+  operator_ = std::make_unique<Operator>(OperatorSetup{
+      .issuer = 4711, .utc = [this] { return utc_; }, .has_arrived = [this] { return has_arrived_; }, .unique_number = 1, .mark = mark});
+  const auto tell = [this](std::uint8_t nonce, std::uint8_t vehicle) {
+    n2k::FastPacketFrames packet;
+    const messages::ToldChallenge told{.time = now_, .challenge = {.nonce = {nonce}, .vehicle = {vehicle}}};
+    ASSERT_EQ(n2k::compose_challenge(told, {.source = kEarshot, .sequence = sequence_++}, packet), Status::kOk);
+    for (const n2k::Frame& frame : packet) operator_->accept(frame, now_);
+  };
+  say(MissionState::kStandby);
+  pass(Duration::seconds(3));
+  EXPECT_TRUE(orders_.empty());
+  tell(9, 'b');
+  pass(Duration::seconds(3));
+  EXPECT_TRUE(orders_.empty()) << "of another vehicle";
+  tell(9, 'a');
+  pass(Duration::seconds(1));
+  ASSERT_EQ(orders_.size(), 1U);
+  EXPECT_EQ(orders_[0].mark, (messages::CommandMark{9, 1}));
+  tell(10, 'a');
+  pass(Duration::seconds(1));
+  ASSERT_EQ(orders_.size(), 2U);
+  EXPECT_EQ(orders_[1].mark, (messages::CommandMark{10, 1})) << "the vehicle began anew";
+  operator_->abort();
+  pass(Duration::seconds(1));
+  EXPECT_TRUE(std::ranges::any_of(orders_, [](const messages::OperatorCommand& order) { return order.order == Order::kAbort; }));
 }
 
 TEST_F(OperatorTest, KeepsWhatEarshotSaysOfItself) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/trust/strict_modes.hpp"
 #include "firmware/host/trust/vehicle_file.hpp"
 
 namespace earshot::board {
@@ -14,10 +15,19 @@ host::Counting counting_of(Venture venture) {
   return venture == Venture::kChecklist ? host::Counting::kJudged : host::Counting::kRecorded;
 }
 
+/// Of a file that others could have written nothing is read.
+host::VehicleFile load_strictly(const std::filesystem::path& file) {
+  host::require_strict_modes({file});
+  host::VehicleFile vehicle = host::load_vehicle(file);
+  host::require_strict_modes(host::files_of(vehicle));
+  return vehicle;
+}
+
 }  // namespace
 
 host::MissionJudge judge_of(const std::optional<std::filesystem::path>& vehicle, Venture venture) {
   const std::optional<std::filesystem::path> file = venture == Venture::kSimulation ? vehicle : host::vehicle_file_of(vehicle);
+  if (file && venture != Venture::kSimulation) return {load_strictly(*file), counting_of(venture)};
   if (file) return {host::load_vehicle(*file), counting_of(venture)};
   if (venture != Venture::kSimulation)
     std::cerr << "earshotd: warning: no vehicle's configuration (--vehicle): whoever wrote the mission named the key that its policy is "

@@ -14,7 +14,8 @@ enum class Venture : std::uint8_t { kAtSea, kChecklist, kSimulation };
 
 /// Who judges the mission of a flight: the named configuration of a vehicle, else the one at its usual place, else the mission itself,
 /// which standard error warns of in one line. A simulation moves no vehicle: unless a configuration is named, it flies anybody's mission.
-/// @throws host::BadInput as host::load_vehicle()
+/// Elsewhere nobody but root and the user of this program may be able to change the configuration, or what it names.
+/// @throws host::BadInput as host::load_vehicle() and host::require_strict_modes()
 [[nodiscard]] host::MissionJudge judge_of(const std::optional<std::filesystem::path>& vehicle, Venture venture);
 
 /// What a command line says in place of a mission.

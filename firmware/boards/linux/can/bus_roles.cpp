@@ -22,7 +22,7 @@ Pgns pgns_sent(host::Roles roles) {
   add(pgns,
       {kAcknowledgementPgn, kRequestPgn, kAddressClaimPgn, kPgnListPgn, kGroupFunctionPgn, kHeartbeatPgn, kProductPgn, kConfigurationPgn});
   if (roles.has(Role::kAutopilot)) add(pgns, {kSpeedDepthPgn, kHeadingControlPgn});
-  if (roles.has(Role::kOperator)) add(pgns, {kPeerPgn});
+  if (roles.has(Role::kOperator)) add(pgns, {kPeerPgn, kChallengePgn});
   if (roles.has(Role::kStatus)) add(pgns, {kHealthPgn, kPortHealthPgn, kDecisionPgn});
   return pgns;
 }

@@ -51,7 +51,7 @@ CanPort::CanPort(std::uint8_t index, const host::PortSettings& settings, const n
       serial_(std::to_string(settings.n2k.unique_number)),
       host_(host),
       settings_(settings.n2k),
-      command_key_(settings.command_key),
+      command_proof_(settings.command_proof),
       pgns_sent_(pgns_sent(settings.roles)),
       pgns_read_(pgns_read(settings.roles)),
       socket_(settings.address, if_missing, {.filters = filters_of(settings.roles)}),
@@ -205,31 +205,9 @@ void CanPort::note_refusal(Status status) {
   if (status != Status::kOk && status != Status::kUnsupported && status != Status::kNotReady) ++own_refused_;
 }
 
-void CanPort::take_order(const n2k::Frame& frame, const Arrival& arrival, Clock& clock, InputSink& sink) {
-  messages::OperatorCommand command;
-  std::uint8_t sender = n2k::kNullAddress;
-  // Without an address only what is meant for all is for us.
-  if (orders_.accept(frame, arrival.utc, node_.address().value_or(n2k::kNullAddress), command, sender) != Status::kOk) return;
-  command.is_verified = command_key_ && command_key_->verifies(command);
-  command.time = clock.mission_time_of(command.time);
-  command.expiry = clock.mission_time_of(command.expiry);
-  ++report_.received;
-  static_cast<void>(askers_.push_back({.issuer = command.issuer, .number = command.number, .address = sender}));
-  sink.take(index(), command);
-}
-
-template <class Frames, class Compose>
-bool CanPort::say(Compose compose, const host::Waiting& waiting) {
-  const std::optional<std::uint8_t> address = node_.address();
-  if (!address && socket_.is_up()) ++without_address_;
-  Frames frames;
-  if (address && compose(*address, frames) == Status::kOk && send(frames.span(), waiting)) return true;
-  ++report_.unsent;
-  return false;
-}
-
 std::uint64_t CanPort::publish(Time now, const runtime::Outputs& outputs) {
   zero_pressure(now, outputs);
+  unreadable_answered_ = 0;
   std::uint64_t setpoints = 0;
   if (has(host::Role::kAutopilot) && outputs.setpoint) {
     const auto compose = [&](std::uint8_t address, n2k::SetpointFrames& frames) {
@@ -237,29 +215,12 @@ std::uint64_t CanPort::publish(Time now, const runtime::Outputs& outputs) {
     };
     if (say<n2k::SetpointFrames>(compose, {.kept = host::WhileWaiting::kKeepNewest})) ++setpoints;
   }
-  if (has(host::Role::kOperator)) acknowledge(outputs);
+  if (has(host::Role::kOperator)) {
+    acknowledge(outputs);
+    tell_challenge(now);
+  }
   if (has(host::Role::kStatus)) tell_status(now, outputs);
   return setpoints;
-}
-
-/// Orders are judged as they come, so that an acknowledgement for each has come in the same order; of those that found no room there is
-/// none.
-void CanPort::acknowledge(const runtime::Outputs& outputs) {
-  std::size_t next = 0;
-  for (const messages::CommandAcknowledgement& acknowledgement : outputs.acknowledgements) {
-    if (acknowledgement.port != index()) continue;
-    const auto is_asker = [&](const Asker& asker) {
-      return asker.issuer == acknowledgement.issuer && asker.number == acknowledgement.number;
-    };
-    const auto asker = std::find_if(askers_.begin() + next, askers_.end(), is_asker);
-    if (asker == askers_.end()) continue;
-    next = static_cast<std::size_t>(asker - askers_.begin()) + 1;
-    say<n2k::FastPacketFrames>([&](std::uint8_t address, n2k::FastPacketFrames& frames) {
-      const n2k::Route route{.source = address, .destination = asker->address, .sequence = sequences_.acknowledgement++};
-      return n2k::compose_acknowledgement(acknowledgement, route, frames);
-    });
-  }
-  askers_.clear();
 }
 
 void CanPort::tell_status(Time now, const runtime::Outputs& outputs) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -65,6 +66,7 @@ class CanPort final : public Port {
     std::uint8_t decision = 0;
     std::uint8_t health = 0;
     std::uint8_t port_health = 0;
+    std::uint8_t challenge = 0;
   };
 
   [[nodiscard]] n2k::Node new_node() const;
@@ -83,7 +85,9 @@ class CanPort final : public Port {
   /// Sends one message, or counts that it could not. @param compose  Status(address to send from, Frames&)
   template <class Frames, class Compose>
   bool say(Compose compose, const host::Waiting& waiting = {});
+  void answer_unreadable(Time now, const messages::OperatorCommand& command, std::uint8_t sender);
   void acknowledge(const runtime::Outputs& outputs);
+  void tell_challenge(Time now);
   void tell_status(Time now, const runtime::Outputs& outputs);
   [[nodiscard]] BusSigns signs() const;
   void tell_troubles(Time mission_now, InputSink& sink);
@@ -94,7 +98,7 @@ class CanPort final : public Port {
   std::string serial_;
   const HostClock& host_;
   host::N2kSettings settings_;
-  std::optional<host::CommandKey> command_key_;
+  std::optional<host::CommandProof> command_proof_;
   Pgns pgns_sent_;
   Pgns pgns_read_;
   host::CanSocket socket_;
@@ -112,6 +116,7 @@ class CanPort final : public Port {
   std::optional<std::uint8_t> deaf_address_;                 ///< of the hydrophone that said last that it is deaf
   std::uint64_t snr_not_chosen_ = 0;                         ///< of hydrophones that the mission does not name
   FixedVector<Asker, config::kMaxAcknowledgements> askers_;  ///< since the last turn
+  std::size_t unreadable_answered_ = 0;                      ///< likewise
   Sequences sequences_;
   std::uint64_t without_address_ = 0;  ///< messages that were not sent for want of one
   TroubleWatch watch_;
@@ -119,9 +124,20 @@ class CanPort final : public Port {
   BusTroubles met_troubles_;              ///< ever
   std::optional<messages::Health> told_;  ///< the status told last
   Time told_at_;
+  Time challenge_told_at_;
   messages::MissionState state_ = messages::MissionState::kStandby;  ///< after the last turn
   bool zero_is_due_ = false;
   bool is_zeroed_ = false;
 };
+
+template <class Frames, class Compose>
+bool CanPort::say(Compose compose, const host::Waiting& waiting) {
+  const std::optional<std::uint8_t> address = node_.address();
+  if (!address && socket_.is_up()) ++without_address_;
+  Frames frames;
+  if (address && compose(*address, frames) == Status::kOk && send(frames.span(), waiting)) return true;
+  ++report_.unsent;
+  return false;
+}
 
 }  // namespace earshot::board

@@ -117,6 +117,9 @@ void doubt_key(const host::MissionFile& file, Doubts& doubts) {
   doubt_if(!file.command_key, doubts, "there is no authority.key_file: anybody on the bus may command the vehicle");
   if (!file.command_key) return;
   doubt_if(file.command_key->is_all_zero(), doubts, "the key in authority.key_file is all zeros, which anybody guesses");
+  doubt_if(
+      file.accepts_old_marks, doubts,
+      "accept_old_marks is true: an order that was recorded is obeyed again after a restart, and by every other vehicle with this key");
 }
 
 void doubt_ports(const host::MissionFile& file, Doubts& doubts) {

@@ -2,12 +2,11 @@
 """A vehicle that follows Earshot's set-points over LCM, and starts the search.
 
 How to run it: ../connect_your_autopilot.md
-usage: autopilot_over_lcm.py LCM_URL [--key-file FILE] [--speed N]
+usage: autopilot_over_lcm.py LCM_URL [--key-file FILE] [--vehicle-id NAME] [--mission FILE] [--speed N]
 """
 
 import argparse
 import math
-import pathlib
 import random
 import signal
 import time
@@ -15,11 +14,11 @@ import time
 import lcm
 from earshot import command_acknowledgement_t, nav_state_t, operator_command_t, setpoint_t
 
-from marked_order import mark_of, outcome_of, read_key
+from marked_order import Marker, outcome_of
 
 parser = argparse.ArgumentParser(description="A vehicle that follows Earshot's set-points over LCM.")
 parser.add_argument("url")
-parser.add_argument("--key-file", type=pathlib.Path, help="of a mission that names one: the START must bear its mark")
+Marker.add_options(parser)
 parser.add_argument("--speed", type=float, default=1.0, help="of a rehearsal, as earshotd's: it sails so much faster")
 said = parser.parse_args()
 
@@ -29,7 +28,7 @@ vehicle.north_m = vehicle.east_m = 12_500.0  # the middle of the mission's area
 start = operator_command_t()
 start.issuer, start.number, start.command = random.getrandbits(31), 1, operator_command_t.START
 start.max_depth_m = start.max_speed_mps = start.max_time_s = math.nan  # a START tightens nothing
-key = read_key(said.key_file) if said.key_file else None
+marker = Marker(said)
 answers: list[str] = []
 released: list[bool] = []
 
@@ -53,6 +52,7 @@ signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C ends it without a traceba
 bus = lcm.LCM(said.url)
 bus.subscribe("EARSHOT_SETPOINT", on_setpoint)
 bus.subscribe("EARSHOT_COMMAND_ACKNOWLEDGEMENT", on_acknowledgement)
+marker.subscribe(bus)
 while True:
     bus.handle_timeout(100)
     now = time.time_ns() // 1000
@@ -63,5 +63,5 @@ while True:
     bus.publish("EARSHOT_NAV_STATE", vehicle.encode())
     if not answers:  # the same numbers again: obeyed once however often it arrives
         start.utime, start.expiry_utime = now, now + 10_000_000
-        start.mark = mark_of(start, key)
-        bus.publish("EARSHOT_OPERATOR_COMMAND", start.encode())
+        if marker.mark(start):
+            bus.publish("EARSHOT_OPERATOR_COMMAND", start.encode())

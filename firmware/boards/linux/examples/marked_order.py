@@ -1,11 +1,13 @@
 """What a program that gives Earshot orders over LCM needs: the words of an answer, and the mark of a vehicle's key."""
 
+import argparse
 import hashlib
+import hmac
 import pathlib
 import struct
 import sys
 
-from earshot import operator_command_t
+from earshot import challenge_t, operator_command_t
 
 OUTCOMES = (
     "OBEYED",
@@ -19,6 +21,8 @@ OUTCOMES = (
     "NOT_VERIFIED",
     "NOT_TIGHTER",
     "AUTOPILOT_SILENT",
+    "OLD_MARK",
+    "UNREADABLE",
 )
 
 
@@ -38,10 +42,63 @@ def read_key(file: pathlib.Path) -> bytes:
     return key
 
 
-def mark_of(order: operator_command_t, key: bytes | None) -> bytes:
-    """What shows that the sender knows the vehicle's key (firmware/authority/README.md); zeros without one."""
-    if key is None:
-        return bytes(16)
+def blake2b(key: bytes, *parts: bytes) -> bytes:
+    """Of who knows the key (firmware/authority/README.md)."""
+    return hashlib.blake2b(b"".join(parts), key=key, digest_size=16).digest()
+
+
+def told(challenge: challenge_t) -> bytes:
+    """What marks are made for besides the order: this start of this vehicle, with this mission."""
+    return bytes(challenge.nonce) + bytes(challenge.vehicle) + bytes(challenge.mission)
+
+
+def order_bytes(order: operator_command_t) -> bytes:
+    """An order's fields as they are marked."""
     numbers = (order.utime, order.expiry_utime, order.issuer & 0xFFFFFFFF, order.number & 0xFFFFFFFF, order.command)
     limits = (order.max_depth_m, order.max_speed_mps, order.max_time_s)
-    return hashlib.blake2b(struct.pack("<qqIIB3d", *numbers, *limits), key=key, digest_size=16).digest()
+    return struct.pack("<qqIIB3d", *numbers, *limits)
+
+
+class Marker:
+    """Marks orders for the vehicle that is meant, as it tells its challenge; without a key with zeros."""
+
+    def __init__(self, said: argparse.Namespace):
+        """From the options of add_options()."""
+        self.key = read_key(said.key_file) if said.key_file else None
+        self.vehicle = said.vehicle_id.encode("ascii", "replace").ljust(32, b"\0")
+        self.mission = hashlib.sha256(said.mission.read_bytes()).digest() if said.mission else None
+        self.challenge: challenge_t | None = None
+
+    @staticmethod
+    def add_options(parser: argparse.ArgumentParser) -> None:
+        """What says for which vehicle orders are marked, and with what."""
+        parser.add_argument(
+            "--key-file", type=pathlib.Path, help="of a mission that names one: orders must bear its mark"
+        )
+        parser.add_argument("--vehicle-id", default="", help="of the vehicle that is meant, where it has a name")
+        parser.add_argument("--mission", type=pathlib.Path, help="its mission's file: orders are for no other")
+
+    def subscribe(self, bus) -> None:
+        """Every vehicle that has a key tells its challenge once a turn."""
+        if self.key is not None:
+            bus.subscribe("EARSHOT_CHALLENGE", lambda _channel, data: self.hear(challenge_t.decode(data)))
+
+    def hear(self, challenge: challenge_t) -> None:
+        """Keeps the newest of the vehicle that is meant, told by who knows the key: a made-up one gets no mark."""
+        if self.key is None:
+            return
+        true_mark = blake2b(self.key, b"EARSHOT CHALLENGE1", struct.pack("<q", challenge.utime), told(challenge))
+        is_true = hmac.compare_digest(bytes(challenge.mark), true_mark) and bytes(challenge.vehicle) == self.vehicle
+        is_newest = self.challenge is None or challenge.utime >= self.challenge.utime
+        if is_true and is_newest and self.mission in (None, bytes(challenge.mission)):
+            self.challenge = challenge
+
+    def mark(self, order: operator_command_t) -> bool:
+        """Sets its mark. False: it cannot be marked yet, because the vehicle has not told its challenge."""
+        order.mark = bytes(16)  # always all 16: what is shorter lcm-gen's code sends short, without a word
+        if self.key is None:
+            return True
+        if self.challenge is None:
+            return False
+        order.mark = blake2b(self.key, b"EARSHOT ORDER2", told(self.challenge), order_bytes(order))
+        return True

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """Gives Earshot one order over LCM, and says what came of it. How to run it: ../connect_your_autopilot.md
 
-usage: order_over_lcm.py LCM_URL ORDER [--max-depth M] [--max-speed M_PER_S] [--max-time S] [--key-file FILE]
+usage: order_over_lcm.py LCM_URL ORDER [--max-depth M] [--max-speed M_PER_S] [--max-time S]
+    [--key-file FILE] [--vehicle-id NAME] [--mission FILE]
 ORDER is START, COMPLETE, ABORT, LISTEN, PAUSE, RESUME or TIGHTEN; the limits go with TIGHTEN.
 Ends with 0 once the order is obeyed, with 1 when it is not, or when nobody answers within 10 s.
 """
 
 import argparse
 import math
-import pathlib
 import random
 import signal
 import sys
@@ -17,7 +17,7 @@ import time
 import lcm
 from earshot import command_acknowledgement_t, operator_command_t
 
-from marked_order import mark_of, outcome_of, read_key
+from marked_order import Marker, outcome_of
 
 ORDERS = ("START", "COMPLETE", "ABORT", "LISTEN", "PAUSE", "RESUME", "TIGHTEN")
 
@@ -27,14 +27,14 @@ parser.add_argument("order", choices=ORDERS)
 parser.add_argument("--max-depth", type=float, default=math.nan)
 parser.add_argument("--max-speed", type=float, default=math.nan)
 parser.add_argument("--max-time", type=float, default=math.nan)
-parser.add_argument("--key-file", type=pathlib.Path)
+Marker.add_options(parser)
 said = parser.parse_args()
 
 order = operator_command_t()
 order.issuer, order.number = random.getrandbits(31), 1
 order.command = getattr(order, said.order)
 order.max_depth_m, order.max_speed_mps, order.max_time_s = said.max_depth, said.max_speed, said.max_time
-key = read_key(said.key_file) if said.key_file else None
+marker = Marker(said)
 answers: list[str] = []
 
 
@@ -47,14 +47,17 @@ def on_acknowledgement(_channel, data):
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C ends it without a traceback
 bus = lcm.LCM(said.url)
 bus.subscribe("EARSHOT_COMMAND_ACKNOWLEDGEMENT", on_acknowledgement)
+marker.subscribe(bus)
 deadline = time.monotonic() + 10.0
 while not answers and time.monotonic() < deadline:
     order.utime = time.time_ns() // 1000
     order.expiry_utime = order.utime + 600_000_000  # a START waits so long for navigation and SNR
-    order.mark = mark_of(order, key)
-    # The same numbers again: obeyed once however often it arrives.
-    bus.publish("EARSHOT_OPERATOR_COMMAND", order.encode())
+    # The same numbers again: obeyed once however often it arrives. An ABORT needs no mark.
+    if marker.mark(order) or said.order == "ABORT":
+        bus.publish("EARSHOT_OPERATOR_COMMAND", order.encode())
     bus.handle_timeout(200)
-outcome = answers[0] if answers else "nobody answers"
+unheard = marker.key is not None and marker.challenge is None
+silence = "no vehicle that is meant tells its challenge" if unheard else "nobody answers"
+outcome = answers[0] if answers else silence
 print(f"{said.order}:", outcome)
 sys.exit(0 if outcome in ("OBEYED", "REPEATED") else 1)

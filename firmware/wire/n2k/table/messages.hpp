@@ -48,6 +48,7 @@ inline constexpr std::uint32_t kPeerPgn = 126720;  ///< command, acknowledgement
 inline constexpr std::uint32_t kHealthPgn = 130950;
 inline constexpr std::uint32_t kPortHealthPgn = 130951;
 inline constexpr std::uint32_t kDecisionPgn = 130952;
+inline constexpr std::uint32_t kChallengePgn = 130953;
 
 namespace table {
 
@@ -135,6 +136,7 @@ inline constexpr Message kAutopilotStatus =
 inline constexpr Message kHealth = fast("EarshotHealth", kHealthPgn, 6, kFromRuntime, kSecond, kHealthSignals, 58);
 inline constexpr Message kPortHealth = fast("EarshotPortHealth", kPortHealthPgn, 6, kFromRuntime, kSecond, kPortHealthSignals, 28);
 inline constexpr Message kDecision = fast("EarshotDecision", kDecisionPgn, 6, kFromRuntime, kOnOccasion, kDecisionSignals, 60);
+inline constexpr Message kChallenge = fast("EarshotChallenge", kChallengePgn, 6, kFromRuntime, kSecond, kChallengeSignals, 106);
 inline constexpr Message kCommand =
     fast("EarshotCommand", kPeerPgn, 3, kToRuntime, kOnOccasion, kCommandSignals, 53, raw_of(kPeers, "command"));
 inline constexpr Message kCommandAcknowledgement = fast("EarshotCommandAcknowledgement", kPeerPgn, 3, kFromRuntime, kOnOccasion,
@@ -176,6 +178,7 @@ inline constexpr Message kMessages[]{
     kHealth,
     kPortHealth,
     kDecision,
+    kChallenge,
     kCommand,
     kCommandAcknowledgement,
     kAbort,

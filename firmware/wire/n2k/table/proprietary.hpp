@@ -13,7 +13,8 @@ inline constexpr std::int64_t kMarineIndustry = raw_of(kIndustry, "Marine Indust
 inline constexpr Choice kOrders[]{{1, "START"}, {2, "COMPLETE"}, {3, "ABORT"}, {4, "LISTEN"}, {5, "PAUSE"}, {6, "RESUME"}, {7, "TIGHTEN"}};
 inline constexpr Choice kOutcomes[]{
     {0, "obeyed"},         {1, "repeated"},     {2, "too old"},      {3, "expired"},     {4, "not in this state"}, {5, "unknown order"},
-    {6, "not configured"}, {7, "out of order"}, {8, "not verified"}, {9, "not tighter"}, {10, "autopilot silent"}};
+    {6, "not configured"}, {7, "out of order"}, {8, "not verified"}, {9, "not tighter"}, {10, "autopilot silent"}, {11, "old mark"},
+    {12, "unreadable"}};
 inline constexpr Choice kMissionStates[]{{0, "STANDBY"}, {1, "SEARCH"}, {2, "DONE"}, {3, "ABORT"}};
 inline constexpr Choice kEndReasons[]{{0, "not over"},         {1, "completed"},   {2, "steps used up"},       {3, "operator abort"},
                                       {4, "navigation stale"}, {5, "SNR stale"},   {6, "left operating area"}, {7, "time used up"},
@@ -163,6 +164,37 @@ inline constexpr Signal kCommandAcknowledgementSignals[]{
     any_number("Number", 64),
     choice("Outcome", 96, 8, kOutcomes),
     instant("Time", 104),
+};
+
+// Four bytes each, little-endian, of what challenge_t says: nonce, vehicle, mission, mark.
+inline constexpr Signal kChallengeSignals[]{
+    manufacturer(),
+    industry(),
+    instant("Time", 16),
+    any_number("Nonce0", 80),
+    any_number("Nonce1", 112),
+    any_number("Nonce2", 144),
+    any_number("Nonce3", 176),
+    any_number("Vehicle0", 208),
+    any_number("Vehicle1", 240),
+    any_number("Vehicle2", 272),
+    any_number("Vehicle3", 304),
+    any_number("Vehicle4", 336),
+    any_number("Vehicle5", 368),
+    any_number("Vehicle6", 400),
+    any_number("Vehicle7", 432),
+    any_number("Mission0", 464),
+    any_number("Mission1", 496),
+    any_number("Mission2", 528),
+    any_number("Mission3", 560),
+    any_number("Mission4", 592),
+    any_number("Mission5", 624),
+    any_number("Mission6", 656),
+    any_number("Mission7", 688),
+    any_number("ChallengeMark0", 720),
+    any_number("ChallengeMark1", 752),
+    any_number("ChallengeMark2", 784),
+    any_number("ChallengeMark3", 816),
 };
 
 // One frame that aborts, for senders that cannot cut a fast packet. It is given when it arrives.

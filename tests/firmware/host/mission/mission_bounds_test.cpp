@@ -57,11 +57,35 @@ TEST(MissionFile, NamesTheKeyAndTheAutopilotThatItWaitsFor) {
   EXPECT_TRUE(file.mission.authority.needs_verified_commands);
   EXPECT_EQ(file.mission.authority.autopilot_timeout.us, 2'500'000);
   ASSERT_EQ(file.ports.size(), 1U);
-  EXPECT_TRUE(file.ports[0].command_key);
+  EXPECT_TRUE(file.ports[0].command_proof);
   override_ports(file, {.bus = "mixed", .lcm_url = {}, .can_interface = {}});
   ASSERT_EQ(file.ports.size(), 2U);
-  EXPECT_FALSE(file.ports[0].command_key) << "navigation brings no orders";
-  EXPECT_TRUE(file.ports[1].command_key);
+  EXPECT_FALSE(file.ports[0].command_proof) << "navigation brings no orders";
+  EXPECT_TRUE(file.ports[1].command_proof);
+}
+
+TEST(MissionFile, NamesTheVehicleThatOrdersAreMarkedForAndDrawsANonceForEachStart) {
+  const support::TemporaryFolder folder;
+  support::write_secret_file(folder / "vehicle.key", std::string(64, '7') + "\n");
+  std::ofstream(folder / "mission.toml") << text_of(kShipped)
+                                         << "\n[authority]\nkey_file = \"vehicle.key\"\nvehicle_id = \"auv-7\"\naccept_old_marks = true\n";
+  const MissionFile file = load_mission(folder / "mission.toml");
+  ASSERT_TRUE(file.ports[0].command_proof);
+  EXPECT_EQ(file.ports[0].command_proof->challenge, file.challenge);
+  EXPECT_TRUE(file.ports[0].command_proof->accepts_old_marks);
+  EXPECT_EQ(file.challenge.vehicle, new_challenge("auv-7", {}).vehicle);
+  EXPECT_EQ(file.challenge.mission, sha256_of(std::string_view(text_of(folder / "mission.toml"))));
+  EXPECT_NE(load_mission(folder / "mission.toml").challenge.nonce, file.challenge.nonce);
+  EXPECT_FALSE(load_mission(kShipped).accepts_old_marks);
+}
+
+TEST(MissionFile, RefusesAVehiclesNameThatIsNone) {
+  for (const std::string& name : {std::string("a b"), std::string(33, 'x'), std::string("\u00e4")})
+    EXPECT_NE(complaint("[origin]", "[authority]\nvehicle_id = \"" + name + "\"\n[origin]")
+                  .find("authority.vehicle_id = '" + name + "': must be 1 to 32 letters, digits, '-', '_' or '.'"),
+              std::string::npos)
+        << complaint("[origin]", "[authority]\nvehicle_id = \"" + name + "\"\n[origin]");
+  EXPECT_EQ(complaint("[origin]", "[authority]\nvehicle_id = \"" + std::string(32, 'x') + "\"\n[origin]"), "");
 }
 
 TEST(MissionFile, RefusesAKeyThatIsNone) {

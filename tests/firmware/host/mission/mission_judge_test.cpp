@@ -124,6 +124,15 @@ TEST_F(MissionJudged, FliesAgainWithItsCounterOnlyAsTheSameBytes) {
   expect_refused("counter 7 has been used, and not for this mission and policy");
 }
 
+TEST_F(MissionJudged, IsRefusedWhenItsCounterWouldLeaveNoneForLaterMissions) {
+  mission_.sign(9'223'372'036'854'775'807U);
+  expect_refused("counter 9223372036854775807 is more than 4294967296 above 0, which the vehicle has flown");
+  mission_.sign(4'294'967'298U);
+  expect_refused("earshot verify --raise-counter 4294967297");
+  raise_counter(folder_ / "mission.counter", 4'294'967'297U);
+  EXPECT_EQ(complaint(), "");
+}
+
 TEST_F(MissionJudged, IsRefusedWithoutTheCounterOfWhatFlewLast) {
   fs::remove(folder_ / "mission.counter");
   EXPECT_NE(complaint().find("mission.counter: no such file"), std::string::npos);
@@ -150,8 +159,8 @@ TEST_F(MissionJudged, TakesTheKeyOfItsCommandsFromTheVehicleAlone) {
   vehicles.fill(0x22);
   messages::OperatorCommand command;
   ASSERT_TRUE(file_.command_key);
-  command.mark = CommandKey(vehicles).mark_of(command);
-  EXPECT_TRUE(file_.command_key->verifies(command));
+  command.mark = CommandKey(vehicles).mark_of(command, file_.challenge);
+  EXPECT_TRUE(file_.command_key->verifies(command, file_.challenge));
 }
 
 TEST_F(MissionJudged, ObeysTheVehiclesCommandKeyAlsoWhereItNamesNone) {
@@ -159,7 +168,35 @@ TEST_F(MissionJudged, ObeysTheVehiclesCommandKeyAlsoWhereItNamesNone) {
   mission_.write_vehicle("command_key_file = \"vehicle.key\"\n");
   ASSERT_EQ(complaint(), "");
   EXPECT_TRUE(file_.mission.authority.needs_verified_commands);
-  for (const PortSettings& port : file_.ports) EXPECT_EQ(port.command_key.has_value(), port.roles.has(Role::kOperator)) << port.name;
+  for (const PortSettings& port : file_.ports) EXPECT_EQ(port.command_proof.has_value(), port.roles.has(Role::kOperator)) << port.name;
+}
+
+TEST_F(MissionJudged, IsFlownByTheVehicleThatItIsForAlone) {
+  mission_.write_vehicle("vehicle_id = \"auv-7\"\n");
+  ASSERT_EQ(complaint(), "");
+  EXPECT_EQ(std::string(file_.challenge.vehicle.begin(), file_.challenge.vehicle.begin() + 6), std::string("auv-7\0", 6));
+  EXPECT_EQ(file_.challenge.mission, sha256_of(std::string_view(mission_.content("mission.toml"))));
+  mission_.write(text_ + "\n[authority]\nvehicle_id = \"auv-8\"\n");
+  mission_.sign(8);
+  expect_refused("authority.vehicle_id = 'auv-8': is another vehicle: this one is \"auv-7\" (trust.vehicle_id in");
+  mission_.write(text_ + "\n[authority]\nvehicle_id = \"auv-7\"\n");
+  mission_.sign(8);
+  EXPECT_EQ(complaint(), "");
+}
+
+TEST_F(MissionJudged, DoesNotMakeOldMarksCountWithTheVehiclesKey) {
+  support::write_secret_file(folder_ / "vehicle.key", std::string(64, '2'));
+  mission_.write_vehicle("command_key_file = \"vehicle.key\"\n");
+  mission_.write(text_ + "\n[authority]\naccept_old_marks = true\n");
+  mission_.sign(7);
+  expect_refused("authority.accept_old_marks = true: is for the vehicle to say, whose key it is: trust.accept_old_marks in");
+  mission_.write(text_);
+  mission_.sign(7);
+  ASSERT_EQ(complaint(), "");
+  EXPECT_FALSE(file_.accepts_old_marks);
+  mission_.write_vehicle("command_key_file = \"vehicle.key\"\naccept_old_marks = true\n");
+  ASSERT_EQ(complaint(), "");
+  EXPECT_TRUE(file_.accepts_old_marks);
 }
 
 TEST_F(MissionJudged, NeedsNoSignatureWhereTheVehicleAsksForNone) {

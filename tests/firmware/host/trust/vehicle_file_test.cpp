@@ -43,6 +43,17 @@ TEST_F(VehicleConfiguration, NamesKeysCounterAndCommandKeyFromItsOwnFolder) {
   EXPECT_EQ(vehicle.command_key_file, "/secret/command.key");
 }
 
+TEST_F(VehicleConfiguration, NamesTheVehicleAndWhetherOldMarksCount) {
+  const std::string keys = "policy_keys = [\"a.pub\"]\nrequire_signed_mission = false\n";
+  EXPECT_EQ(load(keys).vehicle_id, "");
+  EXPECT_FALSE(load(keys).accepts_old_marks);
+  EXPECT_EQ(load(keys + "vehicle_id = \"auv-7_b.2\"\n").vehicle_id, "auv-7_b.2");
+  EXPECT_TRUE(load(keys + "accept_old_marks = true\n").accepts_old_marks);
+  for (const std::string& name : {std::string("auv 7"), std::string(33, 'x'), std::string("auv/7")})
+    EXPECT_NE(complaint(keys + "vehicle_id = \"" + name + "\"\n").find("trust.vehicle_id = '" + name + "': must be 1 to 32 letters"),
+              std::string::npos);
+}
+
 TEST_F(VehicleConfiguration, NeedsNoMissionKeysWhereMissionsNeedNoSignature) {
   const VehicleFile vehicle = load("policy_keys = [\"a.pub\"]\nrequire_signed_mission = false\n");
   EXPECT_FALSE(vehicle.requires_signed_mission);

@@ -84,6 +84,25 @@ TEST(Conversion, GivesATighteningBackWithItsLimitsAndItsMark) {
   EXPECT_EQ(from_message(carried(to_message(command))), command);
 }
 
+TEST(Conversion, GivesAnOrderBackWithWhatItsMarkIsWorth) {
+  messages::OperatorCommand command{.time = Time{5}, .expiry = Time{6}, .issuer = 1, .number = 2, .order = messages::Order::kStart};
+  command.has_old_mark = true;
+  EXPECT_EQ(from_message(carried(to_message(command))), command);
+  operator_command_t strange = to_message(command);
+  strange.verified = 3;
+  EXPECT_FALSE(from_message(carried(strange)).is_verified);
+  EXPECT_FALSE(from_message(carried(strange)).has_old_mark);
+}
+
+TEST(Conversion, GivesAChallengeBack) {
+  messages::ToldChallenge told{.time = Time{5}, .challenge = {.nonce = {1, 2}, .vehicle = {3}, .mission = {4}}, .mark = {5}};
+  told.challenge.nonce[15] = 6;
+  told.challenge.vehicle[31] = 7;
+  told.challenge.mission[31] = 8;
+  told.mark[15] = 9;
+  EXPECT_EQ(from_message(carried(to_message(told))), told);
+}
+
 TEST(Conversion, GivesAFixWhoseSpeedNobodyKnowsBackAsOne) {
   const messages::Navigation fix{.time = Time{5},
                                  .position = {Meters{1.0}, Meters{2.0}},

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string_view>
+
+#include "firmware/core/time.hpp"
+#include "firmware/host/mission/authority/command_key.hpp"
+#include "firmware/host/trust/keys.hpp"
+#include "firmware/messages/challenge.hpp"
+#include "firmware/messages/operator_command.hpp"
+
+namespace earshot::host {
+
+/// Of this start of a program: its nonce is drawn from the system's random source.
+/// @param vehicle_id  as is_vehicle_id() allows, or empty
+[[nodiscard]] messages::Challenge new_challenge(std::string_view vehicle_id, const authority::Sha256& mission);
+
+/// What a port knows by whether an order is of who may command the vehicle: the key, and what marks are made for besides the order.
+struct CommandProof {
+  CommandKey key;
+  messages::Challenge challenge;
+  bool accepts_old_marks =
+      false;  ///< made without a challenge: a recording is obeyed after a restart, and by another vehicle with this key
+
+  /// Says of an order, whose dates are still the sender's, what its mark is worth.
+  void judge(messages::OperatorCommand& command) const;
+  /// @param utc  by the wall clock, as the bus is told
+  [[nodiscard]] messages::ToldChallenge told(Time utc) const;
+};
+
+}  // namespace earshot::host
