@@ -50,6 +50,8 @@ namespace earshot::messages {
       return "refused: not tighter";
     case CommandOutcome::kAutopilotSilent:
       return "refused: the autopilot is silent";
+    case CommandOutcome::kObeyedNotDurable:
+      return "obeyed, not durable";
   }
   return "refused";
 }

@@ -56,9 +56,11 @@ enum class CommandOutcome : std::uint8_t {
   kOutOfOrder = 7,       ///< numbered below this issuer's last
   kNotVerified = 8,      ///< the mission names a key, and the command does not bear its mark
   kNotTighter = 9,       ///< a TIGHTEN that loosens a limit, contradicts the mission, or says none
-  kAutopilotSilent = 10  ///< START while listening, and the mission's autopilot is not heard
+  kAutopilotSilent = 10,  ///< START while listening, and the mission's autopilot is not heard
+  /// Done, but no disk has it yet: a power cut may make it forgotten. The port says so in place of kObeyed, the runtime never.
+  kObeyedNotDurable = 13
 };
-inline constexpr CommandOutcome kLastCommandOutcome = CommandOutcome::kAutopilotSilent;
+inline constexpr CommandOutcome kLastCommandOutcome = CommandOutcome::kObeyedNotDurable;
 
 /// Goes back to whoever gave the command.
 struct CommandAcknowledgement {

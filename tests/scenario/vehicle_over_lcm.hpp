@@ -58,6 +58,8 @@ class VehicleOverLcm {
   void take_new_routes() { endpoint_.refresh_interfaces(); }
 
   [[nodiscard]] messages::MissionState state() const { return static_cast<messages::MissionState>(health.state); }
+  /// That it was told last.
+  [[nodiscard]] Meters depth() const { return fix_.depth; }
   health_t health{};
   int turns = 0;  ///< health messages heard
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -34,5 +35,8 @@ inline constexpr int kMostParts = 999'999;     ///< of one journal
 
 /// The first part of the newest of them; nothing when there is none of that name.
 [[nodiscard]] std::optional<std::filesystem::path> newest_journal(const std::filesystem::path& wanted);
+
+/// The first part of the newest of them whose first record bears this checksum; nothing when none does.
+[[nodiscard]] std::optional<std::filesystem::path> journal_marked(const std::filesystem::path& wanted, std::uint32_t first_record_crc32);
 
 }  // namespace earshot::host
