@@ -1,6 +1,7 @@
 #include "firmware/authority/command_judge.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace earshot::authority {
 namespace {
@@ -14,6 +15,12 @@ bool is_known(Order order) {
   return order >= Order::kStart && order <= messages::kLastOrder;
 }
 
+/// As serial numbers do (RFC 1982): after 2^32 - 1 comes 0, and half of all numbers are ahead of any. Whatever number an issuer has used,
+/// or somebody in its name, leaves it two thousand million to go on with.
+bool is_ahead(std::uint32_t number, std::uint32_t last) {
+  return static_cast<std::int32_t>(number - last) > 0;
+}
+
 CommandOutcome judge_date(Time arrival, const messages::OperatorCommand& command) {
   if (!lies_within(command.time, arrival, kMaxAge)) return CommandOutcome::kTooOld;
   return arrival > command.expiry ? CommandOutcome::kExpired : CommandOutcome::kObeyed;
@@ -24,14 +31,15 @@ CommandOutcome judge_date(Time arrival, const messages::OperatorCommand& command
 CommandJudge::Verdict CommandJudge::judge(Time arrival, const messages::OperatorCommand& command) {
   if (!is_known(command.order)) return {.outcome = CommandOutcome::kUnknownOrder};
   if (command.order == Order::kAbort) return {};
-  if (needs_verified_ && !command.is_verified) return {.outcome = CommandOutcome::kNotVerified};
+  if (needs_verified_ && !command.is_verified)
+    return {.outcome = command.has_old_mark ? CommandOutcome::kOldMark : CommandOutcome::kNotVerified};
   const CommandOutcome by_date = judge_date(arrival, command);
   const bool is_from_now = by_date == CommandOutcome::kObeyed;
   const auto known = std::find_if(issuers_.begin(), issuers_.end(), [&](const Issuer& i) { return i.issuer == command.issuer; });
   if (known == issuers_.end()) return {.outcome = by_date, .is_from_now = is_from_now};
   known->last_heard = ++heard_;
   if (command.number == known->last_number) return {.outcome = known->last_outcome, .is_repetition = true, .is_from_now = is_from_now};
-  if (command.number < known->last_number) return {.outcome = CommandOutcome::kOutOfOrder};
+  if (!is_ahead(command.number, known->last_number)) return {.outcome = CommandOutcome::kOutOfOrder};
   return {.outcome = by_date, .is_from_now = is_from_now};
 }
 

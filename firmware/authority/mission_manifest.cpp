@@ -25,6 +25,8 @@ ManifestVerdict judge_mission(const SignedManifest& signed_manifest, std::span<c
 ManifestVerdict judge_flight(const MissionManifest& manifest, const Sha256& policy, const MissionManifest& flown_last) {
   if (manifest.policy != policy) return ManifestVerdict::kOtherPolicy;
   if (manifest.counter == 0 || manifest.counter < flown_last.counter) return ManifestVerdict::kRolledBack;
+  if (manifest.counter > flown_last.counter && manifest.counter - flown_last.counter > kMostCounterStep)
+    return ManifestVerdict::kTooFarAhead;
   const bool is_later = manifest.counter > flown_last.counter;
   return is_later || manifest == flown_last ? ManifestVerdict::kAccepted : ManifestVerdict::kCounterInUse;
 }

@@ -43,7 +43,12 @@ enum class ManifestVerdict : std::uint8_t {
   kOtherPolicy,     ///< the policy, or its tables, have been changed since, or are others
   kRolledBack,      ///< a later mission has flown
   kCounterInUse,    ///< another mission with this counter has flown
+  kTooFarAhead,     ///< its counter is more than kMostCounterStep above that of what flew last
 };
+
+/// One mission raises a vehicle's counter by so much at most: the highest number, of a slip or of a key in wrong hands, would else be the
+/// last that the vehicle flies. It takes 2^31 missions to use all numbers up, and who counts by the seconds since 1970 may begin at 0.
+inline constexpr std::uint64_t kMostCounterStep = std::uint64_t{1} << 32U;
 
 /// Whether somebody who is trusted signed these bytes of a mission. They are worth reading only then, and only a reader knows the policy.
 /// @param is_signed  whether `signed_manifest.signature` is of signed_bytes() by `signed_manifest.key` (Ed25519): the board finds that out,

@@ -50,6 +50,10 @@ namespace earshot::messages {
       return "refused: not tighter";
     case CommandOutcome::kAutopilotSilent:
       return "refused: the autopilot is silent";
+    case CommandOutcome::kOldMark:
+      return "refused: its mark lacks the vehicle's challenge";
+    case CommandOutcome::kUnreadable:
+      return "refused: unreadable";
     case CommandOutcome::kObeyedNotDurable:
       return "obeyed, not durable";
   }

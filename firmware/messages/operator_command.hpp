@@ -28,7 +28,7 @@ struct OperatorLimits {
   friend constexpr bool operator==(const OperatorLimits&, const OperatorLimits&) = default;
 };
 
-/// A message authentication code of a command (firmware/host/mission/command_key.hpp); nothing but zeros: there is none.
+/// A message authentication code (firmware/host/mission/command_key.hpp); nothing but zeros: there is none.
 using CommandMark = std::array<std::uint8_t, 16>;
 
 /// An order of a person, or of a simulator in a person's place.
@@ -36,11 +36,12 @@ struct OperatorCommand {
   Time time;                 ///< when it was given
   Time expiry;               ///< not to be obeyed after
   std::uint32_t issuer = 0;  ///< who gave it: a number of its own, best drawn anew whenever the sender starts
-  std::uint32_t number = 0;  ///< rises with every new command of the issuer, to 2^32 - 1 at most; the same again is the same command
+  std::uint32_t number = 0;  ///< rises with every new command of the issuer, and after 2^32 - 1 comes 0; the same again is the same command
   Order order = Order::kAbort;
   OperatorLimits limits = {};  ///< of a TIGHTEN
   CommandMark mark = {};
-  bool is_verified = false;  ///< the port found its mark to be that of who knows the vehicle's key
+  bool is_verified = false;   ///< the port found its mark to be that of who knows the vehicle's key, made for this start of its program
+  bool has_old_mark = false;  ///< the port found it to be of who knows the key, and made for no start: it may be a recording
   friend constexpr bool operator==(const OperatorCommand&, const OperatorCommand&) = default;
 };
 
@@ -52,15 +53,20 @@ enum class CommandOutcome : std::uint8_t {
   kExpired = 3,         ///< after its own expiry
   kNotInThisState = 4,  ///< START outside STANDBY, COMPLETE outside SEARCH
   kUnknownOrder = 5,
-  kNotConfigured = 6,    ///< there is no mission or no policy to fly it
-  kOutOfOrder = 7,       ///< numbered below this issuer's last
-  kNotVerified = 8,      ///< the mission names a key, and the command does not bear its mark
-  kNotTighter = 9,       ///< a TIGHTEN that loosens a limit, contradicts the mission, or says none
+  kNotConfigured = 6,     ///< there is no mission or no policy to fly it
+  kOutOfOrder = 7,        ///< numbered behind this issuer's last: not 1 to 2^31 - 1 further
+  kNotVerified = 8,       ///< the mission names a key, and the command does not bear its mark
+  kNotTighter = 9,        ///< a TIGHTEN that loosens a limit, contradicts the mission, or says none
   kAutopilotSilent = 10,  ///< START while listening, and the mission's autopilot is not heard
-  /// Done, but no disk has it yet: a power cut may make it forgotten. The port says so in place of kObeyed, the runtime never.
+  kOldMark = 11,          ///< as kNotVerified; its mark would be right, but lacks the vehicle's challenge
+  kUnreadable = 12,       ///< its bytes are no order; a port says so, the runtime never sees it
+  /// Done, but no disk has it yet: a power cut may make it forgotten. Said on the bus in place of kObeyed; the runtime never says it.
   kObeyedNotDurable = 13
 };
 inline constexpr CommandOutcome kLastCommandOutcome = CommandOutcome::kObeyedNotDurable;
+[[nodiscard]] constexpr bool was_obeyed(CommandOutcome outcome) {
+  return outcome == CommandOutcome::kObeyed || outcome == CommandOutcome::kObeyedNotDurable;
+}
 
 /// Goes back to whoever gave the command.
 struct CommandAcknowledgement {

@@ -125,6 +125,18 @@ TEST_F(SignedMissions, AreTheOnlyOnesOfAVehicleThatAsksForThem) {
   EXPECT_EQ(flown_last(), 0U);
 }
 
+TEST_F(SignedMissions, DoNotUseUpTheCounterByOneSignatureUnlessAPersonSaysSoOnTheVehicle) {
+  host::begin_counter(folder_ / "mission.counter", 4);
+  ASSERT_EQ(sign(9'223'372'036'854'775'807U), 0);
+  expect_refused("earshotd", kFly, "counter 9223372036854775807 is more than 4294967296 above 4");
+  expect_refused("earshot-verify", {"--vehicle", "vehicle.toml", "mission.toml"}, "is more than 4294967296 above 4");
+  ASSERT_EQ(sign(5'000'000'000U), 0);
+  const Words raise{"--vehicle", "vehicle.toml", "mission.toml", "--raise-counter"};
+  EXPECT_EQ(run("earshot-verify", {raise[0], raise[1], raise[2], raise[3], "4999999999"}), 0) << said();
+  EXPECT_TRUE(printed().starts_with("mission.counter: missions with a counter above 4999999999 may be flown\n")) << printed();
+  expect_refused("earshot-verify", {raise[0], raise[1], raise[3], "9"}, "mission.counter: stands at 4999999999, and is raised only");
+}
+
 TEST_F(SignedMissions, AreVerifiedBeforeADive) {
   host::begin_counter(folder_ / "mission.counter", 4);
   ASSERT_EQ(sign(5), 0);

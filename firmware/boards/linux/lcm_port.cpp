@@ -5,13 +5,13 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
+#include "firmware/wire/lcm/order_reader.hpp"
 
 namespace earshot::board {
 namespace {
@@ -41,9 +41,7 @@ std::vector<std::string_view> channels_of(host::Roles roles) {
 
 /// However many orders follow it before they are taken.
 bool is_abort(std::string_view channel, std::span<const std::uint8_t> data) {
-  operator_command_t command{};
-  return channel == wire::kOperatorCommandChannel && wire::decode(data, command) == Status::kOk &&
-         command.command == operator_command_t::ABORT;
+  return channel == wire::kOperatorCommandChannel && wire::read_order(data).command.order == messages::Order::kAbort;
 }
 
 }  // namespace
@@ -83,18 +81,43 @@ bool LcmPort::takes(Clock& clock, std::span<const std::uint8_t> data, InputSink&
   Message message{};
   if (wire::decode(data, message) != Status::kOk) return false;
   auto value = wire::from_message(message);
-  if constexpr (std::is_same_v<Message, operator_command_t>) value.is_verified = command_key_ && command_key_->verifies(value);
   value.time = clock.mission_time_of(value.time);
-  if constexpr (std::is_same_v<Message, operator_command_t>) value.expiry = clock.mission_time_of(value.expiry);
   sink.take(index(), value);
   return true;
+}
+
+bool LcmPort::take_order(Clock& clock, std::span<const std::uint8_t> data, InputSink& sink) {
+  const wire::ReadOrder order = wire::read_order(data);
+  messages::OperatorCommand command = order.command;
+  if (order.form == wire::OrderForm::kUnreadable) {
+    sink.tell_order_trouble(index(), OrderTrouble::kUnreadable);
+    answer_unreadable(clock, command);
+    return false;
+  }
+  if (order.form == wire::OrderForm::kAbort) sink.tell_order_trouble(index(), OrderTrouble::kCutAbort);
+  command.is_verified = command_key_ && command_key_->verifies(command);
+  command.time = clock.mission_time_of(command.time);
+  command.expiry = clock.mission_time_of(command.expiry);
+  sink.take(index(), command);
+  return true;
+}
+
+/// At once, and from here: what is no order is no input. A flood is answered no more often than orders are.
+void LcmPort::answer_unreadable(Clock& clock, const messages::OperatorCommand& command) {
+  if (++unreadable_answered_ > config::kMaxAcknowledgements) return;
+  send_dated(wire::kAcknowledgementChannel, messages::CommandAcknowledgement{.time = clock.now(),
+                                                                             .port = index(),
+                                                                             .issuer = command.issuer,
+                                                                             .number = command.number,
+                                                                             .order = command.order,
+                                                                             .outcome = messages::CommandOutcome::kUnreadable});
 }
 
 bool LcmPort::take(Clock& clock, const wire::Lc02Message& message, InputSink& sink) {
   if (message.channel == wire::kNavStateChannel) return takes<nav_state_t>(clock, message.data, sink);
   if (message.channel == wire::kSnrEstimateChannel) return takes<snr_estimate_t>(clock, message.data, sink);
   if (message.channel == wire::kBearingChannel) return takes<bearing_t>(clock, message.data, sink);
-  if (message.channel == wire::kOperatorCommandChannel) return takes<operator_command_t>(clock, message.data, sink);
+  if (message.channel == wire::kOperatorCommandChannel) return take_order(clock, message.data, sink);
   if (message.channel == wire::kVehicleStatusChannel) return takes<vehicle_status_t>(clock, message.data, sink);
   if (message.channel == wire::kAutopilotStatusChannel) return takes<autopilot_status_t>(clock, message.data, sink);
   if (message.channel == wire::kHydrophoneStatusChannel) return takes<hydrophone_status_t>(clock, message.data, sink);
@@ -117,6 +140,7 @@ void LcmPort::send_dated(std::string_view channel, const Value& value) {
 
 std::uint64_t LcmPort::publish(Time now, const runtime::Outputs& outputs) {
   std::uint64_t setpoints = 0;
+  unreadable_answered_ = 0;
   if (has(host::Role::kAutopilot) && outputs.setpoint) {
     if (send(wire::kSetpointChannel, wire::to_message(*outputs.setpoint, date_of(now)))) ++setpoints;
   }

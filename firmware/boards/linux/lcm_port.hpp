@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -41,6 +43,9 @@ class LcmPort final : public Port {
   [[nodiscard]] bool take(Clock& clock, const wire::Lc02Message& message, InputSink& sink);
   /// @return whether it is none of this flight's: then it is counted here, and nowhere else, so that the flight stays what it is
   [[nodiscard]] bool is_strangers(Clock& clock, const wire::Lc02Message& message);
+  /// @return whether it is one, or as much of one as stops a vehicle
+  [[nodiscard]] bool take_order(Clock& clock, std::span<const std::uint8_t> data, InputSink& sink);
+  void answer_unreadable(Clock& clock, const messages::OperatorCommand& command);
   template <class Message>
   [[nodiscard]] bool takes(Clock& clock, std::span<const std::uint8_t> data, InputSink& sink);
 
@@ -50,6 +55,7 @@ class LcmPort final : public Port {
   bool snr_is_simulators_;
   std::uint64_t strangers_snr_ = 0;
   std::uint64_t strangers_bearings_ = 0;
+  std::size_t unreadable_answered_ = 0;  ///< since the last turn
   host::LcmEndpoint endpoint_;
   Clock* clock_ = nullptr;  ///< that what came was dated by; null: nothing was looked for yet
 };

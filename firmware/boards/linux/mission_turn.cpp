@@ -96,6 +96,10 @@ void MissionTurn::tell_trouble(std::uint8_t port, BusTrouble trouble, bool is_th
   if (news_ != nullptr) news_->tell(port, trouble, is_there);
 }
 
+void MissionTurn::tell_order_trouble(std::uint8_t port, OrderTrouble trouble) {
+  if (news_ != nullptr) news_->tell(port, trouble);
+}
+
 /// Of the controller alone: that is what the kernel says. The rest goes by how long something is missing on the host's clock, by which a
 /// flight in lock-step would not give the same journal twice.
 void MissionTurn::record_trouble(std::uint8_t port, BusTrouble trouble, bool is_there) {

@@ -80,6 +80,7 @@ class MissionTurn final : public InputSink {
   void tell_detection(std::uint8_t port, const messages::SoundDetection& detection) override;
   void tell_chain(std::uint8_t port, const HeardChain& chain) override;
   void tell_trouble(std::uint8_t port, BusTrouble trouble, bool is_there) override;
+  void tell_order_trouble(std::uint8_t port, OrderTrouble trouble) override;
 
   runtime::Outputs operator()();
   /// Sends what the last turn said: the process that made it may not have come to it.

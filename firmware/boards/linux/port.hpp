@@ -8,6 +8,7 @@
 #include "firmware/boards/linux/can/bus_trouble.hpp"
 #include "firmware/boards/linux/clock.hpp"
 #include "firmware/boards/linux/hydrophone/heard_chain.hpp"
+#include "firmware/boards/linux/order_trouble.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/host/mission/port_settings.hpp"
 #include "firmware/messages/input.hpp"
@@ -35,6 +36,8 @@ class InputSink {
   virtual void tell_chain(std::uint8_t /*port*/, const HeardChain& /*chain*/) {}
   /// Something is wrong with a port from now on, or no longer.
   virtual void tell_trouble(std::uint8_t /*port*/, BusTrouble /*trouble*/, bool /*is_there*/) {}
+  /// Something was wrong with an order that a port brought.
+  virtual void tell_order_trouble(std::uint8_t /*port*/, OrderTrouble /*trouble*/) {}
 };
 
 /// One way in and out of the vehicle computer. After construction nothing allocates and nothing waits.

@@ -119,6 +119,11 @@ void MissionJudge::judge_counter(const SignedSearch& search, const std::filesyst
       throw BadInput(counter + " is rolled back: the vehicle has flown " + last + flown);
     case ManifestVerdict::kCounterInUse:
       throw BadInput(counter + " has been used, and not for this mission and policy" + flown);
+    case ManifestVerdict::kTooFarAhead:
+      throw BadInput(counter + " is more than " + std::to_string(authority::kMostCounterStep) + " above " + last +
+                     ", which the vehicle has flown (" + vehicle_->counter_file.string() +
+                     "): a slip? Sign with a lower counter, or, if it is meant, say so on the vehicle: earshot verify --raise-counter " +
+                     std::to_string(manifest_->counter - 1));
     case ManifestVerdict::kAccepted:
     case ManifestVerdict::kForeignKey:
     case ManifestVerdict::kFalseSignature:

@@ -57,6 +57,13 @@ void begin_counter(const std::filesystem::path& counter_file, std::uint64_t coun
   write_new(counter_file, text_of({.counter = counter, .mission = {}, .policy = {}}));
 }
 
+void raise_counter(const std::filesystem::path& counter_file, std::uint64_t counter) {
+  MissionCounter held(counter_file);
+  if (counter <= held.flown_last().counter)
+    throw BadInput(counter_file.string() + ": stands at " + std::to_string(held.flown_last().counter) + ", and is raised only");
+  held.record({.counter = counter, .mission = {}, .policy = {}});
+}
+
 void require_recordable(const std::filesystem::path& counter_file) {
   require_writable(counter_file, kCounterOutput, Replace::kOwnKind, "it stays");
 }

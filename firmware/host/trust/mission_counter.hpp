@@ -13,10 +13,17 @@ namespace earshot::host {
 /// Oracle: MissionCounter.*
 [[nodiscard]] authority::MissionManifest read_flown_last(const std::filesystem::path& counter_file);
 
+/// A person sets a counter no higher: above it lie more numbers than missions will ever use.
+inline constexpr std::int64_t kHighestSetCounter = std::int64_t{1} << 62U;
+
 /// Makes the counter file of a vehicle that has none yet; one that is there stays.
 /// @param counter  of the last mission that is to be refused; 0: none has flown
 /// @throws BadInput naming the file
 void begin_counter(const std::filesystem::path& counter_file, std::uint64_t counter);
+
+/// Refuses from now on all missions up to `counter`, which lies above what has flown: for who is to go on far above that.
+/// @throws BadInput, FolderInUse as MissionCounter does
+void raise_counter(const std::filesystem::path& counter_file, std::uint64_t counter);
 
 /// Changes nothing, and waits for nobody. @throws BadInput when a mission that flies could not be recorded in it
 void require_recordable(const std::filesystem::path& counter_file);

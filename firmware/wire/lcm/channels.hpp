@@ -21,6 +21,7 @@ inline constexpr std::string_view kSetpointChannel = "EARSHOT_SETPOINT";        
 inline constexpr std::string_view kDecisionChannel = "EARSHOT_DECISION";                        ///< decision_t
 inline constexpr std::string_view kHealthChannel = "EARSHOT_HEALTH";                            ///< health_t
 inline constexpr std::string_view kAcknowledgementChannel = "EARSHOT_COMMAND_ACKNOWLEDGEMENT";  ///< command_acknowledgement_t
+inline constexpr std::string_view kChallengeChannel = "EARSHOT_CHALLENGE";                      ///< challenge_t
 inline constexpr std::string_view kSafetyEventChannel = "EARSHOT_SAFETY_EVENT";                 ///< safety_event_t
 inline constexpr std::string_view kDetectionChannel = "EARSHOT_DETECTION";                      ///< detection_t; in no journal
 

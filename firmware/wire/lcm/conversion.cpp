@@ -14,6 +14,10 @@ namespace {
 /// Of a limit that a command leaves as it is.
 constexpr double kNotSaid = std::numeric_limits<double>::quiet_NaN();
 
+// What `verified` says; nobody but a port's own program does.
+constexpr std::int8_t kVerified = 1;
+constexpr std::int8_t kOldMark = 2;
+
 template <class Limit>
 std::optional<Limit> if_said(double limit) {
   return limit == limit ? std::optional(Limit{limit}) : std::nullopt;
@@ -77,7 +81,7 @@ operator_command_t to_message(const messages::OperatorCommand& command) {
   m.max_speed_mps = command.limits.max_speed.value_or(MetersPerSecond{kNotSaid}).value;
   m.max_time_s = command.limits.max_time_s.value_or(kNotSaid);
   std::copy(command.mark.begin(), command.mark.end(), std::begin(m.mark));
-  m.verified = command.is_verified ? 1 : 0;
+  m.verified = command.is_verified ? kVerified : (command.has_old_mark ? kOldMark : std::int8_t{0});
   return m;
 }
 
@@ -124,6 +128,16 @@ safety_event_t to_message(const messages::SafetyEvent& event) {
   m.begins = event.begins ? 1 : 0;
   m.measure = event.measure;
   m.limit = event.limit;
+  return m;
+}
+
+challenge_t to_message(const messages::ToldChallenge& told) {
+  challenge_t m{};
+  m.utime = told.time.us;
+  std::ranges::copy(told.challenge.nonce, std::begin(m.nonce));
+  std::ranges::copy(told.challenge.vehicle, std::begin(m.vehicle));
+  std::ranges::copy(told.challenge.mission, std::begin(m.mission));
+  std::ranges::copy(told.mark, std::begin(m.mark));
   return m;
 }
 
@@ -312,9 +326,19 @@ messages::OperatorCommand from_message(const operator_command_t& m) {
                                     .limits = {.max_depth = if_said<Meters>(m.max_depth_m),
                                                .max_speed = if_said<MetersPerSecond>(m.max_speed_mps),
                                                .max_time_s = if_said<double>(m.max_time_s)},
-                                    .is_verified = m.verified != 0};
+                                    .is_verified = m.verified == kVerified,
+                                    .has_old_mark = m.verified == kOldMark};
   std::copy(std::begin(m.mark), std::end(m.mark), command.mark.begin());
   return command;
+}
+
+messages::ToldChallenge from_message(const challenge_t& m) {
+  messages::ToldChallenge told{.time = {m.utime}, .challenge = {}};
+  std::ranges::copy(m.nonce, told.challenge.nonce.begin());
+  std::ranges::copy(m.vehicle, told.challenge.vehicle.begin());
+  std::ranges::copy(m.mission, told.challenge.mission.begin());
+  std::ranges::copy(m.mark, told.mark.begin());
+  return told;
 }
 
 messages::Setpoint from_message(const setpoint_t& m) {

@@ -5,6 +5,7 @@
 
 #include "earshot/autopilot_status_t.hpp"
 #include "earshot/bearing_t.hpp"
+#include "earshot/challenge_t.hpp"
 #include "earshot/command_acknowledgement_t.hpp"
 #include "earshot/decision_t.hpp"
 #include "earshot/detection_t.hpp"
@@ -22,6 +23,7 @@
 #include "firmware/core/time.hpp"
 #include "firmware/messages/autopilot_status.hpp"
 #include "firmware/messages/bearing_measurement.hpp"
+#include "firmware/messages/challenge.hpp"
 #include "firmware/messages/decision.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/messages/hydrophone_status.hpp"
@@ -48,6 +50,7 @@ namespace earshot::wire {
 [[nodiscard]] safety_event_t to_message(const messages::SafetyEvent& event);
 [[nodiscard]] operator_command_t to_message(const messages::OperatorCommand& command);
 [[nodiscard]] command_acknowledgement_t to_message(const messages::CommandAcknowledgement& acknowledgement);
+[[nodiscard]] challenge_t to_message(const messages::ToldChallenge& told);
 [[nodiscard]] port_report_t to_message(const messages::PortReport& report);
 [[nodiscard]] setpoint_t to_message(const messages::Setpoint& setpoint, Time now);
 [[nodiscard]] decision_t to_message(const messages::Decision& decision);
@@ -67,6 +70,7 @@ namespace earshot::wire {
 [[nodiscard]] messages::HydrophoneStatus from_message(const hydrophone_status_t& message);
 [[nodiscard]] messages::SafetyEvent from_message(const safety_event_t& message);
 [[nodiscard]] messages::OperatorCommand from_message(const operator_command_t& message);
+[[nodiscard]] messages::ToldChallenge from_message(const challenge_t& message);
 [[nodiscard]] messages::Setpoint from_message(const setpoint_t& message);
 [[nodiscard]] messages::PortReport from_message(const port_report_t& message);
 [[nodiscard]] config::Mission from_message(const mission_t& message);

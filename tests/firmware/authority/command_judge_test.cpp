@@ -185,13 +185,34 @@ TEST(CommandJudge, GoesOnWhereASendersSignedNumbersTurnNegative) {
   EXPECT_FALSE(court.last.is_repetition);
 }
 
-TEST(CommandJudge, TakesNoNumberAfterTheLastOneButAnAbortAndANewIssuer) {
+// By hand, as RFC 1982 compares serial numbers of 32 bits.
+TEST(CommandJudge, LocksNoIssuerOutByTheHighestNumber) {
   Court court;
   EXPECT_EQ(court.hear(start(4'294'967'295)), CommandOutcome::kObeyed);
-  EXPECT_EQ(court.hear(start(0)), CommandOutcome::kOutOfOrder);
-  const OperatorCommand abort{.time = kNow, .expiry = kFarAhead, .issuer = 7, .number = 0, .order = Order::kAbort};
-  EXPECT_EQ(court.hear(abort), CommandOutcome::kObeyed);
-  EXPECT_EQ(court.hear(start(0, kNow, 8)), CommandOutcome::kObeyed);
+  EXPECT_EQ(court.hear(start(0)), CommandOutcome::kObeyed) << "after the last number comes the first";
+  EXPECT_FALSE(court.last.is_repetition);
+  EXPECT_EQ(court.hear(start(4'294'967'295)), CommandOutcome::kOutOfOrder) << "which is behind it now";
+  EXPECT_EQ(court.hear(start(1)), CommandOutcome::kObeyed);
+}
+
+TEST(CommandJudge, GoesOnFromAnyNumberWithHalfOfAllNumbers) {
+  for (const std::uint32_t last : {0U, 7U, 2'147'483'647U, 2'147'483'648U, 4'294'967'290U}) {
+    Court court;
+    EXPECT_EQ(court.hear(start(last)), CommandOutcome::kObeyed);
+    EXPECT_EQ(court.hear(start(last + 2'147'483'648U)), CommandOutcome::kOutOfOrder) << last << ": as far ahead as behind";
+    EXPECT_EQ(court.hear(start(last - 1)), CommandOutcome::kOutOfOrder) << last;
+    EXPECT_EQ(court.hear(start(last + 2'147'483'647U)), CommandOutcome::kObeyed) << last;
+  }
+}
+
+TEST(CommandJudge, SaysOfAMarkThatLacksTheChallengeThatItIsOld) {
+  Court court{.judge = CommandJudge(true), .last = {}};
+  OperatorCommand command = start(1);
+  command.has_old_mark = true;
+  EXPECT_EQ(court.hear(command), CommandOutcome::kOldMark);
+  EXPECT_FALSE(court.last.is_from_now);
+  command.is_verified = true;
+  EXPECT_EQ(court.hear(command), CommandOutcome::kObeyed);
 }
 
 TEST(CommandJudge, AnswersACommandThatCameAfterNewerOnesAsOutOfOrderAndTheNewestAsBefore) {

@@ -64,6 +64,16 @@ TEST(MissionManifest, IsRefusedBelowTheCounterThatFlewLast) {
   EXPECT_EQ(judge_flight(numbered(0), kPolicy, {}), ManifestVerdict::kRolledBack) << "0 is no mission's";
 }
 
+TEST(MissionManifest, RaisesTheCounterByNoMoreThanLeavesNumbersForAllLaterMissions) {
+  EXPECT_EQ(judge_flight(numbered(9'223'372'036'854'775'807U), kPolicy, kFlownLast), ManifestVerdict::kTooFarAhead) << "2^63 - 1";
+  EXPECT_EQ(judge_flight(numbered(18'446'744'073'709'551'615U), kPolicy, kFlownLast), ManifestVerdict::kTooFarAhead) << "2^64 - 1";
+  EXPECT_EQ(judge_flight(numbered(4'294'967'296U + 7U), kPolicy, kFlownLast), ManifestVerdict::kAccepted) << "2^32 further";
+  EXPECT_EQ(judge_flight(numbered(4'294'967'296U + 8U), kPolicy, kFlownLast), ManifestVerdict::kTooFarAhead);
+  EXPECT_EQ(judge_flight(numbered(1'795'000'000U), kPolicy, {}), ManifestVerdict::kAccepted) << "counted by the seconds since 1970, from 0";
+  const MissionManifest high = numbered(9'223'372'036'854'775'807U);
+  EXPECT_EQ(judge_flight(high, kPolicy, high), ManifestVerdict::kAccepted) << "what flew already is flown on";
+}
+
 TEST(MissionManifest, WithTheCounterThatFlewLastIsFlownAgainOnlyIfNothingElseHasChanged) {
   EXPECT_EQ(judge_flight(numbered(7), kPolicy, kFlownLast), ManifestVerdict::kAccepted);
   MissionManifest changed = numbered(7);

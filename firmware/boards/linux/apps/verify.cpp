@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <iostream>
-#include <limits>
 #include <optional>
 #include <string>
 
@@ -23,6 +22,7 @@ struct Options {
   std::optional<std::filesystem::path> vehicle;
   std::optional<std::filesystem::path> file;
   std::optional<std::uint64_t> new_counter;
+  std::optional<std::uint64_t> raised_counter;
 };
 
 std::string beginning_of(const std::filesystem::path& path) {
@@ -75,18 +75,23 @@ int verify_mission(const std::filesystem::path& path, const host::VehicleFile& v
   return program::kIncomplete;
 }
 
+void set_counter(const host::VehicleFile& vehicle, const Options& o) {
+  if (o.new_counter && o.raised_counter) throw host::BadInput("--raise-counter: not with --new-counter, which makes the file");
+  if (vehicle.counter_file.empty())
+    throw host::BadInput(vehicle.path.string() + ": trust.counter_file is missing: there is no name for it");
+  if (o.new_counter) host::begin_counter(vehicle.counter_file, *o.new_counter);
+  if (o.raised_counter) host::raise_counter(vehicle.counter_file, *o.raised_counter);
+  program::say() << host::printable(vehicle.counter_file.string()) << ": missions with a counter above "
+                 << (o.new_counter ? *o.new_counter : *o.raised_counter) << " may be flown\n";
+}
+
 int run(const Options& o) {
   const std::optional<std::filesystem::path> vehicle_file = host::vehicle_file_of(o.vehicle);
   if (!vehicle_file) throw host::BadInput(std::string("--vehicle: names no file, and there is no ") + host::kVehicleFile);
   const host::VehicleFile vehicle = host::load_vehicle(*vehicle_file);
-  if (!o.file && !o.new_counter) throw host::BadInput("earshot verify: nothing to do: no FILE and no --new-counter");
-  if (o.new_counter) {
-    if (vehicle.counter_file.empty())
-      throw host::BadInput(vehicle.path.string() + ": trust.counter_file is missing: there is no name for it");
-    host::begin_counter(vehicle.counter_file, *o.new_counter);
-    program::say() << host::printable(vehicle.counter_file.string()) << ": missions with a counter above " << *o.new_counter
-                   << " may be flown\n";
-  }
+  const bool sets_counter = o.new_counter || o.raised_counter;
+  if (!o.file && !sets_counter) throw host::BadInput("earshot verify: nothing to do: no FILE, no --new-counter and no --raise-counter");
+  if (sets_counter) set_counter(vehicle, o);
   if (!o.file) return program::kDone;
   const std::string beginning = beginning_of(*o.file);
   const std::filesystem::path kind = o.file->extension();  // where the beginning is damaged, what the file should be is what is missed
@@ -109,6 +114,10 @@ int main(int argc, char** argv) {
   line.option("--new-counter", &options.new_counter,
               "make the vehicle's counter file, which must not be there: 0 for a new vehicle; else the counter of the last mission that it "
               "may have flown")
-      .from(0, std::numeric_limits<std::int64_t>::max());
+      .from(0, host::kHighestSetCounter);
+  line.option("--raise-counter", &options.raised_counter,
+              "refuse all missions with a counter up to this from now on, so that one far above what has flown may be flown: a mission "
+              "raises the counter by 4294967296 at most")
+      .from(1, host::kHighestSetCounter);
   return program::run(line, argc, argv, [&] { return run(options); });
 }

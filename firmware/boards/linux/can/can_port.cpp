@@ -37,7 +37,7 @@ bool is_news(const std::optional<messages::Health>& told, const messages::Health
 }
 
 bool starts(const messages::CommandAcknowledgement& acknowledgement) {
-  return acknowledgement.order == messages::Order::kStart && acknowledgement.outcome == messages::CommandOutcome::kObeyed;
+  return acknowledgement.order == messages::Order::kStart && messages::was_obeyed(acknowledgement.outcome);
 }
 
 }  // namespace
@@ -208,8 +208,16 @@ void CanPort::note_refusal(Status status) {
 void CanPort::take_order(const n2k::Frame& frame, const Arrival& arrival, Clock& clock, InputSink& sink) {
   messages::OperatorCommand command;
   std::uint8_t sender = n2k::kNullAddress;
+  const std::uint64_t cut = orders_.counters().cut;
   // Without an address only what is meant for all is for us.
-  if (orders_.accept(frame, arrival.utc, node_.address().value_or(n2k::kNullAddress), command, sender) != Status::kOk) return;
+  const Status status = orders_.accept(frame, arrival.utc, node_.address().value_or(n2k::kNullAddress), command, sender);
+  if (status == Status::kNotReady) return;
+  if (status != Status::kOk) {
+    sink.tell_order_trouble(index(), OrderTrouble::kUnreadable);
+    answer_unreadable(clock.now(), command, sender);
+    return;
+  }
+  if (orders_.counters().cut != cut) sink.tell_order_trouble(index(), OrderTrouble::kCutAbort);
   command.is_verified = command_key_ && command_key_->verifies(command);
   command.time = clock.mission_time_of(command.time);
   command.expiry = clock.mission_time_of(command.expiry);
@@ -230,6 +238,7 @@ bool CanPort::say(Compose compose, const host::Waiting& waiting) {
 
 std::uint64_t CanPort::publish(Time now, const runtime::Outputs& outputs) {
   zero_pressure(now, outputs);
+  unreadable_answered_ = 0;
   std::uint64_t setpoints = 0;
   if (has(host::Role::kAutopilot) && outputs.setpoint) {
     const auto compose = [&](std::uint8_t address, n2k::SetpointFrames& frames) {
@@ -240,6 +249,21 @@ std::uint64_t CanPort::publish(Time now, const runtime::Outputs& outputs) {
   if (has(host::Role::kOperator)) acknowledge(outputs);
   if (has(host::Role::kStatus)) tell_status(now, outputs);
   return setpoints;
+}
+
+/// At once, and from here: what is no order is no input. A flood is answered no more often than orders are.
+void CanPort::answer_unreadable(Time now, const messages::OperatorCommand& command, std::uint8_t sender) {
+  if (++unreadable_answered_ > config::kMaxAcknowledgements) return;
+  say<n2k::FastPacketFrames>([&](std::uint8_t address, n2k::FastPacketFrames& frames) {
+    const n2k::Route route{.source = address, .destination = sender, .sequence = sequences_.acknowledgement++};
+    const messages::CommandAcknowledgement answer{.time = now,
+                                                  .port = index(),
+                                                  .issuer = command.issuer,
+                                                  .number = command.number,
+                                                  .order = command.order,
+                                                  .outcome = messages::CommandOutcome::kUnreadable};
+    return n2k::compose_acknowledgement(answer, route, frames);
+  });
 }
 
 /// Orders are judged as they come, so that an acknowledgement for each has come in the same order; of those that found no room there is

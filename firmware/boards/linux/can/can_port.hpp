@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -83,6 +84,7 @@ class CanPort final : public Port {
   /// Sends one message, or counts that it could not. @param compose  Status(address to send from, Frames&)
   template <class Frames, class Compose>
   bool say(Compose compose, const host::Waiting& waiting = {});
+  void answer_unreadable(Time now, const messages::OperatorCommand& command, std::uint8_t sender);
   void acknowledge(const runtime::Outputs& outputs);
   void tell_status(Time now, const runtime::Outputs& outputs);
   [[nodiscard]] BusSigns signs() const;
@@ -112,6 +114,7 @@ class CanPort final : public Port {
   std::optional<std::uint8_t> deaf_address_;                 ///< of the hydrophone that said last that it is deaf
   std::uint64_t snr_not_chosen_ = 0;                         ///< of hydrophones that the mission does not name
   FixedVector<Asker, config::kMaxAcknowledgements> askers_;  ///< since the last turn
+  std::size_t unreadable_answered_ = 0;                      ///< likewise
   Sequences sequences_;
   std::uint64_t without_address_ = 0;  ///< messages that were not sent for want of one
   TroubleWatch watch_;

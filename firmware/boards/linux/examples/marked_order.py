@@ -19,6 +19,9 @@ OUTCOMES = (
     "NOT_VERIFIED",
     "NOT_TIGHTER",
     "AUTOPILOT_SILENT",
+    "OLD_MARK",
+    "UNREADABLE",
+    "OBEYED_NOT_DURABLE",
 )
 
 

@@ -57,4 +57,4 @@ while not answers and time.monotonic() < deadline:
     bus.handle_timeout(200)
 outcome = answers[0] if answers else "nobody answers"
 print(f"{said.order}:", outcome)
-sys.exit(0 if outcome in ("OBEYED", "REPEATED") else 1)
+sys.exit(0 if outcome in ("OBEYED", "OBEYED_NOT_DURABLE", "REPEATED") else 1)

@@ -64,6 +64,7 @@ void FlightNews::tell(Time now, const messages::Health& health) {
   for (std::size_t port = 0; port < sounds_.size(); ++port) {
     tell_chain(now, port);
     tell_troubles(now, port);
+    tell_orders(now, port);
   }
   for (RuleNews& rule : rules_) tell_rule(now, rule);
   tell_state(now, health);
@@ -169,6 +170,22 @@ void FlightNews::tell_troubles(Time now, std::size_t port) {
          .port = static_cast<std::uint8_t>(port),
          .message = line.text()});
     trouble.due = now + kBetweenLinkLines;
+  }
+}
+
+void FlightNews::tell(std::uint8_t port, OrderTrouble trouble) {
+  ++bad_orders_.at(port).at(static_cast<std::size_t>(trouble)).count;
+}
+
+void FlightNews::tell_orders(Time now, std::size_t port) {
+  for (std::size_t i = 0; i < kOrderTroubleCount; ++i) {
+    BadOrders& bad = bad_orders_.at(port).at(i);
+    if (bad.count == 0 || now < bad.due) continue;
+    TextLine line;
+    line << links_.at(port).label << ": " << to_string(static_cast<OrderTrouble>(i));
+    if (bad.count > 1) line << "; " << bad.count << " such since it was last told of";
+    say({.severity = Severity::kWarning, .event = "order", .time = now, .port = static_cast<std::uint8_t>(port), .message = line.text()});
+    bad = {.count = 0, .due = now + kBetweenLinkLines};
   }
 }
 

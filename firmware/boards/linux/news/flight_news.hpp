@@ -11,6 +11,7 @@
 #include "firmware/boards/linux/hydrophone/heard_chain.hpp"
 #include "firmware/boards/linux/news/line_writer.hpp"
 #include "firmware/boards/linux/news/log_format.hpp"
+#include "firmware/boards/linux/order_trouble.hpp"
 #include "firmware/boards/linux/port_set.hpp"
 #include "firmware/config/capacities.hpp"
 #include "firmware/config/mission.hpp"
@@ -63,6 +64,9 @@ class FlightNews {
   void tell(std::uint8_t port, const HeardChain& chain);
   /// What is wrong with a CAN port from now on, or no longer, at the next turn; of each at most one line in kBetweenLinkLines.
   void tell(std::uint8_t port, BusTrouble trouble, bool is_there);
+  /// What was wrong with an order that a port brought, at the next turn; of each kind at most one line in kBetweenLinkLines, which counts
+  /// those since the last.
+  void tell(std::uint8_t port, OrderTrouble trouble);
   /// This program is told to stop: an abort from now on is not an operator's.
   void tell_stop() { is_stopping_ = true; }
 
@@ -99,6 +103,11 @@ class FlightNews {
     bool is_told = false;
     Time due;
   };
+  /// Something that was wrong with orders of a port.
+  struct BadOrders {
+    std::uint64_t count = 0;  ///< since they were last told of
+    Time due;
+  };
   /// What a rule of the safety supervisor does, as far as a person knows.
   struct RuleNews {
     messages::SafetyEvent last;
@@ -110,6 +119,7 @@ class FlightNews {
   void say(const LogEntry& entry);
   void tell_rule(Time now, RuleNews& rule);
   void tell_troubles(Time now, std::size_t port);
+  void tell_orders(Time now, std::size_t port);
   void tell_chain(Time now, std::size_t port);
   void tell_link(Time now, const messages::PortReport& report);
   void tell_journal(Time now, const messages::PortReport& report);
@@ -135,6 +145,7 @@ class FlightNews {
   std::array<Sound, config::kMaxPorts> sounds_;
   std::array<RuleNews, config::kMaxRules> rules_{};
   std::array<std::array<Trouble, kBusTroubleCount>, config::kMaxPorts> troubles_{};
+  std::array<std::array<BadOrders, kOrderTroubleCount>, config::kMaxPorts> bad_orders_{};
 };
 
 }  // namespace earshot::board

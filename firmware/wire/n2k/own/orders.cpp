@@ -54,6 +54,21 @@ Result<messages::OperatorLimits> read_limits(std::span<const std::uint8_t> bytes
   return limits;
 }
 
+/// What is readable of a command: what is not is zero.
+OperatorCommand head_of(std::span<const std::uint8_t> bytes, Time arrival) {
+  const auto readable = [bytes](FieldName name) { return MessageReader(table::kCommand, bytes).raw(name); };
+  return {.time = arrival,
+          .expiry = arrival,
+          .issuer = static_cast<std::uint32_t>(readable("Issuer")),
+          .number = static_cast<std::uint32_t>(readable("Number")),
+          .order = static_cast<Order>(readable("Order"))};
+}
+
+/// In whichever of its two forms.
+bool says_abort(std::span<const std::uint8_t> bytes) {
+  return is_ours(table::kAbort, bytes) || (is_ours(table::kCommand, bytes) && head_of(bytes, Time{}).order == Order::kAbort);
+}
+
 /// An abort is given when it arrives, and it does not expire.
 Result<OperatorCommand> read_abort(std::span<const std::uint8_t> bytes, Time arrival) {
   MessageReader reader(table::kAbort, bytes);
@@ -142,7 +157,7 @@ Status OrderReceiver::accept(const Frame& frame, Time now, std::uint8_t address,
   Assembled message;
   const Status status = assembly_.accept(identifier, frame, now, message);
   if (status != Status::kOk) return Status::kNotReady;
-  if (identifier.destination == kBroadcast && !is_ours(table::kAbort, message.bytes)) {
+  if (identifier.destination == kBroadcast && !says_abort(message.bytes)) {
     ++counters_.other;
     return Status::kNotReady;
   }
@@ -156,10 +171,12 @@ Status OrderReceiver::take(std::span<const std::uint8_t> bytes, Time now, Operat
     return Status::kNotReady;
   }
   const Result<OperatorCommand> read = aborts ? read_abort(bytes, now) : read_command(bytes);
-  ++(read.ok() ? counters_.taken : counters_.refused);
-  if (!read.ok()) return read.status();
-  command = read.value();
-  return Status::kOk;
+  command = read.ok() ? read.value() : head_of(bytes, now);
+  const bool is_cut_abort = !read.ok() && !aborts && command.order == Order::kAbort;
+  if (is_cut_abort) ++counters_.cut;
+  ++(read.ok() || is_cut_abort ? counters_.taken : counters_.refused);
+  if (read.ok() || is_cut_abort) return Status::kOk;
+  return read.status() == Status::kNotReady ? Status::kMalformed : read.status();  // "not available" where an order must say
 }
 
 }  // namespace earshot::n2k

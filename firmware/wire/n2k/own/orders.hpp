@@ -34,6 +34,7 @@ struct Route {
 
 struct OrderCounters {
   std::uint64_t taken = 0;
+  std::uint64_t cut = 0;      ///< of these, aborts whose other fields could not be read
   std::uint64_t refused = 0;  ///< ours, but malformed
   std::uint64_t other = 0;    ///< other makers' messages of this group, and orders to all but aborts
 };
@@ -44,7 +45,8 @@ class OrderReceiver {
  public:
   /// @param address  ours: what is sent to others is not for us, and of what is sent to all only an abort
   /// @return kOk: `command` is new, and `sender` is to have its acknowledgement. kNotReady: nothing came of it. Otherwise refused and
-  /// counted.
+  /// counted: of `command` there are issuer, number and order, as far as they are readable, to answer by. A command whose order is an ABORT
+  /// is never refused, whatever else of it is missing or impossible.
   [[nodiscard]] Status accept(const Frame& frame, Time now, std::uint8_t address, messages::OperatorCommand& command, std::uint8_t& sender);
 
   [[nodiscard]] const OrderCounters& counters() const { return counters_; }

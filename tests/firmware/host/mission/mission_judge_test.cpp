@@ -124,6 +124,15 @@ TEST_F(MissionJudged, FliesAgainWithItsCounterOnlyAsTheSameBytes) {
   expect_refused("counter 7 has been used, and not for this mission and policy");
 }
 
+TEST_F(MissionJudged, IsRefusedWhenItsCounterWouldLeaveNoneForLaterMissions) {
+  mission_.sign(9'223'372'036'854'775'807U);
+  expect_refused("counter 9223372036854775807 is more than 4294967296 above 0, which the vehicle has flown");
+  mission_.sign(4'294'967'298U);
+  expect_refused("earshot verify --raise-counter 4294967297");
+  raise_counter(folder_ / "mission.counter", 4'294'967'297U);
+  EXPECT_EQ(complaint(), "");
+}
+
 TEST_F(MissionJudged, IsRefusedWithoutTheCounterOfWhatFlewLast) {
   fs::remove(folder_ / "mission.counter");
   EXPECT_NE(complaint().find("mission.counter: no such file"), std::string::npos);

@@ -77,6 +77,18 @@ TEST_F(MissionCounterFile, BeginsWhereItIsTold) {
   EXPECT_EQ(read_flown_last(file_).counter, 41U);
 }
 
+TEST_F(MissionCounterFile, IsRaisedByAPersonAndNeverLowered) {
+  write(kText);
+  raise_counter(file_, 5'000'000'000);
+  EXPECT_EQ(read_flown_last(file_), (authority::MissionManifest{.counter = 5'000'000'000, .mission = {}, .policy = {}}));
+  const std::string raised = content();
+  EXPECT_EQ(complaint_of([this] { raise_counter(file_, 5'000'000'000); }), file_.string() + ": stands at 5000000000, and is raised only");
+  EXPECT_EQ(content(), raised);
+  EXPECT_NE(complaint_of([this] { raise_counter(folder_ / "none", 9); }).find("no such file"), std::string::npos);
+  const MissionCounter held(file_);
+  EXPECT_THROW(raise_counter(file_, 6'000'000'000), FolderInUse) << "of a vehicle that flies";
+}
+
 TEST_F(MissionCounterFile, IsNeverBegunAnew) {
   write(kText);
   EXPECT_EQ(complaint_of([this] { begin_counter(file_, 0); }),

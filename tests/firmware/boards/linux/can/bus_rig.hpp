@@ -42,6 +42,7 @@ class Taken final : public InputSink {
   void tell_trouble(std::uint8_t /*port*/, BusTrouble trouble, bool is_there) override {
     troubles.set(static_cast<std::size_t>(trouble), is_there);
   }
+  void tell_order_trouble(std::uint8_t /*port*/, OrderTrouble trouble) override { order_troubles.push_back(trouble); }
   [[nodiscard]] bool has(BusTrouble trouble) const { return troubles[static_cast<std::size_t>(trouble)]; }
   template <class Message>
   [[nodiscard]] std::vector<Message> all() const {
@@ -53,6 +54,7 @@ class Taken final : public InputSink {
   }
   std::vector<Value> values;
   BusTroubles troubles;  ///< that the port says are there
+  std::vector<OrderTrouble> order_troubles;
 };
 
 /// A message that was on the bus, its frames put together.

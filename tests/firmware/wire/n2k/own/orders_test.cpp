@@ -107,6 +107,45 @@ TEST_F(OrdersTest, ToAllAreTakenOnlyWhenTheyAbort) {
   EXPECT_EQ(accept(abort), Status::kOk);
 }
 
+/// The first so many bytes of a message, cut anew.
+FastPacketFrames cut_to(const FastPacketFrames& whole, std::size_t size, std::uint8_t destination) {
+  FastPacketAssembly assembly;
+  std::span<const std::uint8_t> bytes;
+  for (const Frame& frame : whole)
+    static_cast<void>(assembly.accept({.pgn = kPeerPgn, .source = kOperator, .destination = kUs}, frame, bytes));
+  FastPacketFrames frames;
+  const Identifier identifier{.pgn = kPeerPgn, .priority = 3, .source = kOperator, .destination = destination};
+  EXPECT_EQ(compose_fast_packet(identifier, 5, bytes.first(size), frames), Status::kOk);
+  return frames;
+}
+
+TEST_F(OrdersTest, ThatAbortAreTakenHoweverMuchOfThemIsCutOff) {
+  OperatorCommand abort = kStart;
+  abort.order = Order::kAbort;
+  // Maker, kind and order are the first four bytes; a packet of 53 has all.
+  for (std::size_t size = 4; size <= 53; ++size) {
+    Status status = Status::kNotReady;
+    for (const Frame& frame : cut_to(frames_of(abort), size, kUs)) status = accept(frame);
+    ASSERT_EQ(status, Status::kOk) << size;
+    EXPECT_EQ(command_.order, Order::kAbort) << size;
+    EXPECT_EQ(command_.issuer, size < 8 ? 0U : kStart.issuer) << size;
+    EXPECT_EQ(command_.number, size < 12 ? 0U : kStart.number) << size;
+  }
+  EXPECT_EQ(receiver_.counters().cut, 49U);
+  EXPECT_EQ(receiver_.counters().taken, 50U);
+  for (const Frame& frame : cut_to(frames_of(kStart), 52, kUs)) static_cast<void>(accept(frame));
+  EXPECT_EQ(receiver_.counters().refused, 1U) << "nobody starts by half an order";
+}
+
+TEST_F(OrdersTest, ThatAbortInPacketsAreTakenWhenTheyGoToAll) {
+  OperatorCommand abort = kStart;
+  abort.order = Order::kAbort;
+  Status status = Status::kNotReady;
+  for (const Frame& frame : frames_of(abort, {.source = kOperator, .destination = kBroadcast, .sequence = 1})) status = accept(frame);
+  EXPECT_EQ(status, Status::kOk);
+  EXPECT_EQ(command_, abort);
+}
+
 TEST_F(OrdersTest, ThatNobodyKnowsComeAsTheyAreSoThatTheirSenderHearsSo) {
   OperatorCommand unknown = kStart;
   for (const int raw : {0, 4, 9}) {
@@ -180,7 +219,11 @@ TEST_F(OrdersTest, AreCountedByWhatBecameOfThem) {
   undated[2].data = {undated[2].data[0], 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0x7F};
   Status status = Status::kOk;
   for (const Frame& frame : undated) status = accept(frame);
-  EXPECT_EQ(status, Status::kNotReady);
+  EXPECT_EQ(status, Status::kMalformed);
+  EXPECT_EQ(sender_, kOperator) << "who is to hear so";
+  EXPECT_EQ(command_.issuer, kStart.issuer);
+  EXPECT_EQ(command_.number, kStart.number);
+  EXPECT_EQ(command_.order, Order::kStart);
   EXPECT_EQ(receiver_.counters().taken, 1U);
   EXPECT_EQ(receiver_.counters().refused, 1U);
   EXPECT_EQ(receiver_.counters().other, 0U);
@@ -202,16 +245,16 @@ TEST_F(OrdersTest, AreNotFoundInOurOwnAnswersComeBackOrThoseOfOthers) {
 TEST_F(OrdersTest, WhoseAnswerNobodyKnowsIsRefused) {
   FastPacketFrames frames;
   const messages::CommandAcknowledgement sent{
-      .time = kNow, .port = 0, .issuer = 1, .number = 2, .order = Order::kStart, .outcome = messages::CommandOutcome::kAutopilotSilent};
+      .time = kNow, .port = 0, .issuer = 1, .number = 2, .order = Order::kStart, .outcome = messages::CommandOutcome::kUnreadable};
   ASSERT_EQ(compose_acknowledgement(sent, kRoute, frames), Status::kOk);
   FastPacketAssembly assembly;
   std::span<const std::uint8_t> view;
   for (const Frame& frame : frames)
     static_cast<void>(assembly.accept({.pgn = kPeerPgn, .source = kOperator, .destination = kUs}, frame, view));
   std::vector<std::uint8_t> bytes(view.begin(), view.end());
-  ASSERT_EQ(bytes[12], 10);
+  ASSERT_EQ(bytes[12], 12);
   EXPECT_TRUE(read_acknowledgement(bytes).ok());
-  bytes[12] = 11;
+  bytes[12] = 13;
   EXPECT_EQ(read_acknowledgement(bytes).status(), Status::kUnsupported);
   bytes[12] = 0xFF;
   EXPECT_EQ(read_acknowledgement(bytes).status(), Status::kNotReady);

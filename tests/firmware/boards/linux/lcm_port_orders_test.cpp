@@ -1,0 +1,125 @@
+// lcm_port.cpp: what it makes of orders, readable or not.
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "earshot/command_acknowledgement_t.hpp"
+#include "firmware/boards/linux/lcm_port.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
+#include "tests/firmware/boards/linux/set_clock.hpp"
+#include "tests/support/private_network.hpp"
+
+namespace earshot::board {
+namespace {
+
+using host::Role;
+using messages::Order;
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr const char* kOrdersUrl = "udpm://239.255.76.67:7667?ttl=0";
+
+class OrderSink final : public InputSink {
+ public:
+  void take(std::uint8_t /*port*/, const Value& value) override {
+    if (const auto* command = std::get_if<messages::OperatorCommand>(&value)) commands.push_back(*command);
+  }
+  void tell_order_trouble(std::uint8_t /*port*/, OrderTrouble trouble) override { ++troubles[trouble]; }
+  std::vector<messages::OperatorCommand> commands;
+  std::map<OrderTrouble, int> troubles;
+};
+
+class LcmPortOrders : public testing::Test {
+ protected:
+  void SetUp() override { ENTER_PRIVATE_NETWORK_OR_SKIP(); }
+
+  static Bytes bytes_of(const messages::OperatorCommand& command) {
+    const wire::Encoded encoded(wire::to_message(command));
+    return {encoded.bytes().begin(), encoded.bytes().end()};
+  }
+  static messages::OperatorCommand command(Order order, std::uint32_t number) {
+    return {.time = Time{1'795'000'000'000'000}, .expiry = Time{1'795'000'060'000'000}, .issuer = 4711, .number = number, .order = order};
+  }
+  void say(const Bytes& bytes) { ASSERT_EQ(ashore_.publish(wire::kOperatorCommandChannel, bytes), Status::kOk); }
+  std::vector<command_acknowledgement_t> answers() {
+    std::vector<command_acknowledgement_t> answers;
+    ashore_.collect();
+    for (wire::Lc02Message message; ashore_.take(message) == Status::kOk;) {
+      if (wire::decode(message.data, answers.emplace_back()) != Status::kOk) ADD_FAILURE() << message.channel;
+    }
+    return answers;
+  }
+
+  const host::PortSettings settings_{.name = "vehicle", .address = kOrdersUrl, .roles = {Role::kOperator}};
+  LcmPort port_{1, settings_};
+  host::LcmEndpoint ashore_{host::parse_lcm_url(kOrdersUrl), {wire::kAcknowledgementChannel}};
+  SetClock clock_;
+  OrderSink sink_;
+};
+
+// What PyPI's lcm-gen makes of an order whose `mark` nobody set: its 16 bytes are missing. Five such ABORTs were ignored without a word.
+TEST_F(LcmPortOrders, TakesAnAbortWhoseMarkIsMissingAndSaysSo) {
+  Bytes bytes = bytes_of(command(Order::kAbort, 3));
+  bytes.erase(bytes.begin() + 57, bytes.begin() + 73);
+  say(bytes);
+  port_.collect(clock_, sink_);
+  ASSERT_EQ(sink_.commands.size(), 1U);
+  EXPECT_EQ(sink_.commands[0].order, Order::kAbort);
+  EXPECT_EQ(sink_.commands[0].issuer, 4711U) << "it is acknowledged to its sender";
+  EXPECT_EQ(sink_.commands[0].number, 3U);
+  EXPECT_EQ(sink_.troubles, (std::map<OrderTrouble, int>{{OrderTrouble::kCutAbort, 1}}));
+  EXPECT_EQ(port_.report().malformed, 0U);
+}
+
+TEST_F(LcmPortOrders, KeepsAnAbortThatIsCutHoweverManyOrdersComeBehindIt) {
+  Bytes bytes = bytes_of(command(Order::kAbort, 3));
+  bytes.resize(40);
+  say(bytes);
+  for (std::uint32_t number = 4; number < 20; ++number) say(bytes_of(command(Order::kPause, number)));
+  port_.collect(clock_, sink_);
+  ASSERT_FALSE(sink_.commands.empty());
+  EXPECT_EQ(sink_.commands[0].order, Order::kAbort);
+}
+
+TEST_F(LcmPortOrders, AnswersAnOrderThatItCannotReadWithTheReason) {
+  Bytes bytes = bytes_of(command(Order::kStart, 3));
+  bytes.erase(bytes.begin() + 57, bytes.begin() + 73);
+  say(bytes);
+  say({1, 2, 3});
+  port_.collect(clock_, sink_);
+  EXPECT_TRUE(sink_.commands.empty()) << "nobody starts by half an order";
+  EXPECT_EQ(sink_.troubles, (std::map<OrderTrouble, int>{{OrderTrouble::kUnreadable, 2}}));
+  EXPECT_EQ(port_.report().malformed, 2U);
+  const std::vector<command_acknowledgement_t> told = answers();
+  ASSERT_EQ(told.size(), 2U);
+  EXPECT_EQ(told[0].issuer, 4711);
+  EXPECT_EQ(told[0].number, 3);
+  EXPECT_EQ(told[0].command, static_cast<int>(Order::kStart));
+  EXPECT_EQ(told[0].outcome, static_cast<int>(messages::CommandOutcome::kUnreadable));
+  EXPECT_EQ(told[0].utime, clock_.time.us);
+  EXPECT_EQ(told[1].issuer, 0) << "nobody knows whose it was";
+  EXPECT_EQ(told[1].outcome, static_cast<int>(messages::CommandOutcome::kUnreadable));
+}
+
+TEST_F(LcmPortOrders, AnswersNoMoreUnreadableOrdersInATurnThanItAnswersOthers) {
+  for (int round = 0; round < 10; ++round) {
+    for (int i = 0; i < 4; ++i) say({1, 2, 3});  // as many as wait in the queue of one channel
+    port_.collect(clock_, sink_);
+  }
+  EXPECT_EQ(sink_.troubles[OrderTrouble::kUnreadable], 40);
+  std::size_t answered = 0;
+  for (std::size_t more = answers().size(); more > 0; more = answers().size()) answered += more;
+  EXPECT_LE(answered, config::kMaxAcknowledgements);
+  EXPECT_GT(answered, 0U);
+  port_.publish(clock_.time, {});
+  say({1, 2, 3});
+  port_.collect(clock_, sink_);
+  EXPECT_EQ(answers().size(), 1U) << "in the next turn again";
+}
+
+}  // namespace
+}  // namespace earshot::board
