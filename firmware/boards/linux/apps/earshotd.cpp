@@ -26,6 +26,7 @@
 #include "firmware/boards/linux/host_mission_clock.hpp"
 #include "firmware/boards/linux/memory_proof.hpp"
 #include "firmware/boards/linux/outage/outage_time.hpp"
+#include "firmware/boards/linux/outage/safety_places.hpp"
 #include "firmware/boards/linux/port_set.hpp"
 #include "firmware/boards/linux/simulation_plugin.hpp"
 #include "firmware/boards/linux/waiting.hpp"
@@ -181,6 +182,17 @@ std::unique_ptr<board::Clock> clock_at_sea(const Options& o, const host::SafetyC
   return clock;
 }
 
+std::vector<host::BusLock> lock_buses(const Options& o, const host::MissionFile& file) {
+  if (o.simulation) return host::lock_buses(file, host::BusPlace::kVehicle);
+  std::vector<host::BusLock> locks =
+      host::lock_buses_at_sea(file, board::SafetyFolders::of_this_process().runtime.value_or(std::filesystem::path()));
+  for (const host::BusLock& lock : locks) {
+    if (!lock.stranger().empty())
+      std::cerr << "earshotd: warning: " << host::printable(lock.stranger()) << ", and is no user of this vehicle: not heeded\n";
+  }
+  return locks;
+}
+
 /// @param safety  of a vehicle at sea; null in simulation
 int fly(const Options& o, const board::HostClock& host, host::SafetyCopies* safety) {
   host::MissionJudge judge = board::judge_of(o.vehicle, venture_of(o));
@@ -188,7 +200,7 @@ int fly(const Options& o, const board::HostClock& host, host::SafetyCopies* safe
   const host::SignedSearch search = judge.load_search(file);
   std::unique_ptr<runtime::Runtime> runtime = make_runtime(file, search, o.mission.string());
   std::unique_ptr<board::BoardCore> board = make_board(o, file, search);
-  const std::vector<host::BusLock> locks = host::lock_buses(file, o.simulation ? std::optional(host::BusPlace::kVehicle) : std::nullopt);
+  const std::vector<host::BusLock> locks = lock_buses(o, file);
   board::PortSet ports;
   // At sea a link may come after the vehicle computer.
   if (o.simulation) {
