@@ -23,8 +23,9 @@ using host::Weight;
 
 /// A report of the journal itself outlives the streams on the full disk that it is about; it claims nothing of the orders' reserve, for
 /// which streams that still wait would be given up.
-Weight weight_of(std::uint8_t port, const InputSink::Value& value) {
-  if (std::holds_alternative<messages::OperatorCommand>(value)) return Weight::kOrder;
+/// Nor does an order that was refused: whoever floods the bus with them must not be able to push out those that are obeyed.
+Weight weight_of(std::uint8_t port, const InputSink::Value& value, messages::CommandOutcome outcome) {
+  if (std::holds_alternative<messages::OperatorCommand>(value)) return messages::was_obeyed(outcome) ? Weight::kOrder : Weight::kStream;
   return port == kOwnPort ? Weight::kSteering : Weight::kStream;
 }
 
@@ -69,11 +70,14 @@ Time MissionTurn::now() {
 }
 
 void MissionTurn::take(std::uint8_t port, const Value& value) {
+  const auto* const order = std::get_if<messages::OperatorCommand>(&value);
+  const bool is_aborted = outputs_.health.state == messages::MissionState::kAbort;
+  if (order != nullptr && port != kOwnPort && !gate_.lets_through(*order, now(), is_aborted)) return ports_.count_lost(port);
   const messages::Input input{.arrival = now(), .port = port, .sequence = memory_.inputs, .value = value};
   memory_.note(input);
   const wire::InputRecord record(input);
-  append(input.arrival, record.channel(), record.data(), weight_of(port, value));
-  core_.take(input);
+  const messages::CommandOutcome outcome = core_.take(input);
+  append(input.arrival, record.channel(), record.data(), weight_of(port, value, outcome));
   is_called_ = is_called_ || calls_for_turn(value);
 }
 

@@ -8,6 +8,7 @@
 
 #include "firmware/boards/linux/clock.hpp"
 #include "firmware/boards/linux/core/core.hpp"
+#include "firmware/boards/linux/core/order_gate.hpp"
 #include "firmware/boards/linux/news/flight_news.hpp"
 #include "firmware/boards/linux/outage/safety_log.hpp"
 #include "firmware/boards/linux/port.hpp"
@@ -115,6 +116,7 @@ class MissionTurn final : public InputSink {
   host::Journal* journal_ = nullptr;
   Clock& clock_;
   TurnMemory memory_;
+  OrderGate gate_;
   Time journal_up_due_;       ///< not before is it told that the disk takes the journal again
   runtime::Outputs outputs_;  ///< of the last turn
   runtime::Outputs told_;     ///< likewise, where it was told otherwise

@@ -47,34 +47,34 @@ ComingUp::ComingUp(const config::Mission& mission, const host::SafetyRecord& rec
   health_.end_reason = was_over ? record.end_reason : messages::EndReason::kOutage;
 }
 
-void ComingUp::take(const messages::Input& input) {
+CommandOutcome ComingUp::take(const messages::Input& input) {
+  CommandOutcome outcome = CommandOutcome::kObeyed;
   if (const auto* fix = std::get_if<messages::Navigation>(&input.value); fix != nullptr && messages::is_usable(*fix)) {
     fix_ = *fix;
     fix_->time = input.arrival;
   }
   const auto* status = std::get_if<messages::VehicleStatus>(&input.value);
   is_released_ = is_released_ || (releases_on_leak_ && status != nullptr && status->has_leak);
-  if (const auto* command = std::get_if<messages::OperatorCommand>(&input.value)) answer(input.arrival, input.port, *command);
+  if (const auto* command = std::get_if<messages::OperatorCommand>(&input.value)) outcome = answer(input.arrival, input.port, *command);
   const auto* report = std::get_if<messages::PortReport>(&input.value);
-  if (report == nullptr) return;
+  if (report == nullptr) return outcome;
   const auto known = std::ranges::find(health_.ports, report->port, &messages::PortReport::port);
   if (known != health_.ports.end()) {
     *known = *report;
   } else {
     static_cast<void>(health_.ports.push_back(*report));
   }
+  return outcome;
 }
 
-void ComingUp::answer(Time arrival, std::uint8_t port, const messages::OperatorCommand& command) {
+CommandOutcome ComingUp::answer(Time arrival, std::uint8_t port, const messages::OperatorCommand& command) {
   const bool is_abort = command.order == messages::Order::kAbort;
+  const CommandOutcome outcome = is_abort ? CommandOutcome::kRepeated : CommandOutcome::kNotInThisState;
   if (!is_abort) ++health_.counters.commands_refused;
   // Where there is no room its sender asks again.
-  static_cast<void>(acknowledgements_.push_back({.time = arrival,
-                                                 .port = port,
-                                                 .issuer = command.issuer,
-                                                 .number = command.number,
-                                                 .order = command.order,
-                                                 .outcome = is_abort ? CommandOutcome::kRepeated : CommandOutcome::kNotInThisState}));
+  static_cast<void>(acknowledgements_.push_back(
+      {.time = arrival, .port = port, .issuer = command.issuer, .number = command.number, .order = command.order, .outcome = outcome}));
+  return outcome;
 }
 
 runtime::Outputs ComingUp::step(Time now) {

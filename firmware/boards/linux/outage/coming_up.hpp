@@ -29,13 +29,13 @@ class ComingUp final : public Core {
   /// @param mission  with the limits of the record; what else it says is not looked at, but its vehicle and its rule about a leak
   ComingUp(const config::Mission& mission, const host::SafetyRecord& record);
 
-  void take(const messages::Input& input) override;
+  messages::CommandOutcome take(const messages::Input& input) override;
   [[nodiscard]] runtime::Outputs step(Time now) override;
   [[nodiscard]] const config::Mission& mission() const override { return mission_; }
 
  private:
   [[nodiscard]] messages::Setpoint setpoint(Time now);
-  void answer(Time arrival, std::uint8_t port, const messages::OperatorCommand& command);
+  messages::CommandOutcome answer(Time arrival, std::uint8_t port, const messages::OperatorCommand& command);
 
   config::Mission mission_;
   Duration long_enough_;  ///< to come up from the deepest
