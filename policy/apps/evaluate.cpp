@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "firmware/host/file/checksum_text.hpp"
+#include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/listening/listening_words.hpp"
@@ -200,35 +201,33 @@ constexpr host::OutputKind kPathsOutput{"paths of earshot evaluate (CSV)", {"wor
 /// What was read of the files that are given.
 struct Inputs {
   std::span<const evaluate::Candidate> candidates;
+  const ocean::Environment& environment;
   std::span<const evaluate::WorldFile> worlds;
   std::span<const host::TablesFile> tables;
 };
 
-/// No file that is read may be one that is written: --force would replace it.
-void check_inputs(const Options& o, const Inputs& read, std::span<const command_line::Output> outputs) {
-  const auto check = [outputs](const char* option, const std::filesystem::path& file) {
-    if (!file.empty()) command_line::check_is_none_of(outputs, option, file);
-  };
-  for (const evaluate::Candidate& candidate : read.candidates) check("POLICY", candidate.file);
-  if (o.search.environment) check("--environment", *o.search.environment);
-  if (o.mission) check("--mission", *o.mission);
-  for (const std::string& file : o.worlds) check("--world", file);
-  for (const evaluate::WorldFile& world : read.worlds) {
-    check("the environment of a world", world.environment);
-    check("the field library of a world", world.scenario.field_library);
-  }
-  for (const host::TablesFile& file : read.tables) check("--tables", file.path);
+/// None of which may be written: --force would replace it.
+host::DistinctFiles files_of(const Options& o, const Inputs& inputs) {
+  host::DistinctFiles read;
+  for (const evaluate::Candidate& candidate : inputs.candidates)
+    if (!candidate.file.empty()) read.read("POLICY", candidate.file);
+  if (o.search.environment) read.read("--environment", *o.search.environment);
+  read.read("a file of the environment", inputs.environment.files);
+  if (o.mission) read.read("--mission", *o.mission);
+  for (const std::string& file : o.worlds) read.read("--world", file);
+  for (const evaluate::WorldFile& world : inputs.worlds) read.read("the environment of a world", world.scenario.environment.files);
+  for (const host::TablesFile& file : inputs.tables) read.read("--tables", file.path);
+  return read;
 }
 
 void check_files(const Options& o, const Inputs& read) {
   if (o.plot) command_line::check_picture_name("--plot", *o.plot);
-  std::vector<command_line::Output> files;
+  std::vector<host::Output> files;
   if (o.json) files.push_back({"--json", *o.json, kFiguresOutput});
   if (o.csv) files.push_back({"--csv", *o.csv, kTableOutput});
   if (o.plot) files.push_back({"--plot", *o.plot, host::picture_kind(*o.plot)});
   if (o.paths) files.push_back({"--paths", *o.paths, kPathsOutput});
-  check_inputs(o, read, files);
-  command_line::require_writable(files, host::replaced_by(o.force));
+  host::require_writable(files_of(o, read), files, host::replaced_by(o.force));
 }
 
 /// The search that is flown, and who said so.
@@ -349,7 +348,7 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
   if (named_tables.empty() && mission && !mission->file.tables.empty()) named_tables.push_back(mission->file.tables.string());
   const evaluate::TablesGiven given = evaluate::read_tables(named_tables);
   session.all_or_none<BadInput>([&] {
-    if (speaks) check_files(o, {candidates, worlds, given.files});
+    if (speaks) check_files(o, {candidates, environment, worlds, given.files});
   });
   std::vector<std::string> warnings = warnings_of(candidates, {task.settings, task.depth, host::crc32_text(environment.file_crc32)});
   const std::vector<const host::TablesFile*> tables = evaluate::tables_of_worlds(given, worlds, task.settings, warnings);

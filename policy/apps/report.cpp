@@ -1,9 +1,12 @@
 // earshot-report: one page about one flight.
 
+#include <array>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <utility>
 
+#include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/program/talk.hpp"
@@ -46,8 +49,10 @@ void tell_others(const std::filesystem::path& folder, const report::Flight& flig
 int write_report(const std::filesystem::path& folder, host::Replace replace) try {
   const std::filesystem::path page = page_of(folder);
   const report::Flight flight = report::read_flight(folder);
+  host::DistinctFiles read;
+  read.read("DIR", report::files_of_flight(folder));
+  host::require_writable(std::move(read), std::array{host::Output{"the page", page, host::kHtmlOutput}}, replace);
   const report::Pictures pictures = report::pictures_of(flight);
-  host::require_writable(page, host::kHtmlOutput, replace);
   host::write_whole(page, report::page(flight, pictures, report::explain_flight(folder)));
   program::say() << host::printable(page.string()) << ": " << flight.journal.decisions.size() << " decisions\n";
   program::detail() << folder.string() << ": " << flight.journal.decisions.size() << " decisions in " << flight.journal.records

@@ -11,6 +11,7 @@
 #include "earshot/decision_t.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/journal/journal_name.hpp"
+#include "firmware/host/journal/journal_parts.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/messages/health.hpp"
@@ -227,6 +228,18 @@ std::string lack_of(const JournalledSearch& journal) {
   for (const std::string& sentence : {damage_within(journal), missing_records(journal), ending_of(journal)})
     if (!sentence.empty()) lack += (lack.empty() ? "" : " ") + sentence;
   return lack;
+}
+
+std::vector<std::filesystem::path> files_of_flight(const std::filesystem::path& folder_or_journal) {
+  const bool is_folder = std::filesystem::is_directory(folder_or_journal);
+  const std::filesystem::path journal = is_folder ? folder_or_journal / kJournalName : folder_or_journal;
+  std::vector<std::filesystem::path> files{journal};
+  if (std::filesystem::exists(journal)) files = host::JournalParts(journal).files();
+  for (const char* extension : {".policy", ".tables"}) files.push_back(std::filesystem::path(journal).replace_extension(extension));
+  if (!is_folder) return files;
+  for (const char* name : {"summary.json", "track.csv", "snr.csv", kHearingName, kSpectrogramName})
+    files.push_back(folder_or_journal / name);
+  return files;
 }
 
 std::optional<std::filesystem::path> beside_journal(const std::filesystem::path& journal, const std::string& extension) {

@@ -78,6 +78,10 @@ inline constexpr const char* kJournalName = "journal.lcmlog";  ///< in a flight'
 /// @throws host::BadInput naming the journal when it is missing, or the file that cannot be read.
 [[nodiscard]] Flight read_flight(const std::filesystem::path& folder_or_journal);
 
+/// All that read_flight() may read, and what flew beside the journal: its parts, the policy, the tables, a simulator's files. Some may not
+/// be there. @throws host::BadInput naming the journal when it cannot be read.
+[[nodiscard]] std::vector<std::filesystem::path> files_of_flight(const std::filesystem::path& folder_or_journal);
+
 /// A place in a summary: {"north_m": ..., "east_m": ...}.
 [[nodiscard]] NorthEast place_in(const nlohmann::json& place);
 

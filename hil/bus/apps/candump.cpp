@@ -12,10 +12,10 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/program/run.hpp"
@@ -225,13 +225,22 @@ int read_log(const Settings& settings, Read read) {
   return Work(settings).read_lines(read, piece, size);
 }
 
+/// --replace would empty the log that is read.
+void require_not_recorded(const Settings& settings, const std::string& name, const std::filesystem::path& log) {
+  if (!settings.record) return;
+  host::DistinctFiles files;
+  files.read(name, log);
+  files.write("--record", *settings.record);
+}
+
 int work(const Settings& settings) {
-  if (settings.input == "-") return read_log(settings, read_standard_input);
+  if (settings.input == "-") {
+    require_not_recorded(settings, "standard input", "/dev/stdin");
+    return read_log(settings, read_standard_input);
+  }
   if (!is_interface(settings.input)) {
     host::InputFile file(settings.input, host::kAnySize);
-    std::error_code ignored;
-    if (settings.record && std::filesystem::equivalent(settings.input, *settings.record, ignored))
-      throw host::BadInput(settings.record->string() + ": cannot be read and written at once");
+    require_not_recorded(settings, "INPUT", settings.input);
     return read_log(settings, [&file](std::vector<std::uint8_t>& into) { return file.read(into); });
   }
   std::optional<host::CanSocket> socket;

@@ -5,8 +5,9 @@
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
-#include "firmware/host/file/output_file.hpp"
+#include "firmware/host/file/distinct_files.hpp"
 #include "sim/plot/gnuplot.hpp"
 #include "sim/sonar/fan.hpp"
 
@@ -144,10 +145,14 @@ void require_consistent(const program::CommandLine& line, const FieldArguments& 
                 "--band-hz: the low frequency comes first, and must be less than the high one");
 }
 
-void require_writable(const FieldArguments& arguments) {
-  const host::Replace replace = host::replaced_by(arguments.force);
-  host::require_writable(arguments.output, host::kNetcdfOutput, replace);
-  if (!arguments.plot.empty()) host::require_writable(arguments.plot, host::picture_kind(arguments.plot), replace);
+void require_writable(const FieldArguments& arguments, const ocean::Environment& environment) {
+  host::DistinctFiles read;
+  if (!arguments.library.empty()) read.read("--library", arguments.library);
+  read.read("ENVIRONMENT", environment.files.front());
+  read.read("a file of ENVIRONMENT", environment.files);
+  std::vector<host::Output> outputs{{"--output", arguments.output, host::kNetcdfOutput}};
+  if (!arguments.plot.empty()) outputs.push_back({"--plot", arguments.plot, host::picture_kind(arguments.plot)});
+  host::require_writable(std::move(read), outputs, host::replaced_by(arguments.force));
 }
 
 sonar::RadialPlan plan_radial(const FieldArguments& arguments, const ocean::Environment& environment, double default_step_wavelengths,

@@ -87,7 +87,7 @@ void require_water(const ocean::Environment& environment, const sonar::FanPlan& 
 
 void write_fan(const FieldArguments& arguments) {
   const auto environment = environment_in(arguments.environment);
-  require_writable(arguments);
+  require_writable(arguments, environment);
   const NorthEast source = environment.source.position;
   const Meters deepest = sonar::deepest_sea_floor(environment, source, arguments.radials, Meters{1000.0 * arguments.max_range_km});
   const sonar::FanPlan plan{.bearings = arguments.radials, .radial = plan_radial(arguments, environment, 1.0 / 3.0, deepest)};

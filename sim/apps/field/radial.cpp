@@ -61,7 +61,7 @@ void warn(const std::optional<ocean::UnmeasuredWater>& water) {
 
 void write_radial(const FieldArguments& arguments) {
   const auto environment = environment_in(arguments.environment);
-  require_writable(arguments);
+  require_writable(arguments, environment);
   const Radians bearing{arguments.bearing_deg * std::numbers::pi / 180.0};
   const Meters deepest =
       sonar::deepest_sea_floor(environment, environment.source.position, bearing, Meters{1000.0 * arguments.max_range_km});

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "firmware/core/time.hpp"
+#include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/file/folder_lock.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
@@ -104,6 +105,14 @@ void FlightFolder::move_up() {
   }
   fs::remove_all(finished);
   bring_to_disk(folder_);
+}
+
+void require_left_alone(const FlightPlan& plan, const fs::path& mission, const fs::path& recording, const fs::path& folder) {
+  host::DistinctFiles files;
+  files.read("--mission", mission);
+  files.read("a file of --environment", plan.scenario.environment.files);
+  if (!recording.empty()) files.read("--hear", recording);
+  for (const char* name : kFiles) files.write("a file of --out", folder / name);
 }
 
 }  // namespace earshot::fly

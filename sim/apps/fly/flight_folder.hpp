@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "firmware/host/file/file_descriptor.hpp"
+#include "sim/apps/fly/flight_plan.hpp"
 
 namespace earshot::fly {
 
@@ -36,5 +37,11 @@ class FlightFolder {
   std::filesystem::path unfinished_;
   host::FileDescriptor lock_;
 };
+
+/// What a flight leaves in its folder takes the place of whatever bears that name there.
+/// @param recording  that is heard; empty: none
+/// @throws host::BadInput naming both when that is one of the files that the flight is made of
+void require_left_alone(const FlightPlan& plan, const std::filesystem::path& mission, const std::filesystem::path& recording,
+                        const std::filesystem::path& folder);
 
 }  // namespace earshot::fly

@@ -332,6 +332,7 @@ void require_band_of_source(const Options& o, const fly::FlightPlan& plan, const
 /// Both processes would say the same about a bad file: say it once, before either starts.
 host::MissionFile checked_mission(const Options& o) {
   const fly::FlightPlan plan = fly::load_flight_plan(o.mission, o.environment, o.vehicle);
+  fly::require_left_alone(plan, o.mission, fly::recording_of(o.hear.value_or(fly::kSynthetic)), o.out);
   warn_of_another_frequency(o, plan);
   host::MissionFile mission = plan.mission;
   if (o.battery_percent) fly::require_known_consumption(mission.mission, o.mission);

@@ -23,6 +23,7 @@
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "sim/apps/fly/autopilot_bus.hpp"
+#include "sim/apps/fly/flight_folder.hpp"
 #include "sim/apps/fly/flight_plan.hpp"
 #include "sim/apps/fly/flight_record.hpp"
 #include "sim/apps/fly/hearing/hear_option.hpp"
@@ -227,6 +228,7 @@ std::optional<vehicle::Battery> battery_of(const Options& o, const config::Missi
 
 int simulate(const Options& o) {
   FlightPlan plan = load_flight_plan(o.mission, o.environment, o.vehicle);
+  require_left_alone(plan, o.mission, recording_of(o.hear.value_or(kSynthetic)), o.out);
   host::override_ports(plan.mission, o.ports);
   if (o.hear) host::require_hydrophone(plan.mission, o.mission);
   if (plan.scenario.conditions.bearing && std::ranges::none_of(plan.mission.ports, brings_bearings))

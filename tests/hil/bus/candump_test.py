@@ -216,7 +216,23 @@ class Records(InAFolder):
 
     def test_never_the_file_that_is_being_read(self):
         log = self.write("sea.log", LINES[0] + "\n")
-        self.assertEqual(candump(log, "--record", log, "--replace").returncode, 2)
+        hard = self.folder / "hard.log"
+        hard.hardlink_to(log)
+        for record in (log, str(hard)):
+            refused = candump(log, "--record", record, "--replace")
+            self.assertEqual(refused.returncode, 2)
+            self.assertIn(f"INPUT {log}, --record {record}: the same file", refused.stderr)
+            with Path(log).open() as given:
+                from_shell = subprocess.run(
+                    [PROGRAM, "-", "--record", record, "--replace"],
+                    check=False,
+                    stdin=given,
+                    capture_output=True,
+                    text=True,
+                    timeout=60,
+                )
+            self.assertEqual(from_shell.returncode, 2, from_shell)
+            self.assertIn(f"--record {record}: the same file", from_shell.stderr)
         self.assertEqual(Path(log).read_text(), LINES[0] + "\n")
 
     def test_whole_lines_on_a_full_disk_and_says_so(self):

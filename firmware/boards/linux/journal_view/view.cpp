@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "firmware/boards/linux/journal_view/export/export.hpp"
@@ -63,11 +64,14 @@ host::BadInput no_record_in(const std::filesystem::path& journal) {
 /// The files that are asked for, all judged before the first is begun.
 class Exports {
  public:
-  explicit Exports(const ViewOptions& options) : options_(options) {
-    for (const std::filesystem::path& part : host::JournalParts(options.journal).files()) files_of_command_.read(part);
-    judge(options.csv, kTurnTableOutput);
-    judge(options.jsonl, kRecordLinesOutput);
-    judge(options.mcap, kMcapOutput);
+  explicit Exports(const ViewOptions& options) {
+    host::DistinctFiles read;
+    read.read("JOURNAL", host::JournalParts(options.journal).files());
+    std::vector<host::Output> outputs;
+    if (options.csv) outputs.push_back({"--csv", *options.csv, kTurnTableOutput});
+    if (options.jsonl) outputs.push_back({"--jsonl", *options.jsonl, kRecordLinesOutput});
+    if (options.mcap) outputs.push_back({"--mcap", *options.mcap, kMcapOutput});
+    host::require_writable(std::move(read), outputs, options.replace);
     if (options.csv) add(*options.csv, std::make_unique<TurnTable>(*options.csv, options.plane));
     if (options.jsonl) add(*options.jsonl, std::make_unique<RecordLines>(*options.jsonl));
     if (options.mcap) add(*options.mcap, std::make_unique<McapExport>(*options.mcap, options.plane));
@@ -90,15 +94,8 @@ class Exports {
     std::unique_ptr<Export> content;
   };
 
-  void judge(const std::optional<std::filesystem::path>& path, const host::OutputKind& kind) {
-    if (!path) return;
-    files_of_command_.write(*path);
-    host::require_writable(*path, kind, options_.replace);
-  }
   void add(const std::filesystem::path& path, std::unique_ptr<Export> content) { files_.push_back({path, std::move(content)}); }
 
-  const ViewOptions& options_;
-  host::DistinctFiles files_of_command_;
   std::vector<File> files_;
 };
 

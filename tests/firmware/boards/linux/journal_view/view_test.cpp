@@ -111,13 +111,18 @@ TEST_F(JournalView, ReplacesNothingOfAnotherKindUnlessItIsForced) {
 TEST_F(JournalView, NeverWritesOverTheJournalThatItReads) {
   const std::string before = support::read_text(journal_);
   fs::create_symlink(journal_, file("link"));
+  fs::create_hard_link(journal_, file("hard"));
   std::ofstream(file("journal.part2.lcmlog")) << "a part whose beginning is damaged";
-  for (const std::string& name : {journal_.string(), file("link"), file("journal.part2.lcmlog")})
-    EXPECT_EQ(view({"--mcap", name, "--force"}), 2) << errors_;
+  for (const std::string& name : {journal_.string(), file("link"), file("hard"), file("journal.part2.lcmlog")}) {
+    for (const char* option : {"--csv", "--jsonl", "--mcap"}) {
+      EXPECT_EQ(view({option, name, "--force"}), 2) << errors_;
+      EXPECT_NE(errors_.find(std::string(option) + " " + name + ": the same file"), std::string::npos) << errors_;
+    }
+  }
   EXPECT_EQ(support::read_text(file("journal.part2.lcmlog")), "a part whose beginning is damaged");
   EXPECT_EQ(support::read_text(journal_), before);
   EXPECT_EQ(view({"--csv", file("x"), "--jsonl", file("./x")}), 2);
-  EXPECT_NE(errors_.find("the same file is read, or written already"), std::string::npos) << errors_;
+  EXPECT_NE(errors_.find("--csv " + file("x") + ", --jsonl " + file("./x") + ": the same file"), std::string::npos) << errors_;
 }
 
 TEST_F(JournalView, RefusesAnOriginThatIsNone) {

@@ -58,6 +58,11 @@ class ReplayCommand : public ::testing::Test {
     return status;
   }
   [[nodiscard]] std::string file(const char* name) const { return (folder_ / name).string(); }
+  void write_mission(const char* name, const std::string& more) const {
+    std::string text = support::mission_of_the_walk(support::read_text(EARSHOT_SOURCE_DIR "/firmware/boards/linux/missions/search.toml"));
+    text.insert(text.find("file = \"walk.policy\""), "public_key_file = \"walk.pub\"\n");
+    std::ofstream(file(name)) << text << more;
+  }
 
   static constexpr std::uint64_t kSeed = 1;  ///< whose first draw is not north
   const support::TemporaryFolder folder_;
@@ -112,9 +117,7 @@ TEST_F(ReplayCommand, SaysWhatAnotherPolicyWouldHaveDecidedAndDrawsIt) {
 }
 
 TEST_F(ReplayCommand, NamesTheRuleByWhichAnotherMissionEnds) {
-  std::string mission = support::mission_of_the_walk(support::read_text(EARSHOT_SOURCE_DIR "/firmware/boards/linux/missions/search.toml"));
-  mission.insert(mission.find("file = \"walk.policy\""), "public_key_file = \"walk.pub\"\n");
-  std::ofstream(file("m.toml")) << mission << "\n[[rule]]\nwhen = \"vehicle_status_age_s\"\nabove = 3.0\nthen = \"abort\"\n";
+  write_mission("m.toml", "\n[[rule]]\nwhen = \"vehicle_status_age_s\"\nabove = 3.0\nthen = \"abort\"\n");
   EXPECT_EQ(replay({"--mission", file("m.toml"), "--json", file("r.json")}), 0) << errors_;
   // Nine rules stand in a mission without a fence. Nobody tells of the vehicle from the second in which the search begins: three seconds
   // are over in the sixth.
@@ -150,11 +153,34 @@ TEST_F(ReplayCommand, ReplacesNothingOfAnotherKindAndNeverTheJournal) {
   EXPECT_EQ(support::read_text(file("r.json")), "notes of mine");
   EXPECT_EQ(replay({"--json", file("r.json"), "--force"}), 0) << errors_;
   const std::string before = support::read_text(journal_);
-  EXPECT_EQ(replay({"--json", journal_.string(), "--force"}), 2);
+  fs::create_hard_link(journal_, file("hard.json"));
+  for (const std::string& name : {journal_.string(), file("hard.json")}) {
+    EXPECT_EQ(replay({"--json", name, "--force"}), 2);
+    EXPECT_EQ(errors_, "JOURNAL " + journal_.string() + ", --json " + name + ": the same file, one would replace the other\n");
+  }
+  EXPECT_EQ(replay({"--policy", file("north.policy"), "--json", file("north.policy"), "--force"}), 2);
+  EXPECT_EQ(replay({"--policy", file("north.policy"), "--json", file("a.svg"), "--map", file("a.svg"), "--force"}), 2);
   EXPECT_EQ(support::read_text(journal_), before);
   std::ofstream(file("journal.part2.lcmlog")) << "a part whose beginning is damaged";
   EXPECT_EQ(replay({"--json", file("journal.part2.lcmlog"), "--force"}), 2);
   EXPECT_EQ(support::read_text(file("journal.part2.lcmlog")), "a part whose beginning is damaged");
+}
+
+TEST_F(ReplayCommand, ReplacesNothingThatTheQuestionIsOf) {
+  write_mission("m.toml", "\n[authority]\nkey_file = \"m.key\"\n");
+  std::ofstream(file("m.key")) << "000102030405060708090a0b0c0d0e0f101112131415161718191a1b1c1d1e1f\n";
+  fs::permissions(file("m.key"), fs::perms::owner_read | fs::perms::owner_write);
+  std::ofstream(file("x.tables")) << "judged by its name before it is read";
+  const std::vector<std::vector<std::string>> refused{
+      {"--mission", file("m.toml"), file("m.toml"), "--mission " + file("m.toml")},
+      {"--mission", file("m.toml"), file("m.key"), "the command key of --mission " + file("m.key")},
+      {"--tables", file("x.tables"), file("x.tables"), "--tables " + file("x.tables")}};
+  for (const std::vector<std::string>& each : refused) {
+    const std::string before = support::read_text(each[2]);
+    EXPECT_EQ(replay({each[0], each[1], "--json", each[2], "--force"}), 2);
+    EXPECT_EQ(errors_, each[3] + ", --json " + each[2] + ": the same file, one would replace the other\n");
+    EXPECT_EQ(support::read_text(each[2]), before);
+  }
 }
 
 }  // namespace
