@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/transport/bus_lock.hpp"
 #include "tests/scenario/vehicle_over_lcm.hpp"
 #include "tests/scenario/walk_at_sea.hpp"
@@ -72,6 +73,20 @@ class RestartAtSea : public WalkAtSea {
     EXPECT_EQ(earshotd_->wait(std::chrono::milliseconds(0)), -1) << "it goes on until it is stopped" << earshotd_->output();
   }
 
+  /// Started again, and told to come up while its journal is read.
+  void start_with_slow_reading() {
+    ::setenv("LD_PRELOAD", EARSHOT_SICK_HOST, 1);
+    ::setenv("EARSHOT_TEST_READING_S", "12", 1);
+    start();
+    for (const char* name : {"LD_PRELOAD", "EARSHOT_TEST_READING_S"}) ::unsetenv(name);
+    const int setpoints = vehicle_->setpoints;
+    const auto began = std::chrono::steady_clock::now();
+    ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->setpoints > setpoints; })) << earshotd_->output();
+    EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(10));
+    EXPECT_EQ(vehicle_->depth(), Meters{0.0});
+    EXPECT_EQ(vehicle_->state(), MissionState::kSearch);
+  }
+  [[nodiscard]] bool is_said(std::string_view words) const { return earshotd_->output().find(words) != std::string::npos; }
   [[nodiscard]] fs::path journal() const { return folder_ / "journal.lcmlog"; }
 
   std::optional<VehicleOverLcm> vehicle_;  ///< in the test's own network
@@ -149,6 +164,41 @@ TEST_F(RestartAtSea, GivenACommandLineThatItDoesNotKnowItComesUp) {
   kill();
   start({"--option-of-a-newer-unit"});
   expect_comes_up();
+}
+
+TEST_F(RestartAtSea, GivenAJournalThatTakesLongToReadItComesUpMeanwhileAndThenGoesOn) {
+  search();
+  kill();
+  start_with_slow_reading();
+  ASSERT_TRUE(vehicle_->sails_until([&] { return is_said("goes on from"); })) << earshotd_->output();
+  EXPECT_TRUE(is_said(": SEARCH, after ")) << earshotd_->output();
+}
+
+TEST_F(RestartAtSea, GivenAnAbortWhileTheJournalIsReadItIsAcknowledgedAtOnceAndHolds) {
+  search();
+  kill();
+  start_with_slow_reading();
+  vehicle_->order(Order::kAbort);
+  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->outcome == messages::CommandOutcome::kObeyed; })) << earshotd_->output();
+  EXPECT_FALSE(is_said("goes on from"));
+  ASSERT_TRUE(vehicle_->sails_until([&] { return is_said("goes on from"); })) << earshotd_->output();
+  const int turns = vehicle_->turns;
+  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 5; })) << earshotd_->output();
+  EXPECT_EQ(vehicle_->state(), MissionState::kAbort);
+  EXPECT_EQ(vehicle_->health.end_reason, static_cast<std::int8_t>(messages::EndReason::kOperatorAbort)) << earshotd_->output();
+}
+
+TEST_F(RestartAtSea, GivenAStopWhileTheJournalIsReadItEndsInOrderAndNothingIsUnderWayAfterIt) {
+  search();
+  kill();
+  start_with_slow_reading();
+  earshotd_->signal(SIGTERM);
+  EXPECT_EQ(earshotd_->wait(std::chrono::seconds(5)), program::kInterrupted) << earshotd_->output();
+  vehicle_->health = {};
+  const int turns = vehicle_->turns;
+  start();
+  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 5; })) << earshotd_->output();
+  EXPECT_EQ(vehicle_->state(), MissionState::kStandby) << earshotd_->output();
 }
 
 }  // namespace

@@ -96,7 +96,8 @@ int come_up(const Options& o, host::SafetyCopies& copies, const HostClock& host,
     turn.tell(*news);
   }
   settle_memory(o);
-  const Pace pace{.period = Duration::seconds(1), .turns = host::Turns::kPeriodic};
+  const Duration period = vehicle.step_period > Duration{} ? vehicle.step_period : Duration::seconds(1);
+  const Pace pace{.period = period, .turns = host::Turns::kPeriodic};
   const LoopResult result = board::fly(turn, ports, clock, pace, program::stop_requested);
   writer.reset();
   (void)safety.close(std::chrono::seconds(3));

@@ -4,8 +4,10 @@
 
 #include <chrono>
 #include <cstdint>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <future>
 #include <iostream>
 #include <optional>
 #include <span>
@@ -21,6 +23,7 @@
 #include "firmware/boards/linux/news/line_writer.hpp"
 #include "firmware/boards/linux/outage/held_orders.hpp"
 #include "firmware/boards/linux/outage/kept_vehicle.hpp"
+#include "firmware/boards/linux/outage/meanwhile.hpp"
 #include "firmware/boards/linux/outage/safety_log.hpp"
 #include "firmware/boards/linux/replay/resume.hpp"
 #include "firmware/core/crc32.hpp"
@@ -42,6 +45,8 @@ using program::stop_requested;
 
 /// With disks, where nothing is under way.
 constexpr std::chrono::seconds kAshore{3};
+/// That say stop and come up: on a bus that loses messages one may not arrive.
+constexpr int kLastSetpoints = 5;
 
 host::JournalOptions journal_options(const Options& o) {
   constexpr std::uint64_t kMegabyte = 1'000'000;
@@ -113,9 +118,37 @@ void tell_of_others_journal(const std::filesystem::path& wanted) {
               << ": no safety record of this vehicle names it: it is left, and a new mission begins\n";
 }
 
+/// From the start of the reading on nobody commands; from then on somebody does.
+constexpr std::chrono::seconds kUncommanded{5};
+constexpr std::chrono::milliseconds kBetweenTurns{100};  // a bus wants to be served so often
+
+/// Nothing ends a reading that is under way but the program's end; the journal is as if it had crashed.
+[[noreturn]] void stop_meanwhile(SafetyLog& safety, Meanwhile& meanwhile) {
+  for (int said = 0; said < kLastSetpoints; ++said) meanwhile.turn();
+  (void)safety.close(kAshore);
+  std::cerr << "earshotd: stopped by a signal while it read the journal; the vehicle was told to stop and come up\n";
+  std::_Exit(program::kInterrupted);
+}
+
+/// Reads the journal again; where that takes long, the vehicle is told to stop and come up meanwhile. @return what find_unfinished() does
+std::optional<Unfinished> read_again(const Flight& f, const std::filesystem::path& wanted, const Flown& flown, SafetyLog& safety,
+                                     Meanwhile& meanwhile) {
+  const std::uint32_t mark = f.safety->found()->journal_crc32;
+  auto reading = std::async(std::launch::async, [&] { return find_unfinished(wanted, flown, GoOnAfter::kLastInput, mark); });
+  if (reading.wait_for(kUncommanded) == std::future_status::timeout) {
+    std::cerr << "earshotd: reading the journal takes long; the vehicle is told to stop and come up meanwhile\n";
+    do {
+      meanwhile.turn();
+      if (stop_requested) stop_meanwhile(safety, meanwhile);
+    } while (reading.wait_for(kBetweenTurns) == std::future_status::timeout);
+  }
+  return reading.get();
+}
+
 /// The mission that a journal in the folder did not end. Nothing: a new one begins.
 /// @throws host::BadInput when the vehicle is under way, and its mission cannot go on
-std::optional<Unfinished> unfinished_mission(Flight& f, const std::filesystem::path& wanted) {
+std::optional<Unfinished> unfinished_mission(Flight& f, const std::filesystem::path& wanted, std::optional<SafetyLog>& safety,
+                                             std::optional<Meanwhile>& meanwhile) {
   if (!f.options.resume) return std::nullopt;
   const Flown flown{.mission = f.file.mission, .policy_crc32 = crc32(f.search.policy.bytes), .tables_crc32 = crc32(f.search.tables.bytes)};
   f.manager.ask_for(std::chrono::minutes(30));  // the journal of a month is read again
@@ -125,7 +158,8 @@ std::optional<Unfinished> unfinished_mission(Flight& f, const std::filesystem::p
   if (record == nullptr) return std::nullopt;
   std::optional<Unfinished> unfinished;
   try {
-    unfinished = find_unfinished(wanted, flown, GoOnAfter::kLastInput, record->journal_crc32);
+    unfinished = meanwhile ? read_again(f, wanted, flown, *safety, *meanwhile)
+                           : find_unfinished(wanted, flown, GoOnAfter::kLastInput, record->journal_crc32);
   } catch (const host::BadInput& e) {
     if (is_under_way(*record)) throw;
     f.holds_orders = record->kept_crc32 == crc32(kept_vehicle(f.file));
@@ -200,7 +234,13 @@ ServiceManager service_manager(const Options& o) {
 int fly(Flight& f) {
   std::filesystem::create_directories(f.options.out);
   const std::filesystem::path wanted = f.options.out / "journal.lcmlog";
-  std::optional<Unfinished> unfinished = unfinished_mission(f, wanted);
+  std::optional<SafetyLog> safety;
+  std::optional<Meanwhile> meanwhile;
+  if (const host::SafetyRecord* const record = open_record(f); record != nullptr) {
+    safety.emplace(*f.safety, f.host, counted(*record));
+    if (is_under_way(*record)) meanwhile.emplace(f.file.mission, f.ports, f.clock, *safety);
+  }
+  std::optional<Unfinished> unfinished = unfinished_mission(f, wanted, safety, meanwhile);
   if (f.options.replace)
     host::require_writable(wanted, host::kJournalOutput, host::Replace::kOwnKind, "move it away, or name another folder with --out");
   host::Journal journal = unfinished
@@ -211,12 +251,12 @@ int fly(Flight& f) {
   OwnCore own(*f.runtime);
   Core& core = f.board ? static_cast<Core&>(*f.board) : own;
   MissionTurn turn(core, f.ports, journal, f.clock);
-  std::optional<SafetyLog> safety;
-  if (f.safety != nullptr) safety.emplace(*f.safety, f.host, unfinished ? counted(*f.safety->found()) : host::SafetyRecord{});
+  if (f.safety != nullptr && !unfinished) safety.emplace(*f.safety, f.host, host::SafetyRecord{});
   turn.report_to(f.manager);
   turn.begin_parts_when(program::has_hung_up);
   const Duration hold = begin(f, unfinished ? &unfinished->before : nullptr, journal.path(), safety ? &*safety : nullptr, turn);
   order_what_held(f, turn.outputs(), core, turn);
+  if (meanwhile && meanwhile->abort()) turn.take(meanwhile->abort()->first, meanwhile->abort()->second);
   if (safety) turn.keep_safe(*safety);
   MemoryProof proof;
   LoopResult result;

@@ -51,6 +51,13 @@ bool SafetyLog::note(Time turn, const runtime::Outputs& outputs, const config::M
   return copies_.is_durable();
 }
 
+bool SafetyLog::abort(std::chrono::milliseconds patience) {
+  record_.state = messages::MissionState::kAbort;
+  record_.end_reason = messages::EndReason::kOperatorAbort;
+  date();
+  return copies_.write(record_, patience);
+}
+
 bool SafetyLog::close(std::chrono::milliseconds patience) {
   record_.is_closed = true;
   date();

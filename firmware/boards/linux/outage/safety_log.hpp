@@ -33,6 +33,8 @@ class SafetyLog {
   /// than `patience`. What no disk takes is tried again for as long as it takes.
   /// @return whether all of it is durable
   bool note(Time turn, const runtime::Outputs& outputs, const config::Mission& mission, std::chrono::milliseconds patience);
+  /// An operator aborted the mission before its first turn. @return as note()
+  bool abort(std::chrono::milliseconds patience);
   /// The program was stopped in order: the vehicle is somebody else's again.
   bool close(std::chrono::milliseconds patience);
 
