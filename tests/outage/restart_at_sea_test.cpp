@@ -8,9 +8,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "firmware/host/program/exit_status.hpp"
@@ -199,6 +201,48 @@ TEST_F(RestartAtSea, GivenAStopWhileTheJournalIsReadItEndsInOrderAndNothingIsUnd
   start();
   ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 5; })) << earshotd_->output();
   EXPECT_EQ(vehicle_->state(), MissionState::kStandby) << earshotd_->output();
+}
+
+TEST_F(RestartAtSea, GivenAJournalThatWasFlownElsewhereItBeginsInStandbyAndCommandsNothing) {
+  search();
+  kill();
+  const fs::path elsewhere = folder_ / "elsewhere";
+  fs::create_directory(elsewhere);
+  fs::rename(journal(), elsewhere / "journal.lcmlog");
+  const int setpoints = vehicle_->setpoints;
+  const int turns = vehicle_->turns;
+  earshotd_ = std::make_unique<support::Process>(
+      fs::path(EARSHOT_BIN_DIR) / "earshotd",
+      std::vector<std::string>{folder_ / "mission.toml", "--policy", folder_ / "walk.policy", "--public-key", folder_ / "walk.pub", "--out",
+                               elsewhere, "--resume", "--speed", "10"},
+      folder_ / "earshotd.txt");
+  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 10; })) << earshotd_->output();
+  EXPECT_EQ(vehicle_->state(), MissionState::kStandby);
+  EXPECT_EQ(vehicle_->setpoints, setpoints);
+  EXPECT_TRUE(is_said("no safety record of this vehicle names it")) << earshotd_->output();
+}
+
+TEST_F(RestartAtSea, GivenThreeStartsThatEndedAtOnceTheFourthComesUp) {
+  search();
+  for (int i = 0; i < 3; ++i) {
+    kill();
+    start();
+    ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->state() == MissionState::kSearch; })) << i << earshotd_->output();
+  }
+  kill();
+  start();
+  expect_comes_up();
+  EXPECT_TRUE(is_said("ended 3 times within a minute of its start")) << earshotd_->output();
+}
+
+TEST_F(RestartAtSea, GivenAFlightUnderWayASecondProgramWithItsFolderIsRefusedAndTriedAgain) {
+  search();
+  const std::unique_ptr<support::Process> first = std::move(earshotd_);
+  start();
+  EXPECT_EQ(earshotd_->wait(std::chrono::seconds(10)), program::kLost) << earshotd_->output();
+  const int turns = vehicle_->turns;
+  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 5; }));
+  EXPECT_EQ(vehicle_->state(), MissionState::kSearch);
 }
 
 }  // namespace
