@@ -54,6 +54,8 @@ namespace earshot::messages {
       return "refused: its mark lacks the vehicle's challenge";
     case CommandOutcome::kUnreadable:
       return "refused: unreadable";
+    case CommandOutcome::kObeyedNotDurable:
+      return "obeyed, not durable";
   }
   return "refused";
 }

@@ -25,8 +25,9 @@ enum class EndReason : std::uint8_t {
   kSafetyRule = 8,   ///< another rule of the safety supervisor; its event says which
   kMemoryFault = 9,  ///< a bit flipped in the runtime's memory
   kFound = 10,       ///< the vehicle itself says that it has found the source; its last decision says why
+  kOutage = 11,      ///< after an outage of the vehicle's computer the mission could not go on
 };
-inline constexpr EndReason kLastEndReason = EndReason::kFound;
+inline constexpr EndReason kLastEndReason = EndReason::kOutage;
 
 /// Between Earshot and the autopilot.
 enum class Authority : std::uint8_t {

@@ -45,6 +45,8 @@ namespace earshot::messages {
       return "the vehicle says that it has found the source";
     case EndReason::kMemoryFault:
       return "the computer's memory is at fault";
+    case EndReason::kOutage:
+      return "it could not go on after an outage";
   }
   return "?";
 }

@@ -59,9 +59,14 @@ enum class CommandOutcome : std::uint8_t {
   kNotTighter = 9,        ///< a TIGHTEN that loosens a limit, contradicts the mission, or says none
   kAutopilotSilent = 10,  ///< START while listening, and the mission's autopilot is not heard
   kOldMark = 11,          ///< as kNotVerified; its mark would be right, but lacks the vehicle's challenge
-  kUnreadable = 12        ///< its bytes are no order; a port says so, the runtime never sees it
+  kUnreadable = 12,       ///< its bytes are no order; a port says so, the runtime never sees it
+  /// Done, but no disk has it yet: a power cut may make it forgotten. Said on the bus in place of kObeyed; the runtime never says it.
+  kObeyedNotDurable = 13
 };
-inline constexpr CommandOutcome kLastCommandOutcome = CommandOutcome::kUnreadable;
+inline constexpr CommandOutcome kLastCommandOutcome = CommandOutcome::kObeyedNotDurable;
+[[nodiscard]] constexpr bool was_obeyed(CommandOutcome outcome) {
+  return outcome == CommandOutcome::kObeyed || outcome == CommandOutcome::kObeyedNotDurable;
+}
 
 /// Goes back to whoever gave the command.
 struct CommandAcknowledgement {

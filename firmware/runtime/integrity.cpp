@@ -84,12 +84,13 @@ Outputs Runtime::step(Time now) {
   return outputs;  // one object: what is returned in two places lies on the stack twice
 }
 
-void Runtime::take(const messages::Input& input) {
+messages::CommandOutcome Runtime::take(const messages::Input& input) {
   assert(input.port < config::kMaxPorts);
   if (!is_intact()) integrity_ = 0;
-  if (integrity_ != kIntact) return;
-  judge(input);
+  if (integrity_ != kIntact) return messages::CommandOutcome::kNotInThisState;
+  const messages::CommandOutcome outcome = judge(input);
   seal();
+  return outcome;
 }
 
 }  // namespace earshot::runtime

@@ -127,16 +127,19 @@ void Runtime::turn(Time now, Outputs& outputs) {
   outputs.health = health(now);
 }
 
-void Runtime::judge(const messages::Input& input) {
+messages::CommandOutcome Runtime::judge(const messages::Input& input) {
+  CommandOutcome outcome = CommandOutcome::kObeyed;
   if (const auto* navigation = std::get_if<messages::Navigation>(&input.value)) take(input.arrival, *navigation);
   if (const auto* measurement = std::get_if<messages::SnrMeasurement>(&input.value)) take(input.arrival, *measurement);
   if (const auto* bearing = std::get_if<messages::BearingMeasurement>(&input.value)) take(input.arrival, input.port, *bearing);
-  if (const auto* command = std::get_if<messages::OperatorCommand>(&input.value)) take_command(input.arrival, input.port, *command);
+  if (const auto* command = std::get_if<messages::OperatorCommand>(&input.value))
+    outcome = take_command(input.arrival, input.port, *command);
   if (const auto* report = std::get_if<messages::PortReport>(&input.value)) take(*report);
   safety::Situation& situation = progress_.situation;
   if (const auto* status = std::get_if<messages::VehicleStatus>(&input.value)) take_status(input.arrival, *status, situation.vehicle);
   if (const auto* status = std::get_if<messages::AutopilotStatus>(&input.value)) take_status(input.arrival, *status, situation.autopilot);
   if (const auto* status = std::get_if<messages::HydrophoneStatus>(&input.value)) take_status(input.arrival, *status, situation.hydrophone);
+  return outcome;
 }
 
 void Runtime::take(Time arrival, const messages::Navigation& navigation) {
@@ -187,7 +190,7 @@ void Runtime::take(const messages::PortReport& report) {
   static_cast<void>(progress_.ports.push_back(report));  // a report of a port that cannot be: there is room for each that can
 }
 
-void Runtime::take_command(Time arrival, std::uint8_t port, const messages::OperatorCommand& command) {
+CommandOutcome Runtime::take_command(Time arrival, std::uint8_t port, const messages::OperatorCommand& command) {
   const authority::CommandJudge::Verdict verdict = progress_.judge.judge(arrival, command);
   if (verdict.is_from_now) progress_.situation.operator_heard = arrival;
   CommandOutcome outcome = verdict.outcome;
@@ -198,6 +201,7 @@ void Runtime::take_command(Time arrival, std::uint8_t port, const messages::Oper
   }
   acknowledge(
       {.time = arrival, .port = port, .issuer = command.issuer, .number = command.number, .order = command.order, .outcome = outcome});
+  return outcome;
 }
 
 /// When there is no room its sender asks again; but an ABORT takes the place of the last.

@@ -71,7 +71,8 @@ class Runtime {
   /// of its arrival counts as the arrival. Bearings likewise, by the SNR's timeout; of two senders the first holds
   /// (detector::BearingListener).
   /// ABORT ends the mission here and now, whatever its date: no order before or after it in the same turn can undo it.
-  void take(const messages::Input& input);
+  /// @return what became of an order; kObeyed of any other input
+  messages::CommandOutcome take(const messages::Input& input);
 
   /// The mission as it is flown: with the limits that an operator made tighter.
   [[nodiscard]] const config::Mission& mission() const { return mission_; }
@@ -128,7 +129,7 @@ class Runtime {
   [[nodiscard]] Status judge_search(const config::Mission& mission, const policy::FrozenPolicy& policy);
   void arm(const config::Mission& mission);
 
-  void judge(const messages::Input& input);
+  messages::CommandOutcome judge(const messages::Input& input);
   void turn(Time now, Outputs& outputs);
   void take(Time arrival, const messages::Navigation& navigation);
   void take(Time arrival, const messages::SnrMeasurement& measurement);
@@ -136,7 +137,7 @@ class Runtime {
   void take(const messages::PortReport& report);
   template <class Status>
   void take_status(Time arrival, const Status& status, std::optional<Status>& newest);
-  void take_command(Time arrival, std::uint8_t port, const messages::OperatorCommand& command);
+  messages::CommandOutcome take_command(Time arrival, std::uint8_t port, const messages::OperatorCommand& command);
   [[nodiscard]] messages::CommandOutcome obey(Time arrival, const messages::OperatorCommand& command);
   void acknowledge(const messages::CommandAcknowledgement& acknowledgement);
   void end(messages::MissionState state, messages::EndReason reason);

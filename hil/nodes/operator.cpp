@@ -63,7 +63,7 @@ void Operator::take_answer(const messages::CommandAcknowledgement& answer, Time 
   if (asked == waiting_.end()) return;  // a repetition's, or none of ours
   waiting_.erase(asked);
   answers_.push_back(answer);
-  if (answer.outcome == messages::CommandOutcome::kObeyed) return;
+  if (messages::was_obeyed(answer.outcome)) return;
   rests_until_ = now + kAfterRefusal;
   if (answer.order == Order::kStart) has_started_ = false;  // to be given anew while there is reason
   if (answer.order == Order::kComplete) has_completed_ = false;

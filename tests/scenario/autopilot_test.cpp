@@ -324,13 +324,13 @@ TEST_F(Autopilot, GivenThePythonExampleThatSaysThatItLeaksARuleThatReleasesReach
 TEST_F(Autopilot, GivenAnOutcomeThatThePythonExamplesDoNotKnowTheySaySo) {
   const char* interpreter = std::getenv("EARSHOT_PYTHON");
   const std::string program = "import sys; sys.path.insert(0, '" + (kBoard / "examples").string() +
-                              "'); from marked_order import outcome_of; print(*map(outcome_of, range(-1, 14)))";
+                              "'); from marked_order import outcome_of; print(*map(outcome_of, range(0, 15)))";
   support::Process python(interpreter == nullptr ? "" : interpreter, {"-c", program}, folder_ / "outcomes.txt");
   EXPECT_EQ(python.wait(20s), 0);
   EXPECT_EQ(python.output(),
-            "outcome -1, which this program does not know OBEYED REPEATED TOO_OLD EXPIRED NOT_IN_THIS_STATE UNKNOWN_ORDER NOT_CONFIGURED "
-            "OUT_OF_ORDER NOT_VERIFIED NOT_TIGHTER AUTOPILOT_SILENT OLD_MARK UNREADABLE outcome 13, which this program does not know\n");
-  EXPECT_EQ(static_cast<int>(messages::kLastCommandOutcome), 12) << "the Python examples know all";
+            "OBEYED REPEATED TOO_OLD EXPIRED NOT_IN_THIS_STATE UNKNOWN_ORDER NOT_CONFIGURED OUT_OF_ORDER NOT_VERIFIED NOT_TIGHTER "
+            "AUTOPILOT_SILENT OLD_MARK UNREADABLE OBEYED_NOT_DURABLE outcome 14, which this program does not know\n");
+  EXPECT_EQ(static_cast<int>(messages::kLastCommandOutcome), 13) << "the Python examples know all";
 }
 
 TEST_F(Autopilot, GivenANetworkThatComesAfterItEarshotdWaitsAndThenHearsNavigation) {

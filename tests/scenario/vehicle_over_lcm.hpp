@@ -4,17 +4,20 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
 #include <vector>
 
+#include "earshot/command_acknowledgement_t.hpp"
 #include "earshot/health_t.hpp"
 #include "earshot/setpoint_t.hpp"
 #include "firmware/boards/linux/host_clock.hpp"
 #include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/messages/operator_command.hpp"
+#include "firmware/messages/vehicle_status.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
@@ -27,7 +30,8 @@ class VehicleOverLcm {
   /// Mission seconds in a second.
   static constexpr double kSpeed = 10.0;
 
-  explicit VehicleOverLcm(const std::string& url) : endpoint_(host::parse_lcm_url(url), {wire::kHealthChannel, wire::kSetpointChannel}) {
+  explicit VehicleOverLcm(const std::string& url)
+      : endpoint_(host::parse_lcm_url(url), {wire::kHealthChannel, wire::kSetpointChannel, wire::kAcknowledgementChannel}) {
     fix_.position = {.north = Meters{12'500}, .east = Meters{12'500}};  // the middle of the mission's area
   }
 
@@ -43,12 +47,16 @@ class VehicleOverLcm {
     return false;
   }
 
-  void order(messages::Order order) {
-    const Time now = clock_.utc();
-    publish(wire::kOperatorCommandChannel,
-            wire::to_message(messages::OperatorCommand{
-                .time = now, .expiry = now + Duration::seconds(1000), .issuer = 4711, .number = ++orders_, .order = order}));
+  void order(messages::Order order, const messages::OperatorLimits& limits = {}) {
+    const Time now = utc();
+    messages::OperatorCommand command{
+        .time = now, .expiry = now + Duration::seconds(1000), .issuer = 4711, .number = ++orders_, .order = order};
+    command.limits = limits;
+    outcome.reset();
+    publish(wire::kOperatorCommandChannel, wire::to_message(command));
   }
+  /// Whether there is water in the hull, from now on.
+  void leak() { has_leak_ = true; }
   /// What no port can read.
   void send_nonsense() {
     const std::vector<std::uint8_t> nonsense(100'000, 0x5A);  // in several datagrams
@@ -58,8 +66,14 @@ class VehicleOverLcm {
   void take_new_routes() { endpoint_.refresh_interfaces(); }
 
   [[nodiscard]] messages::MissionState state() const { return static_cast<messages::MissionState>(health.state); }
+  /// That it was told last.
+  [[nodiscard]] Meters depth() const { return fix_.depth; }
   health_t health{};
-  int turns = 0;  ///< health messages heard
+  int turns = 0;                                    ///< health messages heard
+  int setpoints = 0;                                ///< likewise
+  bool is_released = false;                         ///< the last of them asks for that
+  std::optional<messages::CommandOutcome> outcome;  ///< of the last order, once it is answered
+  Duration clock_is_ahead;                          ///< its wall clock, and so that of all its devices
 
  private:
   template <class Message>
@@ -76,7 +90,13 @@ class VehicleOverLcm {
         fix_.heading = wanted.heading;
         fix_.speed = wanted.speed;
         fix_.depth = wanted.depth;
+        is_released = wanted.release_weight;
+        ++setpoints;
       }
+      command_acknowledgement_t answer{};
+      if (message.channel == wire::kAcknowledgementChannel && wire::decode(message.data, answer) == Status::kOk &&
+          answer.number == static_cast<std::int32_t>(orders_))
+        outcome = static_cast<messages::CommandOutcome>(answer.outcome);
     }
   }
   void move() {
@@ -87,16 +107,20 @@ class VehicleOverLcm {
     fix_.position.east += Meters{travelled_m * std::sin(fix_.heading.value)};
   }
   void send_measurements() {
-    fix_.time = clock_.utc();
+    fix_.time = utc();
     publish(wire::kNavStateChannel, wire::to_message(fix_));
-    publish(wire::kSnrEstimateChannel, wire::to_message(messages::SnrMeasurement{.time = clock_.utc(), .snr = Decibels{3}}));
+    publish(wire::kSnrEstimateChannel, wire::to_message(messages::SnrMeasurement{.time = utc(), .snr = Decibels{3}}));
+    if (has_leak_) publish(wire::kVehicleStatusChannel, wire::to_message(messages::VehicleStatus{.time = utc(), .has_leak = true}));
   }
+
+  [[nodiscard]] Time utc() const { return clock_.utc() + clock_is_ahead; }
 
   host::LcmEndpoint endpoint_;
   board::HostClock clock_;
   messages::Navigation fix_;
   std::chrono::steady_clock::time_point moved_ = std::chrono::steady_clock::now();
   std::uint32_t orders_ = 0;
+  bool has_leak_ = false;
 };
 
 }  // namespace earshot

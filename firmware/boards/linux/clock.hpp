@@ -56,6 +56,8 @@ class Clock {
   /// Converts the arrival of something that bears no date to the mission clock. @param utc  when the kernel received it
   [[nodiscard]] virtual Time arrival_of(Time utc) = 0;
 
+  /// Before the first wait(), of a mission that goes on: its journal ends there, which is past.
+  virtual void be_at_least(Time /*mission_time*/) {}
   /// Before the first wait(): the mission goes on from its journal, and this is the health of its last turn.
   virtual void go_on_after(const messages::Health& /*last*/) {}
 

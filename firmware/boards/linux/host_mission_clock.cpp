@@ -43,6 +43,10 @@ HostMissionClock::HostMissionClock(const HostClock& host, double speed, std::opt
   if (since) began_ = *since + scaled(began_ - *since, speed_);
 }
 
+void HostMissionClock::be_at_least(Time mission_time) {
+  if (now() < mission_time) go_on_at(mission_time);
+}
+
 Time HostMissionClock::now() {
   return began_ + scaled(host_.monotonic() - began_on_host_, speed_);
 }

@@ -19,6 +19,10 @@ class HostMissionClock final : public Clock {
   ///               nothing: from now on
   explicit HostMissionClock(const HostClock& host, double speed = 1.0, std::optional<Time> since = std::nullopt);
 
+  /// Of a mission that goes on: begins at this mission time, whatever the wall clock says.
+  void go_on_at(Time mission_time) { began_ = mission_time, began_on_host_ = host_.monotonic(); }
+
+  void be_at_least(Time mission_time) override;
   [[nodiscard]] Time now() override;
   [[nodiscard]] Time mission_time_of(Time utc) override;
   [[nodiscard]] Time utc_of(Time mission_time) override;

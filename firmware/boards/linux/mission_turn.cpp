@@ -21,15 +21,11 @@ namespace {
 
 using host::Weight;
 
-template <class Message>
-void append(host::Journal& journal, Time now, std::string_view channel, const Message& message, Weight weight) {
-  (void)journal.append(now, channel, wire::Encoded(message).bytes(), weight);  // the journal counts what it loses
-}
-
 /// A report of the journal itself outlives the streams on the full disk that it is about; it claims nothing of the orders' reserve, for
 /// which streams that still wait would be given up.
-Weight weight_of(std::uint8_t port, const InputSink::Value& value) {
-  if (std::holds_alternative<messages::OperatorCommand>(value)) return Weight::kOrder;
+/// Nor does an order that was refused: whoever floods the bus with them must not be able to push out those that are obeyed.
+Weight weight_of(std::uint8_t port, const InputSink::Value& value, messages::CommandOutcome outcome) {
+  if (std::holds_alternative<messages::OperatorCommand>(value)) return messages::was_obeyed(outcome) ? Weight::kOrder : Weight::kStream;
   return port == kOwnPort ? Weight::kSteering : Weight::kStream;
 }
 
@@ -47,15 +43,21 @@ void write_build(std::string_view build, Bytes& bytes) {
 
 }  // namespace
 
-void MissionTurn::record_mission(const config::Mission& mission, const FlownWith& with) {
+void MissionTurn::append(Time time, std::string_view channel, std::span<const std::uint8_t> data, Weight weight) {
+  if (journal_ != nullptr) (void)journal_->append(time, channel, data, weight);  // the journal counts what it loses
+}
+
+std::uint32_t MissionTurn::record_mission(const config::Mission& mission, const FlownWith& with) {
   const Time begin = memory_.last = clock_.now();
   mission_t m = wire::to_message(mission, begin);
   m.policy_crc32 = static_cast<std::int32_t>(crc32(with.policy));
   m.tables_crc32 = static_cast<std::int32_t>(crc32(with.tables));
   write_build(with.build, m.build);
-  append(journal_, begin, wire::kMissionChannel, m, Weight::kOrder);
-  (void)journal_.append(begin, wire::kPolicyChannel, with.policy, Weight::kOrder);
-  (void)journal_.append(begin, wire::kTablesChannel, with.tables, Weight::kOrder);
+  const wire::Encoded encoded(m);
+  append(begin, wire::kMissionChannel, encoded.bytes(), Weight::kOrder);
+  append(begin, wire::kPolicyChannel, with.policy, Weight::kOrder);
+  append(begin, wire::kTablesChannel, with.tables, Weight::kOrder);
+  return host::checksum_of_record(0, begin, wire::kMissionChannel, encoded.bytes());
 }
 
 void MissionTurn::tell(FlightNews& news) {
@@ -68,11 +70,14 @@ Time MissionTurn::now() {
 }
 
 void MissionTurn::take(std::uint8_t port, const Value& value) {
+  const auto* const order = std::get_if<messages::OperatorCommand>(&value);
+  const bool is_aborted = outputs_.health.state == messages::MissionState::kAbort;
+  if (order != nullptr && port != kOwnPort && !gate_.lets_through(*order, now(), is_aborted)) return ports_.count_lost(port);
   const messages::Input input{.arrival = now(), .port = port, .sequence = memory_.inputs, .value = value};
   memory_.note(input);
   const wire::InputRecord record(input);
-  (void)journal_.append(input.arrival, record.channel(), record.data(), weight_of(port, value));
-  core_.take(input);
+  const messages::CommandOutcome outcome = core_.take(input);
+  append(input.arrival, record.channel(), record.data(), weight_of(port, value, outcome));
   is_called_ = is_called_ || calls_for_turn(value);
 }
 
@@ -108,17 +113,16 @@ void MissionTurn::record_trouble(std::uint8_t port, BusTrouble trouble, bool is_
       .port = static_cast<std::int8_t>(port),
       .trouble = trouble == BusTrouble::kBusOff ? controller_trouble_t::BUS_OFF : controller_trouble_t::ERROR_PASSIVE,
       .is_there = static_cast<std::int8_t>(is_there)};
-  append(journal_, memory_.last, wire::kControllerTroubleChannel, record, Weight::kSteering);
+  append(memory_.last, wire::kControllerTroubleChannel, wire::Encoded(record).bytes(), Weight::kSteering);
 }
 
 void MissionTurn::go_on_after(const Resumption& before, std::string_view build) {
   memory_ = before.memory;
   outputs_ = before.last;
-  for (const Playback::Unwritten& record : before.unwritten)
-    (void)journal_.append(memory_.last, record.channel, record.message.bytes(), record.weight);
+  for (const Playback::Unwritten& record : before.unwritten) append(memory_.last, record.channel, record.message.bytes(), record.weight);
   journal_resumed_t resumed{.utime = now().us, .cut_bytes = static_cast<std::int64_t>(before.cut_bytes), .build = {}};
   write_build(build, resumed.build);
-  append(journal_, memory_.last, wire::kJournalResumedChannel, resumed, Weight::kOrder);
+  append(memory_.last, wire::kJournalResumedChannel, wire::Encoded(resumed).bytes(), Weight::kOrder);
 }
 
 runtime::Outputs MissionTurn::operator()() {
@@ -126,13 +130,14 @@ runtime::Outputs MissionTurn::operator()() {
   const Time turn = now();
   report_journal(turn);
   is_called_ = false;
-  if (is_part_asked_for_ != nullptr && is_part_asked_for_->exchange(false)) journal_.begin_part();
+  if (is_part_asked_for_ != nullptr && is_part_asked_for_->exchange(false) && journal_ != nullptr) journal_->begin_part();
   outputs_ = core_.step(turn);
   const bool is_new_state = record(turn, outputs_);
   memory_.note(turn, outputs_);
   write_ahead_of(outputs_, is_new_state);
+  const bool is_durable = safety_ == nullptr || safety_->note(turn, outputs_, core_.mission(), patience_);
   ports_.note_speed(is_finite(memory_.speed.value) ? memory_.speed : memory_.commanded_speed);
-  ports_.publish(turn, outputs_);
+  ports_.publish(turn, as_told(is_durable));
   if (manager_ != nullptr) manager_->note_turn(outputs_.health);
   if (news_ == nullptr) return outputs_;
   news_->tell(turn, core_.mission());
@@ -151,22 +156,34 @@ void MissionTurn::write_ahead_of(const runtime::Outputs& outputs, bool is_new_st
     return acknowledgement.outcome == messages::CommandOutcome::kObeyed;
   });
   using Reach = host::Journal::Reach;
+  if (journal_ == nullptr) return;
   const bool is_weighty = has_obeyed || (is_ahead_always_ && (is_new_state || !outputs.safety_events.empty()));
-  if (is_weighty || is_ahead_always_) (void)journal_.flush(patience_, is_weighty ? Reach::kDisk : Reach::kFile);
+  if (is_weighty || is_ahead_always_) (void)journal_->flush(patience_, is_weighty ? Reach::kDisk : Reach::kFile);
 }
 
 void MissionTurn::report_journal(Time now) {
-  const bool is_fine = journal_.trouble() == host::JournalTrouble::kNone;
+  const bool is_kept = journal_ == nullptr || journal_->trouble() == host::JournalTrouble::kNone;
+  const bool is_fine = is_kept && (safety_ == nullptr || safety_->is_durable());
   if (is_fine == memory_.reports[kOwnPort].link_up || (is_fine && now < journal_up_due_)) return;
-  const host::JournalCounters counters = journal_.counters();
+  const host::JournalCounters counters = journal_ == nullptr ? host::JournalCounters{} : journal_->counters();
   journal_up_due_ = now + kJournalDownAtLeast;
   take(kOwnPort, messages::PortReport{.port = kOwnPort, .link_up = is_fine, .lost = counters.all_lost(), .unsent = counters.write_errors});
 }
 
+const runtime::Outputs& MissionTurn::as_told(bool is_durable) {
+  if (is_durable || outputs_.acknowledgements.empty()) return outputs_;
+  told_ = outputs_;
+  for (messages::CommandAcknowledgement& acknowledgement : told_.acknowledgements) {
+    if (acknowledgement.outcome == messages::CommandOutcome::kObeyed) acknowledgement.outcome = messages::CommandOutcome::kObeyedNotDurable;
+  }
+  return told_;
+}
+
 bool MissionTurn::record(Time now, const runtime::Outputs& outputs) {
   const bool is_new_state = memory_.recorded_state != outputs.health.state;
-  for_each_record(now, outputs, is_new_state,
-                  [&](std::string_view channel, const auto& message, Weight weight) { append(journal_, now, channel, message, weight); });
+  for_each_record(now, outputs, is_new_state, [&](std::string_view channel, const auto& message, Weight weight) {
+    append(now, channel, wire::Encoded(message).bytes(), weight);
+  });
   return is_new_state;
 }
 

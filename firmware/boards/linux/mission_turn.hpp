@@ -8,7 +8,9 @@
 
 #include "firmware/boards/linux/clock.hpp"
 #include "firmware/boards/linux/core/core.hpp"
+#include "firmware/boards/linux/core/order_gate.hpp"
 #include "firmware/boards/linux/news/flight_news.hpp"
+#include "firmware/boards/linux/outage/safety_log.hpp"
 #include "firmware/boards/linux/port.hpp"
 #include "firmware/boards/linux/port_set.hpp"
 #include "firmware/boards/linux/replay/resume.hpp"
@@ -40,10 +42,13 @@ class MissionTurn final : public InputSink {
  public:
   /// All four must outlive it.
   MissionTurn(Core& core, PortSet& ports, host::Journal& journal, Clock& clock)
-      : core_(core), ports_(ports), journal_(journal), clock_(clock) {}
+      : core_(core), ports_(ports), journal_(&journal), clock_(clock) {}
+  /// Of a vehicle that must be commanded though its journal cannot be written: nothing is journalled.
+  MissionTurn(Core& core, PortSet& ports, Clock& clock) : core_(core), ports_(ports), clock_(clock) {}
 
   /// Writes the journal's first three records, which say what is flown. To be called before anything else.
-  void record_mission(const config::Mission& mission, const FlownWith& with);
+  /// @return the checksum of the first of them, which marks this journal among all
+  std::uint32_t record_mission(const config::Mission& mission, const FlownWith& with);
 
   /// In place of record_mission(): goes on where another process ended, whose journal is this one's now, and whose runtime this one has.
   void go_on_after(const Resumption& before, std::string_view build);
@@ -57,6 +62,11 @@ class MissionTurn final : public InputSink {
     is_ahead_always_ = true;
     patience_ = patience;
   }
+
+  /// From now on what must not be forgotten of a turn is in the safety record before the turn is sent. What no disk takes within the
+  /// patience of write_ahead() is obeyed all the same; who ordered it is told that it is not durable (CommandOutcome::kObeyedNotDurable),
+  /// and so does health, where this computer's own port is down. @param safety  must outlive it
+  void keep_safe(SafetyLog& safety) { safety_ = &safety; }
 
   /// From now on every turn is told to a person, too. @param news  must outlive it
   void tell(FlightNews& news);
@@ -96,18 +106,24 @@ class MissionTurn final : public InputSink {
   void report_journal(Time now);
   void record_trouble(std::uint8_t port, BusTrouble trouble, bool is_there);
   void write_ahead_of(const runtime::Outputs& outputs, bool is_new_state);
+  void append(Time time, std::string_view channel, std::span<const std::uint8_t> data, host::Weight weight);
+  /// What the ports are told of a turn that no disk has: the journal, and who plays it back, know what the runtime said.
+  [[nodiscard]] const runtime::Outputs& as_told(bool is_durable);
 
   Core& core_;
   PortSet& ports_;
-  host::Journal& journal_;
+  host::Journal* journal_ = nullptr;
   Clock& clock_;
   TurnMemory memory_;
+  OrderGate gate_;
   Time journal_up_due_;       ///< not before is it told that the disk takes the journal again
   runtime::Outputs outputs_;  ///< of the last turn
+  runtime::Outputs told_;     ///< likewise, where it was told otherwise
   bool is_called_ = false;
   bool is_ahead_always_ = false;
   std::chrono::milliseconds patience_{100};
   std::atomic<bool>* is_part_asked_for_ = nullptr;
+  SafetyLog* safety_ = nullptr;
   ServiceManager* manager_ = nullptr;
   FlightNews* news_ = nullptr;
 };

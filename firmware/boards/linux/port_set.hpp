@@ -40,6 +40,8 @@ class PortSet {
   void report_changes(InputSink& sink);
   /// Counts on from what a process before this one reported: counters only grow.
   void count_on_from(const std::array<messages::PortReport, config::kMaxPorts>& reported);
+  /// A message that the port brought was not taken: its report counts it.
+  void count_lost(std::uint8_t port) { ++before_.at(port).lost; }
   /// Lets every port do what its bus wants of it; to be called at least ten times a second of the host's time.
   void serve();
   /// Waits until every port whose link is up could send, but no longer than `most`.
@@ -78,7 +80,7 @@ class PortSet {
  private:
   std::vector<std::unique_ptr<Port>> ports_;
   std::array<messages::PortReport, config::kMaxPorts> reported_{};
-  std::array<messages::PortReport, config::kMaxPorts> before_{};  ///< counted by a process before this one
+  std::array<messages::PortReport, config::kMaxPorts> before_{};  ///< counted by a process before this one, and by count_lost()
   std::array<pollfd, config::kMaxPorts> readable_{};
   std::uint64_t setpoints_sent_ = 0;
   std::chrono::steady_clock::time_point last_tended_ = std::chrono::steady_clock::now();

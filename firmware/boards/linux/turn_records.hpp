@@ -21,7 +21,8 @@ void for_each_record(Time turn, const runtime::Outputs& outputs, bool is_new_sta
   for (const messages::SafetyEvent& event : outputs.safety_events)
     keep(wire::kSafetyEventChannel, wire::to_message(event), Weight::kSteering);
   for (const messages::CommandAcknowledgement& acknowledgement : outputs.acknowledgements)
-    keep(wire::kAcknowledgementChannel, wire::to_message(acknowledgement), Weight::kOrder);
+    keep(wire::kAcknowledgementChannel, wire::to_message(acknowledgement),
+         messages::was_obeyed(acknowledgement.outcome) ? Weight::kOrder : Weight::kStream);
   keep(wire::kHealthChannel, wire::to_message(outputs.health, turn), is_new_state ? Weight::kOrder : Weight::kStream);
 }
 

@@ -28,6 +28,11 @@ std::array<std::uint8_t, kRecordHeaderSize> record_header(std::uint32_t number, 
   return header;
 }
 
+std::uint32_t checksum_of_record(std::uint32_t number, Time time, std::string_view channel, std::span<const std::uint8_t> data) {
+  const auto header = record_header(number, time, channel, data);
+  return static_cast<std::uint32_t>(load_big_endian(std::span(header).subspan(4, 4)));
+}
+
 LoneRecord::LoneRecord(std::uint32_t number, Time time, std::string_view channel, std::span<const std::uint8_t> data)
     : size_(kRecordHeaderSize + channel.size() + data.size()) {
   auto end = std::ranges::copy(record_header(number, time, channel, data), bytes_.begin()).out;

@@ -33,6 +33,10 @@ struct HeaderWriter {
 [[nodiscard]] std::array<std::uint8_t, kRecordHeaderSize> record_header(std::uint32_t number, Time time, std::string_view channel,
                                                                         std::span<const std::uint8_t> data);
 
+/// Of a whole record, as it stands in its header.
+[[nodiscard]] std::uint32_t checksum_of_record(std::uint32_t number, Time time, std::string_view channel,
+                                               std::span<const std::uint8_t> data);
+
 /// A small record in memory of its own, that goes into the file by itself.
 class LoneRecord {
  public:

@@ -1,10 +1,17 @@
 #include "firmware/host/journal/journal_name.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cstring>
+#include <fstream>
+#include <span>
 #include <string>
 #include <string_view>
 #include <system_error>
+
+#include "firmware/core/big_endian.hpp"
+#include "firmware/host/journal/journal_format.hpp"
 
 namespace earshot::host {
 namespace {
@@ -89,6 +96,21 @@ std::filesystem::path journal_in(const std::filesystem::path& folder_or_journal)
   std::filesystem::path first = folder_or_journal / kFirstJournal;
   if (std::filesystem::exists(first, error)) return first;
   return newest_journal(first).value_or(first);
+}
+
+std::optional<std::filesystem::path> journal_marked(const std::filesystem::path& wanted, std::uint32_t first_record_crc32) {
+  std::array<std::uint8_t, kCheckedFrom> mark{};
+  store_big_endian(std::span(mark).first(4), kRecordSync);
+  store_big_endian(std::span(mark).subspan(4), first_record_crc32);
+  int newest = 0;
+  for (const JournalName& name : journals_beside(wanted)) {
+    if (name.part > 1 || name.journal < newest) continue;
+    std::array<char, kCheckedFrom> beginning{};
+    std::ifstream file(named(wanted, name), std::ios::binary);
+    if (file.read(beginning.data(), beginning.size()) && std::memcmp(beginning.data(), mark.data(), mark.size()) == 0)
+      newest = name.journal;
+  }
+  return newest > 0 ? std::optional(named(wanted, {.journal = newest})) : std::nullopt;
 }
 
 }  // namespace earshot::host

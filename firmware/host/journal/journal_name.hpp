@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -41,5 +42,8 @@ inline constexpr const char* kFirstJournal = "journal.lcmlog";
 /// The journal that somebody means who names its folder: kFirstJournal, or where that is gone the newest of its name. Any other path is
 /// itself.
 [[nodiscard]] std::filesystem::path journal_in(const std::filesystem::path& folder_or_journal);
+
+/// The first part of the newest of them whose first record bears this checksum; nothing when none does.
+[[nodiscard]] std::optional<std::filesystem::path> journal_marked(const std::filesystem::path& wanted, std::uint32_t first_record_crc32);
 
 }  // namespace earshot::host

@@ -1,10 +1,15 @@
 #include "firmware/host/transport/bus_lock.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/socket.h>
 #include <sys/un.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -32,14 +37,19 @@ FileDescriptor open_local(const std::string& bus) {
   return socket;
 }
 
-/// Who listens at the name, as the kernel knows it.
-std::string holder_of(const Name& name, const std::string& bus) {
+/// Who listens at the name, as the kernel knows it; nothing: it does not say.
+std::optional<ucred> listener_at(const Name& name, const std::string& bus) {
   const FileDescriptor asking = open_local(bus);
   ucred holder{};
   socklen_t size = sizeof holder;
   if (name.with(::connect, asking) != 0 || ::getsockopt(asking.number(), SOL_SOCKET, SO_PEERCRED, &holder, &size) != 0 || holder.pid == 0)
-    return "another mission or flight on this machine";
-  return name_of_process(std::to_string(holder.pid));
+    return std::nullopt;
+  return holder;
+}
+
+std::string holder_of(const Name& name, const std::string& bus) {
+  const std::optional<ucred> holder = listener_at(name, bus);
+  return holder ? name_of_process(std::to_string(holder->pid)) : "another mission or flight on this machine";
 }
 
 }  // namespace
@@ -60,6 +70,21 @@ class BusName {
     take(place, lock);
     return lock;
   }
+  [[nodiscard]] BusLock lock_at_sea(const std::filesystem::path& folder) const {
+    BusLock lock;
+    const bool has_file = take_file(folder, lock);
+    for (const BusPlace place : {BusPlace::kFlight, BusPlace::kVehicle, BusPlace::kSimulator}) {
+      try {
+        take(place, lock);
+      } catch (const BusInUse& e) {
+        const std::optional<ucred> holder = listener_at(name_of(place), bus_);
+        const bool is_stranger = holder ? holder->uid != 0 && holder->uid != ::geteuid() : has_file;
+        if (!is_stranger) throw;
+        lock.stranger_ = e.what();
+      }
+    }
+    return lock;
+  }
 
  private:
   void take(BusPlace place, BusLock& lock) const {
@@ -74,6 +99,18 @@ class BusName {
     }
     if (errno == EADDRINUSE) throw BusInUse(bus_ + ": " + holder_of(name, bus_) + " is using it");
     throw std::system_error(errno, std::generic_category(), bus_ + ": bind");
+  }
+
+  /// @return whether it is held; where no such file can be made, the name alone counts
+  [[nodiscard]] bool take_file(const std::filesystem::path& folder, BusLock& lock) const {
+    if (folder.empty()) return false;
+    std::string name = "bus-" + key_ + ".lock";
+    std::ranges::replace_if(
+        name, [](unsigned char c) { return std::isalnum(c) == 0 && c != '.' && c != '-'; }, '_');
+    lock.file_ = FileDescriptor(::open((folder / name).c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600));
+    if (lock.file_.number() < 0) return false;
+    if (::flock(lock.file_.number(), LOCK_EX | LOCK_NB) == 0) return true;
+    throw BusInUse(bus_ + ": another mission of this service is using it (" + (folder / name).string() + ")");
   }
 
   [[nodiscard]] Name name_of(BusPlace place) const {
@@ -117,12 +154,20 @@ BusLock lock_lcm(std::string_view url, BusPlace place) {
   return lcm_bus(url).lock(place);
 }
 
+BusLock lock_lcm_at_sea(std::string_view url, const std::filesystem::path& folder) {
+  return lcm_bus(url).lock_at_sea(folder);
+}
+
 BusLock lock_can(std::string_view interface) {
   return can_bus(interface).lock();
 }
 
 BusLock lock_can(std::string_view interface, BusPlace place) {
   return can_bus(interface).lock(place);
+}
+
+BusLock lock_can_at_sea(std::string_view interface, const std::filesystem::path& folder) {
+  return can_bus(interface).lock_at_sea(folder);
 }
 
 }  // namespace earshot::host

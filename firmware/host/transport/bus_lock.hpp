@@ -3,7 +3,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include "firmware/host/file/file_descriptor.hpp"
@@ -39,9 +41,14 @@ class BusLock {
   /// Leaves vehicle and simulator to the processes that are about to be started, and stays in its own place.
   void leave_to_children();
 
+  /// Who else has the name of the bus, and is not heeded; empty: nobody.
+  [[nodiscard]] const std::string& stranger() const { return stranger_; }
+
  private:
   friend class BusName;
   std::array<FileDescriptor, kBusPlaces> places_;
+  FileDescriptor file_;  ///< at sea
+  std::string stranger_;
 };
 
 /// All places: nobody is on the bus yet. URLs of one group and port are one bus, whatever their options.
@@ -50,8 +57,15 @@ class BusLock {
 /// One place.
 [[nodiscard]] BusLock lock_lcm(std::string_view url, BusPlace place);
 
+/// All places, at sea. Anybody on this computer can take the name of a bus and keep a vehicle ashore, or a search from going on: one that
+/// is held by another user, who is not root, refuses nobody. Among a service's own missions a file in its folder does, which is nobody
+/// else's.
+/// @param folder  RUNTIME_DIRECTORY; empty: there is none
+[[nodiscard]] BusLock lock_lcm_at_sea(std::string_view url, const std::filesystem::path& folder);
+
 /// The same for a CAN interface.
 [[nodiscard]] BusLock lock_can(std::string_view interface);
 [[nodiscard]] BusLock lock_can(std::string_view interface, BusPlace place);
+[[nodiscard]] BusLock lock_can_at_sea(std::string_view interface, const std::filesystem::path& folder);
 
 }  // namespace earshot::host

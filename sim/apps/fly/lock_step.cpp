@@ -50,6 +50,8 @@ const char* word_for(messages::EndReason reason) {
       return "declared_found";
     case messages::EndReason::kMemoryFault:
       return "memory_fault";
+    case messages::EndReason::kOutage:
+      return "outage";
   }
   return "unknown";
 }

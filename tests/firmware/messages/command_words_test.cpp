@@ -26,6 +26,8 @@ TEST(CommandWords, TellEveryOutcomeApart) {
   EXPECT_FALSE(words.contains("refused"));
   EXPECT_STREQ(to_string(CommandOutcome::kObeyed), "obeyed");
   EXPECT_STREQ(to_string(CommandOutcome::kTooOld), "refused: too old");
+  EXPECT_TRUE(was_obeyed(CommandOutcome::kObeyed) && was_obeyed(CommandOutcome::kObeyedNotDurable));
+  EXPECT_FALSE(was_obeyed(CommandOutcome::kRepeated));
 }
 
 }  // namespace

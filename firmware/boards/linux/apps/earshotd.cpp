@@ -1,15 +1,10 @@
 // earshotd: the process that flies the vehicle.
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <exception>
 #include <filesystem>
-#include <iomanip>
 #include <iostream>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -18,8 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include "firmware/boards/linux/apps/at_sea.hpp"
 #include "firmware/boards/linux/apps/earshotd_options.hpp"
-#include "firmware/boards/linux/apps/end_report.hpp"
+#include "firmware/boards/linux/apps/flight.hpp"
 #include "firmware/boards/linux/apps/vehicle_trust.hpp"
 #include "firmware/boards/linux/checklist/chart.hpp"
 #include "firmware/boards/linux/checklist/checklist.hpp"
@@ -29,17 +25,11 @@
 #include "firmware/boards/linux/host_clock.hpp"
 #include "firmware/boards/linux/host_mission_clock.hpp"
 #include "firmware/boards/linux/memory_proof.hpp"
-#include "firmware/boards/linux/mission_loop.hpp"
-#include "firmware/boards/linux/mission_turn.hpp"
-#include "firmware/boards/linux/news/flight_news.hpp"
-#include "firmware/boards/linux/news/health_words.hpp"
-#include "firmware/boards/linux/news/line_writer.hpp"
+#include "firmware/boards/linux/outage/outage_time.hpp"
+#include "firmware/boards/linux/outage/safety_places.hpp"
 #include "firmware/boards/linux/port_set.hpp"
-#include "firmware/boards/linux/replay/resume.hpp"
-#include "firmware/boards/linux/service/service_manager.hpp"
 #include "firmware/boards/linux/simulation_plugin.hpp"
 #include "firmware/boards/linux/waiting.hpp"
-#include "firmware/core/crc32.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/output_file.hpp"
 #include "firmware/host/file/printable.hpp"
@@ -53,12 +43,9 @@
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/program/standard_streams.hpp"
-#include "firmware/host/program/version.hpp"
-#include "firmware/host/toml/table_reader.hpp"
+#include "firmware/host/safety_record/safety_copies.hpp"
 #include "firmware/host/transport/bus_lock.hpp"
 #include "firmware/host/transport/serial_line.hpp"
-#include "firmware/host/trust/vehicle_file.hpp"
-#include "firmware/messages/health_words.hpp"
 #include "firmware/runtime/runtime.hpp"
 
 namespace {
@@ -67,7 +54,6 @@ using namespace earshot;
 
 using board::Options;
 using program::kLost;
-using program::stop_requested;
 
 board::Venture venture_of(const Options& o) {
   if (o.simulation) return board::Venture::kSimulation;
@@ -126,149 +112,6 @@ std::unique_ptr<board::BoardCore> make_board(const Options& o, const host::Missi
   return std::make_unique<board::BoardCore>(host::SerialLine(*o.board), file.mission, search.policy.bytes, search.tables.bytes, patience);
 }
 
-host::JournalOptions journal_options(const Options& o) {
-  constexpr std::uint64_t kMegabyte = 1'000'000;
-  using J = host::JournalOptions;
-  using Existing = host::ExistingJournal;
-  const bool survives_power_cut = o.journal_survives.value_or(o.simulation ? "process" : "power-cut") == "power-cut";
-  return {.when_full = o.simulation ? J::WhenFull::kWait : J::WhenFull::kDrop,
-          .survives = survives_power_cut ? J::Survives::kPowerCut : J::Survives::kProcess,
-          .existing = o.replace ? Existing::kReplace : (o.simulation && !o.resume ? Existing::kRefuse : Existing::kKeep),
-          .limits = {.part_bytes = kMegabyte * o.journal_part_mb.value_or(0), .budget_bytes = kMegabyte * o.journal_budget_mb.value_or(0)}};
-}
-
-/// Beside the journal, under its name: what was decided can be explained only with what decided it. A disk that does not take it is no
-/// reason to stay ashore.
-/// @param extension  "policy", "tables"
-void keep(std::span<const std::uint8_t> bytes, const std::string& extension, const host::OutputKind& kind,
-          const std::filesystem::path& journal) {
-  if (bytes.empty()) return;
-  const std::filesystem::path kept = std::filesystem::path(journal).replace_extension("." + extension);
-  try {
-    host::require_writable(kept, kind, host::Replace::kOwnKind, "it stays");
-    host::write_whole(kept, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-  } catch (const host::BadInput& e) {
-    std::cerr << "earshotd: " << host::printable(e.what()) << "; the " << extension << " is in the journal\n";
-  }
-}
-
-void keep(const host::SignedSearch& search, const std::filesystem::path& journal) {
-  keep(search.policy.bytes, "policy", {"a .policy file", {"EARSHOTP", {}}}, journal);
-  keep(search.tables.bytes, "tables", {"a .tables file", {"EARSHOTT", {}}}, journal);
-}
-
-/// In simulation the simulator's middleware does as it likes with memory.
-void settle_memory(const Options& o) {
-  if (o.simulation) return;
-  const std::string remark = board::settle_memory();
-  if (!remark.empty() && program::talk() != program::Talk::kQuiet) std::cerr << "earshotd: " << remark << "\n";
-}
-
-/// Of a vehicle at sea; a simulation is nobody's service.
-board::ServiceManager service_manager(const Options& o) {
-  board::ServiceManager manager(o.simulation ? board::ServiceEnvironment{} : board::ServiceEnvironment::of_this_process());
-  if (!manager.complaint().empty()) std::cerr << "earshotd: warning: " << manager.complaint() << "\n";
-  return manager;
-}
-
-/// What the mission is flown with.
-struct Flight {
-  const Options& options;
-  const host::MissionFile& file;
-  const host::SignedSearch& search;
-  std::unique_ptr<runtime::Runtime> runtime;
-  std::unique_ptr<board::BoardCore> board;  ///< that decides in its place; none: nobody does
-  board::PortSet& ports;
-  board::Clock& clock;
-  board::ServiceManager manager;
-};
-
-/// Flies, and tells meanwhile what changes; all of it is told when this returns.
-board::LoopResult fly(const Flight& f, board::MissionTurn& turn, board::MemoryProof& proof, Duration hold) {
-  std::optional<board::LineWriter> writer;
-  std::optional<board::FlightNews> news;
-  if (program::talk() != program::Talk::kQuiet) {
-    writer.emplace(STDERR_FILENO);
-    news.emplace(f.ports, *writer, f.options.log_format());
-    turn.tell(*news);
-  }
-  settle_memory(f.options);
-  if (f.options.prove_no_alloc) proof.arm();
-  const board::Pace pace{.period = f.file.step_period, .turns = f.options.simulation ? host::Turns::kPeriodic : f.file.turns};
-  const board::LoopResult result = board::fly(turn, f.ports, f.clock, pace, stop_requested, hold);
-  if (f.options.prove_no_alloc) proof.disarm(result);
-  const std::uint64_t left_out = writer ? writer->left_out() : 0;
-  writer.reset();
-  if (left_out > 0) std::cerr << "earshotd: " << left_out << " lines like these were left out, because nobody read them in time\n";
-  return result;
-}
-
-/// The mission that the newest journal in the folder did not end. Nothing: a new one begins.
-std::optional<board::Unfinished> unfinished_mission(Flight& f, const std::filesystem::path& wanted) {
-  if (!f.options.resume) return std::nullopt;
-  f.manager.ask_for(std::chrono::minutes(30));  // the journal of a month is read again
-  return board::find_unfinished(
-      wanted, {.mission = f.file.mission, .policy_crc32 = crc32(f.search.policy.bytes), .tables_crc32 = crc32(f.search.tables.bytes)},
-      f.options.simulation ? board::GoOnAfter::kLastTurn : board::GoOnAfter::kLastInput, f.clock.now());
-}
-
-/// Begins the mission, or goes on with it. @return how long its first turn waits for its sensors
-Duration begin(const Flight& f, const board::Resumption* before, const std::filesystem::path& journal, board::MissionTurn& turn) {
-  const std::string build = program::version() + " " + program::build_commit();
-  constexpr std::chrono::milliseconds kAtSea{100};
-  constexpr std::chrono::milliseconds kInLockStep{60'000};  // the simulator waits
-  if (f.options.resume) turn.write_ahead(f.options.simulation ? kInLockStep : kAtSea);
-  if (before != nullptr) {
-    f.clock.go_on_after(before->last.health);
-    f.ports.count_on_from(before->memory.reports);
-    turn.go_on_after(*before, build);
-    if (program::talk() != program::Talk::kQuiet)
-      std::cerr << "earshotd: goes on from " << host::printable(journal.string()) << ": " << board::to_string(*before, f.clock.now())
-                << "\n";
-    return f.options.simulation ? Duration{} : board::hold_of(f.file.mission, f.file.hearing);
-  }
-  turn.record_mission(f.file.mission, {.policy = f.search.policy.bytes, .tables = f.search.tables.bytes, .build = build});
-  if (!f.options.simulation && program::talk() != program::Talk::kQuiet) {
-    std::cerr << "earshotd: waiting for navigation, SNR and an operator's START, as long as it takes, on\n"
-              << f.ports.description() << "earshotd: journal " << host::printable(journal.string()) << "\n";
-  }
-  return {};
-}
-
-/// @return exit status
-int fly(Flight& f) {
-  std::filesystem::create_directories(f.options.out);
-  const std::filesystem::path wanted = f.options.out / "journal.lcmlog";
-  std::optional<board::Unfinished> unfinished = unfinished_mission(f, wanted);
-  if (f.options.replace)
-    host::require_writable(wanted, host::kJournalOutput, host::Replace::kOwnKind, "move it away, or name another folder with --out");
-  host::Journal journal = unfinished
-                              ? host::Journal(std::move(unfinished->file), unfinished->before.next_number, journal_options(f.options))
-                              : host::Journal(wanted, journal_options(f.options));
-  keep(f.search, journal.path());
-  if (unfinished) f.runtime = std::move(unfinished->before.runtime);
-  board::OwnCore own(*f.runtime);
-  board::MissionTurn turn(f.board ? static_cast<board::Core&>(*f.board) : own, f.ports, journal, f.clock);
-  turn.report_to(f.manager);
-  turn.begin_parts_when(program::has_hung_up);
-  const Duration hold = begin(f, unfinished ? &unfinished->before : nullptr, journal.path(), turn);
-  board::MemoryProof proof;
-  board::LoopResult result;
-  try {
-    result = fly(f, turn, proof, hold);
-  } catch (const std::exception& e) {  // no bad input: the journal has begun, and its destructor keeps it
-    std::cerr << "earshotd: " << e.what() << "; journal up to then: " << host::printable(journal.path().string()) << "\n";
-    return kLost;
-  }
-  journal.conclude(board::closing_record_of(result));
-  const Status kept = journal.close();
-  const int status = board::report(result, f.clock, f.ports, journal.path());
-  if (f.board && program::talk() == program::Talk::kVerbose) std::cerr << "earshotd: " << f.board->remark() << "\n";
-  const int proven = f.options.prove_no_alloc ? board::report(proof, f.ports) : program::kDone;
-  const int in_journal = board::report(journal, kept, wanted, !f.options.simulation);
-  return in_journal != program::kDone ? in_journal : (proven != program::kDone ? proven : status);
-}
-
 /// Makes nothing: of a folder that is not there yet, what would be made first is judged.
 /// @throws host::BadInput when a flight could not write its journal.
 void require_room_for_journal(const Options& o) {
@@ -323,17 +166,41 @@ std::optional<Time> rehearsal_began(const Options& o, Time utc) {
   return began;
 }
 
-int fly(const Options& o) {
-  require_possible(o);
-  if (o.check) return check(o);
+/// How long nobody has flown, where the mission goes on that the record tells of.
+board::Outage outage_of(const Options& o, const host::SafetyCopies& safety, const board::HostClock& host) {
+  const bool goes_on = o.resume && safety.found() && !safety.found()->is_closed;
+  return goes_on ? board::outage_since(*safety.found(), host) : board::Outage{};
+}
+
+/// The mission clock at sea. Of a mission that goes on it goes by the record; no wall clock that was set meanwhile, either way, is asked.
+std::unique_ptr<board::Clock> clock_at_sea(const Options& o, const host::SafetyCopies& safety, const board::HostClock& host,
+                                           const board::Outage& outage) {
+  auto clock = std::make_unique<board::HostMissionClock>(host, o.speed, rehearsal_began(o, host.utc()));
+  const bool goes_on = o.resume && safety.found() && !safety.found()->is_closed;
+  if (goes_on && !o.speed_since)
+    clock->go_on_at(safety.found()->mission_time + Duration{static_cast<std::int64_t>(static_cast<double>(outage.passed.us) * o.speed)});
+  return clock;
+}
+
+std::vector<host::BusLock> lock_buses(const Options& o, const host::MissionFile& file) {
+  if (o.simulation) return host::lock_buses(file, host::BusPlace::kVehicle);
+  std::vector<host::BusLock> locks =
+      host::lock_buses_at_sea(file, board::SafetyFolders::of_this_process().runtime.value_or(std::filesystem::path()));
+  for (const host::BusLock& lock : locks) {
+    if (!lock.stranger().empty())
+      std::cerr << "earshotd: warning: " << host::printable(lock.stranger()) << ", and is no user of this vehicle: not heeded\n";
+  }
+  return locks;
+}
+
+/// @param safety  of a vehicle at sea; null in simulation
+int fly(const Options& o, const board::HostClock& host, host::SafetyCopies* safety) {
   host::MissionJudge judge = board::judge_of(o.vehicle, venture_of(o));
   const host::MissionFile file = load(o, judge);
   const host::SignedSearch search = judge.load_search(file);
   std::unique_ptr<runtime::Runtime> runtime = make_runtime(file, search, o.mission.string());
   std::unique_ptr<board::BoardCore> board = make_board(o, file, search);
-  const std::vector<host::BusLock> locks = host::lock_buses(file, o.simulation ? std::optional(host::BusPlace::kVehicle) : std::nullopt);
-  if (!o.simulation) host::set_thread_stack(board::kThreadStackBytes);
-  const board::HostClock host;
+  const std::vector<host::BusLock> locks = lock_buses(o, file);
   board::PortSet ports;
   // At sea a link may come after the vehicle computer.
   if (o.simulation) {
@@ -345,13 +212,14 @@ int fly(const Options& o) {
     std::cerr << "earshotd: these links are down; tried again once a second:\n" << down;
   // In lock-step with a simulator the first set-point is waited for.
   ports.settle(std::chrono::seconds(1));
+  const board::Outage outage = safety == nullptr ? board::Outage{} : outage_of(o, *safety, host);
   std::unique_ptr<board::Clock> clock;
   if (o.simulation) {
     board::Simulation simulation = board::open_simulation({.domain = *o.simulation, .run = o.run, .port = ports.next_index()});
     clock = std::move(simulation.clock);
     ports.add(std::move(simulation.port));
   } else {
-    clock = std::make_unique<board::HostMissionClock>(host, o.speed, rehearsal_began(o, host.utc()));
+    clock = clock_at_sea(o, *safety, host, outage);
   }
   // A vehicle in mid-search must not be left alone with its last set-point because somebody's terminal closed or a key slipped.
   if (!o.simulation) {
@@ -365,15 +233,27 @@ int fly(const Options& o) {
                       std::chrono::seconds(o.wait_s), [&](std::chrono::milliseconds most) { return clock->has_come(most); });
   if (waited != board::Waited::kCame) return waited == board::Waited::kStopped ? program::kStopped : kLost;
   judge.record_flight();
-  Flight flight{.options = o,
-                .file = file,
-                .search = search,
-                .runtime = std::move(runtime),
-                .board = std::move(board),
-                .ports = ports,
-                .clock = *clock,
-                .manager = service_manager(o)};
-  return fly(flight);
+  board::Flight flight{.options = o,
+                       .file = file,
+                       .search = search,
+                       .runtime = std::move(runtime),
+                       .board = std::move(board),
+                       .ports = ports,
+                       .clock = *clock,
+                       .host = host,
+                       .manager = board::service_manager(o),
+                       .safety = safety,
+                       .outage = outage};
+  return board::fly(flight);
+}
+
+int fly(const Options& o) {
+  board::require_possible(o);
+  if (o.check) return check(o);
+  const board::HostClock host;
+  if (o.simulation) return fly(o, host, nullptr);
+  host::set_thread_stack(board::kThreadStackBytes);
+  return board::fly_at_sea(o, host, [&](host::SafetyCopies& safety) { return fly(o, host, &safety); });
 }
 
 }  // namespace
@@ -387,10 +267,14 @@ int main(int argc, char** argv) {
                             "5 a signal stopped a search under way; 130 stopped before the simulator came.");
   Options options;
   board::declare(line, options);
-  return program::run(line, argc, argv, [&] {
+  bool has_begun = false;
+  const int status = program::run(line, argc, argv, [&] {
+    has_begun = true;
     streams.say_errors_as(
         [format = options.log_format()](std::string_view said, std::span<char> into) { return board::formatted(said, format, into); });
     options.names_out = std::ranges::count(line.given(), "--out") > 0;
     return fly(options);
   });
+  // A command line that this program does not know (of another version) is no reason to leave a vehicle alone.
+  return status == program::kBadInput && !has_begun ? board::come_up_by(argc, argv).value_or(status) : status;
 }

@@ -24,6 +24,10 @@ void require_resuming_possible(const Options& o) {
   if (o.resume && o.check) throw host::BadInput("--resume: not with --check, which flies nothing");
 }
 
+void require_copies_possible(const Options& o) {
+  if (!o.safety_copies.empty() && o.simulation) throw host::BadInput("--safety-copy: not with --simulation, which keeps no safety record");
+}
+
 void require_budget_possible(const Options& o) {
   if (o.journal_part_mb && o.journal_budget_mb && *o.journal_budget_mb < 2 * *o.journal_part_mb)
     throw host::BadInput("--journal-budget-mb: " + std::to_string(*o.journal_budget_mb) + " is less than two parts of " +
@@ -56,8 +60,12 @@ void declare(program::CommandLine& line, Options& o) {
             "replace a journal that is there already; without it: refuse to start in simulation, write journal-2.lcmlog and so on at sea");
   line.flag(
       "--resume", &o.resume,
-      "go on with the mission of the newest journal in the folder when its process was killed or lost its power; when that journal was "
-      "ended in order, or there is none, begin a new one; without it: begin a new one");
+      "go on with the mission of the folder's journal when its process was killed or lost its power, at sea if the safety record names it; "
+      "where it cannot go on, bring the vehicle up; when that was ended in order, or there is none, begin a new one; without it: begin "
+      "a new one");
+  line.option("--safety-copy", &o.safety_copies,
+              "folder for another copy of the safety record, best on another disk; may be given again; default: as a service its state "
+              "folder (STATE_DIRECTORY)");
   line.option(
           "--journal-survives", &o.journal_survives,
           "what a record in the journal survives: power-cut: it is brought to the disk within milliseconds; process: the kernel writes it "
@@ -136,6 +144,7 @@ void require_possible(const Options& o) {
   require_rehearsal_possible(o);
   require_proof_possible(o);
   require_budget_possible(o);
+  require_copies_possible(o);
 }
 
 }  // namespace earshot::board

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "firmware/boards/linux/news/log_format.hpp"
 #include "firmware/host/mission/mission_file.hpp"
@@ -32,6 +33,7 @@ struct Options {
   bool snr_from_bus = false;
   bool replace = false;
   bool resume = false;
+  std::vector<std::string> safety_copies;  ///< folders
   bool prove_no_alloc = false;
   bool check = false;
   std::optional<std::filesystem::path> chart;

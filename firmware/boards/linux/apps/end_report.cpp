@@ -37,7 +37,7 @@ int status_of(messages::MissionState found_in) {
 int report(const LoopResult& result, const Clock& clock, const PortSet& ports, const std::filesystem::path& journal) {
   const std::string after = " after " + std::to_string((result.time - result.began).us / 1'000'000) + " s";
   const std::string state = to_string(result.last.health);
-  const std::string kept = host::printable(journal.string());
+  const std::string kept = journal.empty() ? "none was kept" : host::printable(journal.string());
   for (const std::string& remark : ports.remarks()) {
     if (is_talkative()) std::cerr << "earshotd: " << remark << "\n";
   }

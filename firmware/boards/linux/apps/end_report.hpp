@@ -13,7 +13,7 @@ namespace earshot::board {
 
 // What earshotd says on standard error once its mission has ended, and the exit status that follows of each part of it.
 
-/// How the search ended. @param journal  the file that it says to keep
+/// How the search ended. @param journal  the file that it says to keep; empty: there is none
 [[nodiscard]] int report(const LoopResult& result, const Clock& clock, const PortSet& ports, const std::filesystem::path& journal);
 
 /// Whether memory was asked for, and what it is spent on.

@@ -37,7 +37,7 @@ bool is_news(const std::optional<messages::Health>& told, const messages::Health
 }
 
 bool starts(const messages::CommandAcknowledgement& acknowledgement) {
-  return acknowledgement.order == messages::Order::kStart && acknowledgement.outcome == messages::CommandOutcome::kObeyed;
+  return acknowledgement.order == messages::Order::kStart && messages::was_obeyed(acknowledgement.outcome);
 }
 
 }  // namespace

@@ -70,10 +70,11 @@ BoardCore::BoardCore(host::SerialLine line, const config::Mission& mission, std:
   throw host::BadInput(name + ": no board answers");
 }
 
-void BoardCore::take(const messages::Input& input) {
+messages::CommandOutcome BoardCore::take(const messages::Input& input) {
   const wire::InputRecord record(input);
   send(input.arrival, record.channel(), record.data());
   ++inputs_;
+  return messages::CommandOutcome::kObeyed;
 }
 
 runtime::Outputs BoardCore::step(Time now) {

@@ -16,7 +16,7 @@ class Core {
   Core& operator=(const Core&) = delete;
 
   /// As runtime::Runtime's.
-  virtual void take(const messages::Input& input) = 0;
+  virtual messages::CommandOutcome take(const messages::Input& input) = 0;
   [[nodiscard]] virtual runtime::Outputs step(Time now) = 0;
   [[nodiscard]] virtual const config::Mission& mission() const = 0;
 };
@@ -27,7 +27,7 @@ class OwnCore final : public Core {
   /// @param runtime  must outlive it
   explicit OwnCore(runtime::Runtime& runtime) : runtime_(runtime) {}
 
-  void take(const messages::Input& input) override { runtime_.take(input); }
+  messages::CommandOutcome take(const messages::Input& input) override { return runtime_.take(input); }
   [[nodiscard]] runtime::Outputs step(Time now) override { return runtime_.step(now); }
   [[nodiscard]] const config::Mission& mission() const override { return runtime_.mission(); }
 

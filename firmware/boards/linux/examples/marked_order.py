@@ -23,6 +23,7 @@ OUTCOMES = (
     "AUTOPILOT_SILENT",
     "OLD_MARK",
     "UNREADABLE",
+    "OBEYED_NOT_DURABLE",
 )
 
 

@@ -60,4 +60,4 @@ unheard = marker.key is not None and marker.challenge is None
 silence = "no vehicle that is meant tells its challenge" if unheard else "nobody answers"
 outcome = answers[0] if answers else silence
 print(f"{said.order}:", outcome)
-sys.exit(0 if outcome in ("OBEYED", "REPEATED") else 1)
+sys.exit(0 if outcome in ("OBEYED", "OBEYED_NOT_DURABLE", "REPEATED") else 1)

@@ -135,7 +135,7 @@ void Timeline::note_content(const messages::SafetyEvent& event, const Record& /*
 
 void Timeline::note_content(const command_acknowledgement_t& acknowledgement, const Record& /*record*/) {
   const auto outcome = static_cast<messages::CommandOutcome>(acknowledgement.outcome);
-  const bool is_good = outcome == messages::CommandOutcome::kObeyed || outcome == messages::CommandOutcome::kRepeated;
+  const bool is_good = messages::was_obeyed(outcome) || outcome == messages::CommandOutcome::kRepeated;
   tell(is_good ? Severity::kInformation : Severity::kWarning, to_string(acknowledgement));
 }
 

@@ -101,6 +101,10 @@ void require_whole(const std::filesystem::path& journal, const Playback& playbac
 
 }  // namespace
 
+bool was_ended_in_order(const std::filesystem::path& journal) {
+  return ending_of(journal, GoOnAfter::kLastTurn).is_in_order;
+}
+
 std::optional<Resumption> resume(const std::filesystem::path& journal, const Flown& flown, GoOnAfter after) {
   const Ending ending = ending_of(journal, after);
   if (ending.is_in_order || ending.last_turn == 0) return std::nullopt;
@@ -123,19 +127,18 @@ std::optional<Resumption> resume(const std::filesystem::path& journal, const Flo
                     .unwritten = playback.unwritten()};
 }
 
-std::optional<Unfinished> find_unfinished(const std::filesystem::path& wanted, const Flown& flown, GoOnAfter after, Time now) {
-  const std::optional<std::filesystem::path> newest = host::newest_journal(wanted);
-  if (!newest) return std::nullopt;
-  (void)host::JournalReader(*newest);  // refuses what is no regular file, before it is opened for writing
-  if (std::filesystem::is_symlink(*newest)) throw refusal(*newest, "it is a link, and later parts would be written beside that");
-  if (const std::optional<std::filesystem::path> misplaced = host::JournalParts(*newest).misplaced())
-    throw refusal(*newest, misplaced->filename().string() + " is a part of it that bears another part's name");
-  host::JournalFile file(*newest, host::ExistingJournal::kGoOn);
-  std::optional<Resumption> before = resume(*newest, flown, after);
+std::optional<Unfinished> find_unfinished(const std::filesystem::path& wanted, const Flown& flown, GoOnAfter after,
+                                          std::optional<std::uint32_t> marked) {
+  const std::optional<std::filesystem::path> found = marked ? host::journal_marked(wanted, *marked) : host::newest_journal(wanted);
+  if (marked && !found) throw refusal(wanted, "no journal in its folder is the one that the safety record names");
+  if (!found) return std::nullopt;
+  (void)host::JournalReader(*found);  // refuses what is no regular file, before it is opened for writing
+  if (std::filesystem::is_symlink(*found)) throw refusal(*found, "it is a link, and later parts would be written beside that");
+  if (const std::optional<std::filesystem::path> misplaced = host::JournalParts(*found).misplaced())
+    throw refusal(*found, misplaced->filename().string() + " is a part of it that bears another part's name");
+  host::JournalFile file(*found, host::ExistingJournal::kGoOn);
+  std::optional<Resumption> before = resume(*found, flown, after);
   if (!before) return std::nullopt;
-  if (after == GoOnAfter::kLastInput && now < before->memory.last)
-    throw refusal(*newest, "this computer's clock is " + std::to_string((before->memory.last - now).us / 1'000'000 + 1) +
-                               " s behind its last record");
   file.cut(before->kept_bytes);
   file.count_among(wanted);
   return Unfinished{.file = std::move(file), .before = *std::move(before)};

@@ -43,6 +43,9 @@ enum class GoOnAfter {
 ///         or this build does not give its outputs again.
 [[nodiscard]] std::optional<Resumption> resume(const std::filesystem::path& journal, const Flown& flown, GoOnAfter after);
 
+/// Its last record is the one that ends a journal.
+[[nodiscard]] bool was_ended_in_order(const std::filesystem::path& journal);
+
 /// A journal to be gone on with, cut to what is kept of it, and where its mission stood.
 struct Unfinished {
   host::JournalFile file;
@@ -50,10 +53,12 @@ struct Unfinished {
 };
 
 /// The newest of the journals that are numbered after `wanted`, when its mission goes on. Nobody else writes it meanwhile.
-/// @param now  on the mission clock; one that begins at 0 in every process (GoOnAfter::kLastTurn) is not looked at
-/// @throws as resume(), and when the clock is behind the journal's last record, a part of it bears another's name, or it is a link;
-/// host::FolderInUse naming who writes it.
-[[nodiscard]] std::optional<Unfinished> find_unfinished(const std::filesystem::path& wanted, const Flown& flown, GoOnAfter after, Time now);
+/// @param marked  the checksum of the first record of the only journal that counts, by the vehicle's safety record: orders in another's are
+///                nobody's here; nothing: the newest counts
+/// @throws as resume(), and when a part of it bears another's name, it is a link, or none is so marked; host::FolderInUse naming who writes
+/// it.
+[[nodiscard]] std::optional<Unfinished> find_unfinished(const std::filesystem::path& wanted, const Flown& flown, GoOnAfter after,
+                                                        std::optional<std::uint32_t> marked = std::nullopt);
 
 /// For so long the first turn of a mission that goes on at sea waits for its sensors. A detector of its own learns the noise anew.
 [[nodiscard]] Duration hold_of(const config::Mission& mission, const std::optional<detector::SoundSettings>& hearing);

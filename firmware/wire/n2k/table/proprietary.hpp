@@ -11,14 +11,24 @@ inline constexpr std::int64_t kManufacturer = 2044;
 inline constexpr std::int64_t kMarineIndustry = raw_of(kIndustry, "Marine Industry");
 
 inline constexpr Choice kOrders[]{{1, "START"}, {2, "COMPLETE"}, {3, "ABORT"}, {4, "LISTEN"}, {5, "PAUSE"}, {6, "RESUME"}, {7, "TIGHTEN"}};
-inline constexpr Choice kOutcomes[]{
-    {0, "obeyed"},         {1, "repeated"},     {2, "too old"},      {3, "expired"},     {4, "not in this state"}, {5, "unknown order"},
-    {6, "not configured"}, {7, "out of order"}, {8, "not verified"}, {9, "not tighter"}, {10, "autopilot silent"}, {11, "old mark"},
-    {12, "unreadable"}};
+inline constexpr Choice kOutcomes[]{{0, "obeyed"},
+                                    {1, "repeated"},
+                                    {2, "too old"},
+                                    {3, "expired"},
+                                    {4, "not in this state"},
+                                    {5, "unknown order"},
+                                    {6, "not configured"},
+                                    {7, "out of order"},
+                                    {8, "not verified"},
+                                    {9, "not tighter"},
+                                    {10, "autopilot silent"},
+                                    {11, "old mark"},
+                                    {12, "unreadable"},
+                                    {13, "obeyed, not durable"}};
 inline constexpr Choice kMissionStates[]{{0, "STANDBY"}, {1, "SEARCH"}, {2, "DONE"}, {3, "ABORT"}};
-inline constexpr Choice kEndReasons[]{{0, "not over"},         {1, "completed"},   {2, "steps used up"},       {3, "operator abort"},
-                                      {4, "navigation stale"}, {5, "SNR stale"},   {6, "left operating area"}, {7, "time used up"},
-                                      {8, "safety rule"},      {9, "memory fault"}};
+inline constexpr Choice kEndReasons[]{{0, "not over"},         {1, "completed"},    {2, "steps used up"},       {3, "operator abort"},
+                                      {4, "navigation stale"}, {5, "SNR stale"},    {6, "left operating area"}, {7, "time used up"},
+                                      {8, "safety rule"},      {9, "memory fault"}, {10, "says found"},         {11, "outage"}};
 inline constexpr Choice kAuthorities[]{{0, "DISCONNECTED"}, {1, "STANDBY"}, {2, "LISTEN"}, {3, "COMMAND"}, {4, "ABORT"}};
 inline constexpr Choice kLeakStates[]{{0, "dry"}, {1, "wet"}};
 inline constexpr Choice kPeers[]{{1, "command"}, {2, "acknowledgement"}, {3, "abort"}};

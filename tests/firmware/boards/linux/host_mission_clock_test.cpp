@@ -46,6 +46,28 @@ TEST(HostMissionClock, MovesADateByItsAgeThoughTheWallClockWasSet) {
   EXPECT_EQ(clock.arrival_of(host.wall), clock.now());
 }
 
+TEST(HostMissionClock, OfAMissionThatGoesOnIsWhereItIsToldAndDatesStillMoveByTheirAge) {
+  SetHost host;
+  HostMissionClock clock(host);
+  clock.go_on_at(Time{500'000'000});
+  EXPECT_EQ(clock.now(), Time{500'000'000});
+  clock.be_at_least(Time{400'000'000});
+  EXPECT_EQ(clock.now(), Time{500'000'000});
+  clock.be_at_least(Time{600'000'000});
+  host.pass(seconds(1));
+  EXPECT_EQ(clock.now(), Time{601'000'000});
+  EXPECT_EQ(clock.mission_time_of(host.wall + seconds(-2)), Time{599'000'000});
+}
+
+TEST(HostClock, KnowsThisStartOfTheComputer) {
+  const HostClock host;
+  EXPECT_NE(host.boot(), BootId{});
+  EXPECT_EQ(host.boot(), HostClock().boot());
+  const Duration before = host.since_boot();
+  EXPECT_GT(before, Duration{});
+  EXPECT_LE(before, host.since_boot());
+}
+
 TEST(HostMissionClock, ScalesWhatPassesAndWhatIsOld) {
   SetHost host;
   HostMissionClock clock(host, 60.0);

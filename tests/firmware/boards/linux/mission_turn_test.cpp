@@ -171,5 +171,28 @@ TEST_F(MissionTurnTest, TellsAPersonThatATightenWasObeyedEvenBeforeTheFirstTurn)
   EXPECT_NE(text.find(" and 1.50 m/s, never below "), std::string::npos) << text;
 }
 
+TEST_F(MissionTurnTest, AFloodOfRefusedOrdersFillsNoDiskIsCountedAndHoldsUpNoAbort) {
+  (void)told_after(1.25);
+  for (int second = 0; second < 12; ++second) {
+    for (std::uint32_t i = 0; i < 10'000; ++i) {
+      messages::OperatorCommand old = runtime::command_of(messages::Order::kPause, Time{1}, i);
+      old.issuer = i;
+      turn_.take(1, old);
+    }
+    (void)told_after(1.25);
+  }
+  // 32 and 20 a second of some 300 bytes with their answers; health and what the ports report besides.
+  ASSERT_EQ(journal_.flush(), Status::kOk);
+  EXPECT_LT(std::filesystem::file_size(folder_ / "journal"), 200'000U);
+  const messages::Health& health = turn_.outputs().health;
+  EXPECT_GE(health.counters.commands_refused, 200U);
+  std::uint64_t lost = 0;
+  for (const messages::PortReport& report : health.ports) lost += report.port == 1 ? report.lost : 0;
+  EXPECT_EQ(lost + health.counters.commands_refused, 120'000U);
+  turn_.take(1, runtime::command_of(messages::Order::kAbort, clock_.time, 1));
+  (void)told_after(1.25);
+  EXPECT_EQ(port_->state, messages::MissionState::kAbort);
+}
+
 }  // namespace
 }  // namespace earshot::board

@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/wait.h>
 #include <unistd.h>
+
+#include <csignal>
 #include <string>
+
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::host {
 namespace {
@@ -66,6 +71,50 @@ TEST(BusLock, OneCanInterfaceIsHeldByOneAtATime) {
 TEST(BusLock, ABusThatWasLetGoIsFree) {
   { const BusLock held = lock_lcm(own_url()); }
   EXPECT_EQ(complaint(own_url()), "");
+}
+
+/// Another process, of the user nobody, that has the name of the bus. @return its number; -1: it could not
+pid_t hold_as_nobody(const std::string& url) {
+  int ready[2];
+  if (::pipe(ready) != 0) return -1;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    constexpr uid_t kNobody = 65534;
+    if (::setuid(kNobody) != 0) ::_exit(1);
+    const BusLock held = lock_lcm(url);
+    (void)!::write(ready[1], "x", 1);
+    for (;;) ::pause();
+  }
+  ::close(ready[1]);
+  char said = 0;
+  const bool is_held = ::read(ready[0], &said, 1) == 1;
+  ::close(ready[0]);
+  return is_held ? child : -1;
+}
+
+TEST(BusLock, AtSeaANameThatAnUnprivilegedUserTookRefusesNobody) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can be another user";
+  const pid_t child = hold_as_nobody(own_url());
+  ASSERT_GT(child, 0);
+  EXPECT_NE(complaint(own_url()), "") << "a simulated flight leaves the bus to who has it";
+  {
+    const BusLock lock = lock_lcm_at_sea(own_url(), {});
+    EXPECT_NE(lock.stranger().find("bus_lock_test"), std::string::npos) << lock.stranger();
+  }
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  EXPECT_EQ(lock_lcm_at_sea(own_url(), {}).stranger(), "");
+}
+
+TEST(BusLock, AtSeaOneOfThisUsersOwnRefusesByItsNameAndByTheServicesFile) {
+  const BusLock held = lock_lcm_at_sea(own_url(), {});
+  EXPECT_THROW((void)lock_lcm_at_sea(own_url(), {}), BusInUse);
+  EXPECT_NE(complaint(own_url()), "");
+  const support::TemporaryFolder folder;
+  const BusLock in_service = lock_can_at_sea(own_interface(), folder);
+  EXPECT_THROW((void)lock_can_at_sea(own_interface(), folder), BusInUse);
+  EXPECT_THROW((void)lock_can_at_sea(own_interface(), {}), BusInUse) << "one that is started by hand";
+  EXPECT_NO_THROW((void)lock_can_at_sea(own_interface() + "x", folder));
 }
 
 TEST(BusLock, AnInterfaceNameTooLongForAnyInterfaceIsRefusedAndNotCutToAnotherName) {

@@ -245,16 +245,16 @@ TEST_F(OrdersTest, AreNotFoundInOurOwnAnswersComeBackOrThoseOfOthers) {
 TEST_F(OrdersTest, WhoseAnswerNobodyKnowsIsRefused) {
   FastPacketFrames frames;
   const messages::CommandAcknowledgement sent{
-      .time = kNow, .port = 0, .issuer = 1, .number = 2, .order = Order::kStart, .outcome = messages::CommandOutcome::kUnreadable};
+      .time = kNow, .port = 0, .issuer = 1, .number = 2, .order = Order::kStart, .outcome = messages::kLastCommandOutcome};
   ASSERT_EQ(compose_acknowledgement(sent, kRoute, frames), Status::kOk);
   FastPacketAssembly assembly;
   std::span<const std::uint8_t> view;
   for (const Frame& frame : frames)
     static_cast<void>(assembly.accept({.pgn = kPeerPgn, .source = kOperator, .destination = kUs}, frame, view));
   std::vector<std::uint8_t> bytes(view.begin(), view.end());
-  ASSERT_EQ(bytes[12], 12);
+  ASSERT_EQ(bytes[12], 13);
   EXPECT_TRUE(read_acknowledgement(bytes).ok());
-  bytes[12] = 13;
+  bytes[12] = 14;
   EXPECT_EQ(read_acknowledgement(bytes).status(), Status::kUnsupported);
   bytes[12] = 0xFF;
   EXPECT_EQ(read_acknowledgement(bytes).status(), Status::kNotReady);

@@ -1,0 +1,107 @@
+#include "firmware/boards/linux/apps/coming_up_flight.hpp"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <exception>
+#include <iostream>
+#include <optional>
+#include <utility>
+
+#include "firmware/boards/linux/apps/end_report.hpp"
+#include "firmware/boards/linux/apps/flight.hpp"
+#include "firmware/boards/linux/host_mission_clock.hpp"
+#include "firmware/boards/linux/mission_loop.hpp"
+#include "firmware/boards/linux/mission_turn.hpp"
+#include "firmware/boards/linux/news/flight_news.hpp"
+#include "firmware/boards/linux/news/line_writer.hpp"
+#include "firmware/boards/linux/outage/coming_up.hpp"
+#include "firmware/boards/linux/outage/kept_vehicle.hpp"
+#include "firmware/boards/linux/outage/outage_time.hpp"
+#include "firmware/boards/linux/outage/safety_log.hpp"
+#include "firmware/boards/linux/port_set.hpp"
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/printable.hpp"
+#include "firmware/host/mission/mission_file.hpp"
+#include "firmware/host/program/exit_status.hpp"
+#include "firmware/host/program/signals.hpp"
+#include "firmware/host/program/talk.hpp"
+
+namespace earshot::board {
+namespace {
+
+/// With slow disks.
+constexpr std::chrono::milliseconds kPatience{100};
+
+/// The vehicle as it was kept; else as its mission's file says, if that is there.
+host::MissionFile vehicle(const Options& o, const host::SafetyCopies& copies) {
+  if (std::optional<host::MissionFile> kept = vehicle_of(copies.kept())) return *std::move(kept);
+  try {
+    host::MissionFile file = host::load_mission(o.mission);
+    host::override_ports(file, o.ports);
+    host::leave_out_hydrophones(file);
+    return file;
+  } catch (const std::exception& e) {
+    std::cerr << "earshotd: " << host::printable(e.what()) << "\n";
+    return {};
+  }
+}
+
+/// One by one: whichever opens will do. @return whether any does
+bool open_what_opens(const host::MissionFile& vehicle, const HostClock& host, PortSet& ports) {
+  bool is_any_open = false;
+  for (const host::PortSettings& settings : vehicle.ports) {
+    host::MissionFile one = vehicle;
+    one.ports = {settings};
+    try {
+      open_ports(one, host, host::IfMissing::kKeepTrying, WakesFor::kLooks, ports);
+      is_any_open = true;
+    } catch (const std::exception& e) {
+      std::cerr << "earshotd: port " << host::printable(settings.name) << ": " << host::printable(e.what()) << "\n";
+    }
+  }
+  return is_any_open;
+}
+
+}  // namespace
+
+int come_up(const Options& o, host::SafetyCopies& copies, const HostClock& host, const std::string& why) {
+  std::cerr
+      << "earshotd: " << host::printable_lines(why)
+      << "\nearshotd: the mission that was under way cannot go on: the vehicle is told to stop and come up until this program is stopped\n";
+  program::outlive_accidents();
+  program::stop_on_signals();
+  const host::SafetyRecord record = copies.found().value();
+  const host::MissionFile vehicle = board::vehicle(o, copies);
+  PortSet ports;
+  if (!open_what_opens(vehicle, host, ports)) {
+    std::cerr << "earshotd: no port of it opens\n";
+    return program::kLost;  // and the service begins again
+  }
+  ports.settle(std::chrono::seconds(1));
+  HostMissionClock clock(host);
+  clock.go_on_at(record.mission_time + outage_since(record, host).passed);
+  ComingUp core(vehicle.mission, record);
+  SafetyLog safety(copies, host, record);
+  ServiceManager manager = service_manager(o);
+  MissionTurn turn(core, ports, clock);
+  turn.write_ahead(kPatience);
+  turn.keep_safe(safety);
+  turn.report_to(manager);
+  std::optional<LineWriter> writer;
+  std::optional<FlightNews> news;
+  if (program::talk() != program::Talk::kQuiet) {
+    writer.emplace(STDERR_FILENO);
+    news.emplace(ports, *writer, o.log_format());
+    turn.tell(*news);
+  }
+  settle_memory(o);
+  const Duration period = vehicle.step_period > Duration{} ? vehicle.step_period : Duration::seconds(1);
+  const Pace pace{.period = period, .turns = host::Turns::kPeriodic};
+  const LoopResult result = board::fly(turn, ports, clock, pace, program::stop_requested);
+  writer.reset();
+  (void)safety.close(std::chrono::seconds(3));
+  return report(result, clock, ports, {});
+}
+
+}  // namespace earshot::board

@@ -1,0 +1,279 @@
+#include "firmware/boards/linux/apps/flight.hpp"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <future>
+#include <iostream>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "firmware/boards/linux/apps/end_report.hpp"
+#include "firmware/boards/linux/memory_proof.hpp"
+#include "firmware/boards/linux/mission_loop.hpp"
+#include "firmware/boards/linux/mission_turn.hpp"
+#include "firmware/boards/linux/news/flight_news.hpp"
+#include "firmware/boards/linux/news/line_writer.hpp"
+#include "firmware/boards/linux/outage/held_orders.hpp"
+#include "firmware/boards/linux/outage/kept_vehicle.hpp"
+#include "firmware/boards/linux/outage/meanwhile.hpp"
+#include "firmware/boards/linux/outage/safety_log.hpp"
+#include "firmware/boards/linux/replay/resume.hpp"
+#include "firmware/core/crc32.hpp"
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/output_file.hpp"
+#include "firmware/host/file/printable.hpp"
+#include "firmware/host/journal/journal.hpp"
+#include "firmware/host/journal/journal_name.hpp"
+#include "firmware/host/program/exit_status.hpp"
+#include "firmware/host/program/signals.hpp"
+#include "firmware/host/program/talk.hpp"
+#include "firmware/host/program/version.hpp"
+
+namespace earshot::board {
+namespace {
+
+using program::kLost;
+using program::stop_requested;
+
+/// With disks, where nothing is under way.
+constexpr std::chrono::seconds kAshore{3};
+/// That say stop and come up: on a bus that loses messages one may not arrive.
+constexpr int kLastSetpoints = 5;
+
+host::JournalOptions journal_options(const Options& o) {
+  constexpr std::uint64_t kMegabyte = 1'000'000;
+  using J = host::JournalOptions;
+  using Existing = host::ExistingJournal;
+  const bool survives_power_cut = o.journal_survives.value_or(o.simulation ? "process" : "power-cut") == "power-cut";
+  return {.when_full = o.simulation ? J::WhenFull::kWait : J::WhenFull::kDrop,
+          .survives = survives_power_cut ? J::Survives::kPowerCut : J::Survives::kProcess,
+          .existing = o.replace ? Existing::kReplace : (o.simulation && !o.resume ? Existing::kRefuse : Existing::kKeep),
+          .limits = {.part_bytes = kMegabyte * o.journal_part_mb.value_or(0), .budget_bytes = kMegabyte * o.journal_budget_mb.value_or(0)}};
+}
+
+/// Beside the journal, under its name: what was decided can be explained only with what decided it. A disk that does not take it is no
+/// reason to stay ashore.
+/// @param extension  "policy", "tables"
+void keep(std::span<const std::uint8_t> bytes, const std::string& extension, const host::OutputKind& kind,
+          const std::filesystem::path& journal) {
+  if (bytes.empty()) return;
+  const std::filesystem::path kept = std::filesystem::path(journal).replace_extension("." + extension);
+  try {
+    host::require_writable(kept, kind, host::Replace::kOwnKind, "it stays");
+    host::write_whole(kept, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  } catch (const host::BadInput& e) {
+    std::cerr << "earshotd: " << host::printable(e.what()) << "; the " << extension << " is in the journal\n";
+  }
+}
+
+void keep(const host::SignedSearch& search, const std::filesystem::path& journal) {
+  keep(search.policy.bytes, "policy", {"a .policy file", {"EARSHOTP", {}}}, journal);
+  keep(search.tables.bytes, "tables", {"a .tables file", {"EARSHOTT", {}}}, journal);
+}
+
+/// Flies, and tells meanwhile what changes; all of it is told when this returns.
+LoopResult fly_on(const Flight& f, MissionTurn& turn, MemoryProof& proof, Duration hold) {
+  std::optional<LineWriter> writer;
+  std::optional<FlightNews> news;
+  if (program::talk() != program::Talk::kQuiet) {
+    writer.emplace(STDERR_FILENO);
+    news.emplace(f.ports, *writer, f.options.log_format());
+    turn.tell(*news);
+  }
+  settle_memory(f.options);
+  if (f.options.prove_no_alloc) proof.arm();
+  const Pace pace{.period = f.file.step_period, .turns = f.options.simulation ? host::Turns::kPeriodic : f.file.turns};
+  const LoopResult result = fly(turn, f.ports, f.clock, pace, stop_requested, hold);
+  if (f.options.prove_no_alloc) proof.disarm(result);
+  const std::uint64_t left_out = writer ? writer->left_out() : 0;
+  writer.reset();
+  if (left_out > 0) std::cerr << "earshotd: " << left_out << " lines like these were left out, because nobody read them in time\n";
+  return result;
+}
+
+/// The record of a flight that was not stopped in order; null: nothing goes on.
+const host::SafetyRecord* open_record(const Flight& f) {
+  const bool is_open = f.options.resume && f.safety != nullptr && f.safety->found() && !f.safety->found()->is_closed;
+  return is_open ? &*f.safety->found() : nullptr;
+}
+
+/// With this start among its starts.
+host::SafetyRecord counted(host::SafetyRecord record) {
+  ++record.starts;
+  return record;
+}
+
+/// Of a journal that no safety record of this vehicle names, nobody knows whose orders stand in it.
+void tell_of_others_journal(const std::filesystem::path& wanted) {
+  if (const std::optional<std::filesystem::path> newest = host::newest_journal(wanted); newest)
+    std::cerr << "earshotd: warning: " << host::printable(newest->string())
+              << ": no safety record of this vehicle names it: it is left, and a new mission begins\n";
+}
+
+/// From the start of the reading on nobody commands; from then on somebody does.
+constexpr std::chrono::seconds kUncommanded{5};
+constexpr std::chrono::milliseconds kBetweenTurns{100};  // a bus wants to be served so often
+
+/// Nothing ends a reading that is under way but the program's end; the journal is as if it had crashed.
+[[noreturn]] void stop_meanwhile(SafetyLog& safety, Meanwhile& meanwhile) {
+  for (int said = 0; said < kLastSetpoints; ++said) meanwhile.turn();
+  (void)safety.close(kAshore);
+  std::cerr << "earshotd: stopped by a signal while it read the journal; the vehicle was told to stop and come up\n";
+  std::_Exit(program::kInterrupted);
+}
+
+/// Reads the journal again; where that takes long, the vehicle is told to stop and come up meanwhile. @return what find_unfinished() does
+std::optional<Unfinished> read_again(const Flight& f, const std::filesystem::path& wanted, const Flown& flown, SafetyLog& safety,
+                                     Meanwhile& meanwhile) {
+  const std::uint32_t mark = f.safety->found()->journal_crc32;
+  auto reading = std::async(std::launch::async, [&] { return find_unfinished(wanted, flown, GoOnAfter::kLastInput, mark); });
+  if (reading.wait_for(kUncommanded) == std::future_status::timeout) {
+    std::cerr << "earshotd: reading the journal takes long; the vehicle is told to stop and come up meanwhile\n";
+    do {
+      meanwhile.turn();
+      if (stop_requested) stop_meanwhile(safety, meanwhile);
+    } while (reading.wait_for(kBetweenTurns) == std::future_status::timeout);
+  }
+  return reading.get();
+}
+
+/// The mission that a journal in the folder did not end. Nothing: a new one begins.
+/// @throws host::BadInput when the vehicle is under way, and its mission cannot go on
+std::optional<Unfinished> unfinished_mission(Flight& f, const std::filesystem::path& wanted, std::optional<SafetyLog>& safety,
+                                             std::optional<Meanwhile>& meanwhile) {
+  if (!f.options.resume) return std::nullopt;
+  const Flown flown{.mission = f.file.mission, .policy_crc32 = crc32(f.search.policy.bytes), .tables_crc32 = crc32(f.search.tables.bytes)};
+  f.manager.ask_for(std::chrono::minutes(30));  // the journal of a month is read again
+  if (f.safety == nullptr) return find_unfinished(wanted, flown, GoOnAfter::kLastTurn);
+  const host::SafetyRecord* const record = open_record(f);
+  if (!f.safety->found()) tell_of_others_journal(wanted);
+  if (record == nullptr) return std::nullopt;
+  std::optional<Unfinished> unfinished;
+  try {
+    unfinished = meanwhile ? read_again(f, wanted, flown, *safety, *meanwhile)
+                           : find_unfinished(wanted, flown, GoOnAfter::kLastInput, record->journal_crc32);
+  } catch (const host::BadInput& e) {
+    if (is_under_way(*record)) throw;
+    f.holds_orders = record->kept_crc32 == crc32(kept_vehicle(f.file));
+    std::cerr << "earshotd: " << host::printable(e.what()) << "; nothing was under way: a new mission begins\n";
+    return std::nullopt;
+  }
+  if (!unfinished) {
+    if (is_under_way(*record) && !was_ended_in_order(host::journal_marked(wanted, record->journal_crc32).value()))
+      throw host::BadInput(wanted.string() + ": the mission that was under way cannot go on: its journal holds no turn");
+    return std::nullopt;
+  }
+  f.holds_orders = true;
+  f.clock.be_at_least(unfinished->before.memory.last + f.outage.least);
+  const Resumption& before = unfinished->before;
+  const HeldOrders held = held_orders(*record, before.last, before.runtime->mission(), f.clock.now());
+  if (!held.impossible.empty())
+    throw host::BadInput(unfinished->file.path().string() + ": the mission cannot go on from it: " + std::string(held.impossible));
+  return unfinished;
+}
+
+/// What the safety record knows and the mission does not: ordered anew, as inputs that the journal holds.
+void order_what_held(const Flight& f, const runtime::Outputs& last, Core& core, MissionTurn& turn) {
+  if (!f.holds_orders) return;
+  const host::SafetyRecord* const record = open_record(f);
+  for (const messages::OperatorCommand& order : held_orders(*record, last, core.mission(), f.clock.now()).orders)
+    turn.take(kOwnPort, order);
+  const bool is_over = record->end_reason != messages::EndReason::kNone;
+  if (!is_over && !keeps_limits_of(*record, core.mission()))
+    throw host::BadInput("the limits that an operator made tighter cannot be kept by the mission that its journal tells");
+}
+
+/// Begins the mission, or goes on with it. @return how long its first turn waits for its sensors
+Duration begin(const Flight& f, const Resumption* before, const std::filesystem::path& journal, SafetyLog* safety, MissionTurn& turn) {
+  const std::string build = program::version() + " " + program::build_commit();
+  constexpr std::chrono::milliseconds kAtSea{100};
+  constexpr std::chrono::milliseconds kInLockStep{60'000};  // the simulator waits
+  if (f.options.resume) turn.write_ahead(f.options.simulation ? kInLockStep : kAtSea);
+  if (before != nullptr) {
+    f.clock.go_on_after(before->last.health);
+    f.ports.count_on_from(before->memory.reports);
+    turn.go_on_after(*before, build);
+    if (program::talk() != program::Talk::kQuiet)
+      std::cerr << "earshotd: goes on from " << host::printable(journal.string()) << ": " << to_string(*before, f.clock.now()) << "\n";
+    return f.options.simulation ? Duration{} : hold_of(f.file.mission, f.file.hearing);
+  }
+  const std::uint32_t mark =
+      turn.record_mission(f.file.mission, {.policy = f.search.policy.bytes, .tables = f.search.tables.bytes, .build = build});
+  if (safety != nullptr && !safety->begin(f.clock.now(), f.file.mission, mark, kept_vehicle(f.file), kAshore))
+    std::cerr << "earshotd: warning: no disk takes the safety record (" << host::printable(f.safety->complaints())
+              << "): a restart may forget an ABORT; tried again\n";
+  if (!f.options.simulation && program::talk() != program::Talk::kQuiet) {
+    std::cerr << "earshotd: waiting for navigation, SNR and an operator's START, as long as it takes, on\n"
+              << f.ports.description() << "earshotd: journal " << host::printable(journal.string()) << "\n";
+  }
+  return {};
+}
+
+}  // namespace
+
+void settle_memory(const Options& o) {
+  if (o.simulation) return;
+  const std::string remark = settle_memory();
+  if (!remark.empty() && program::talk() != program::Talk::kQuiet) std::cerr << "earshotd: " << remark << "\n";
+}
+
+ServiceManager service_manager(const Options& o) {
+  ServiceManager manager(o.simulation ? ServiceEnvironment{} : ServiceEnvironment::of_this_process());
+  if (!manager.complaint().empty()) std::cerr << "earshotd: warning: " << manager.complaint() << "\n";
+  return manager;
+}
+
+int fly(Flight& f) {
+  std::filesystem::create_directories(f.options.out);
+  const std::filesystem::path wanted = f.options.out / "journal.lcmlog";
+  std::optional<SafetyLog> safety;
+  std::optional<Meanwhile> meanwhile;
+  if (const host::SafetyRecord* const record = open_record(f); record != nullptr) {
+    safety.emplace(*f.safety, f.host, counted(*record));
+    if (is_under_way(*record)) meanwhile.emplace(f.file.mission, f.ports, f.clock, *safety);
+  }
+  std::optional<Unfinished> unfinished = unfinished_mission(f, wanted, safety, meanwhile);
+  if (f.options.replace)
+    host::require_writable(wanted, host::kJournalOutput, host::Replace::kOwnKind, "move it away, or name another folder with --out");
+  host::Journal journal = unfinished
+                              ? host::Journal(std::move(unfinished->file), unfinished->before.next_number, journal_options(f.options))
+                              : host::Journal(wanted, journal_options(f.options));
+  keep(f.search, journal.path());
+  if (unfinished) f.runtime = std::move(unfinished->before.runtime);
+  OwnCore own(*f.runtime);
+  Core& core = f.board ? static_cast<Core&>(*f.board) : own;
+  MissionTurn turn(core, f.ports, journal, f.clock);
+  if (f.safety != nullptr && !unfinished) safety.emplace(*f.safety, f.host, host::SafetyRecord{});
+  turn.report_to(f.manager);
+  turn.begin_parts_when(program::has_hung_up);
+  const Duration hold = begin(f, unfinished ? &unfinished->before : nullptr, journal.path(), safety ? &*safety : nullptr, turn);
+  order_what_held(f, turn.outputs(), core, turn);
+  if (meanwhile && meanwhile->abort()) turn.take(meanwhile->abort()->first, meanwhile->abort()->second);
+  if (safety) turn.keep_safe(*safety);
+  MemoryProof proof;
+  LoopResult result;
+  try {
+    result = fly_on(f, turn, proof, hold);
+  } catch (const std::exception& e) {  // no bad input: the journal has begun, and its destructor keeps it
+    std::cerr << "earshotd: " << e.what() << "; journal up to then: " << host::printable(journal.path().string()) << "\n";
+    return kLost;
+  }
+  if (safety && result.end == LoopEnd::kStopped) (void)safety->close(kAshore);
+  journal.conclude(closing_record_of(result));
+  const Status kept = journal.close();
+  const int status = report(result, f.clock, f.ports, journal.path());
+  if (f.board && program::talk() == program::Talk::kVerbose) std::cerr << "earshotd: " << f.board->remark() << "\n";
+  const int proven = f.options.prove_no_alloc ? report(proof, f.ports) : program::kDone;
+  const int in_journal = report(journal, kept, wanted, !f.options.simulation);
+  return in_journal != program::kDone ? in_journal : (proven != program::kDone ? proven : status);
+}
+
+}  // namespace earshot::board

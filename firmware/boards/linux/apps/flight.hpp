@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+
+#include "firmware/boards/linux/apps/earshotd_options.hpp"
+#include "firmware/boards/linux/clock.hpp"
+#include "firmware/boards/linux/core/board_core.hpp"
+#include "firmware/boards/linux/host_clock.hpp"
+#include "firmware/boards/linux/outage/outage_time.hpp"
+#include "firmware/boards/linux/port_set.hpp"
+#include "firmware/boards/linux/service/service_manager.hpp"
+#include "firmware/host/mission/mission_file.hpp"
+#include "firmware/host/mission/mission_judge.hpp"
+#include "firmware/host/mission/policy_file.hpp"
+#include "firmware/host/mission/tables_file.hpp"
+#include "firmware/host/safety_record/safety_copies.hpp"
+#include "firmware/runtime/runtime.hpp"
+
+namespace earshot::board {
+
+/// What the mission is flown with.
+struct Flight {
+  const Options& options;
+  const host::MissionFile& file;
+  const host::SignedSearch& search;
+  std::unique_ptr<runtime::Runtime> runtime;
+  std::unique_ptr<BoardCore> board;  ///< that decides in its place; none: nobody does
+  PortSet& ports;
+  Clock& clock;
+  const HostClock& host;
+  ServiceManager manager;
+  host::SafetyCopies* safety = nullptr;  ///< of a vehicle at sea
+  Outage outage = {};                    ///< since its record was written, where the mission goes on
+  bool holds_orders = false;             ///< what that record says is to hold in the mission that is flown
+};
+
+/// In simulation the simulator's middleware does as it likes with memory.
+void settle_memory(const Options& o);
+
+/// Of a vehicle at sea; a simulation is nobody's service.
+[[nodiscard]] ServiceManager service_manager(const Options& o);
+
+/// Begins the mission, or goes on with it, and flies it to its end.
+/// @return exit status
+/// @throws host::BadInput before the first turn, when it cannot
+[[nodiscard]] int fly(Flight& f);
+
+}  // namespace earshot::board

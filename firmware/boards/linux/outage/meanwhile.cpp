@@ -1,0 +1,57 @@
+#include "firmware/boards/linux/outage/meanwhile.hpp"
+
+#include <chrono>
+#include <variant>
+
+#include "firmware/config/safety.hpp"
+
+namespace earshot::board {
+namespace {
+
+/// With slow disks.
+constexpr std::chrono::milliseconds kPatience{100};
+
+}  // namespace
+
+void Meanwhile::take(std::uint8_t port, const Value& value) {
+  const auto* const command = std::get_if<messages::OperatorCommand>(&value);
+  const Time now = clock_.now();
+  if (command == nullptr) {
+    (void)core_.take({.arrival = now, .port = port, .sequence = 0, .value = value});
+  } else if (command->order == messages::Order::kAbort) {
+    // Where there is no room its sender asks again.
+    static_cast<void>(acknowledgements_.push_back({.time = now,
+                                                   .port = port,
+                                                   .issuer = command->issuer,
+                                                   .number = command->number,
+                                                   .order = command->order,
+                                                   .outcome = obey(port, *command)}));
+  }
+}
+
+messages::CommandOutcome Meanwhile::obey(std::uint8_t port, const messages::OperatorCommand& command) {
+  using messages::CommandOutcome;
+  if (abort_ || before_.state == messages::MissionState::kAbort) return CommandOutcome::kRepeated;
+  abort_ = {port, command};
+  return safety_.abort(kPatience) ? CommandOutcome::kObeyed : CommandOutcome::kObeyedNotDurable;
+}
+
+void Meanwhile::turn() {
+  ports_.collect(clock_, *this);
+  ports_.serve();
+  ports_.tend();
+  const Time now = clock_.now();
+  runtime::Outputs outputs = core_.step(now);
+  outputs.acknowledgements = acknowledgements_;
+  acknowledgements_.clear();
+  const host::SafetyRecord& record = safety_.record();
+  outputs.health.state = record.state;
+  outputs.health.end_reason = record.end_reason;
+  outputs.health.is_paused = record.is_paused;
+  outputs.health.response = config::Response::kSurface;
+  if (record.state == messages::MissionState::kSearch)
+    outputs.health.authority = record.is_engaged ? messages::Authority::kCommand : messages::Authority::kListen;
+  ports_.publish(now, outputs);
+}
+
+}  // namespace earshot::board

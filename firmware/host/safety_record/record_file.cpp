@@ -1,0 +1,140 @@
+#include "firmware/host/safety_record/record_file.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <utility>
+
+#include "firmware/core/big_endian.hpp"
+#include "firmware/core/crc32.hpp"
+#include "firmware/host/file/folder_lock.hpp"
+
+namespace earshot::host {
+namespace {
+
+constexpr mode_t kMode = 0640;
+constexpr std::size_t kKeptAt = kRecordSlots * kRecordSlotBytes;
+using Slot = std::array<std::uint8_t, kRecordSlotBytes>;
+
+bool write_all(int file, std::span<const std::uint8_t> bytes, std::size_t at) {
+  while (!bytes.empty()) {
+    const ssize_t done = ::pwrite(file, bytes.data(), bytes.size(), static_cast<off_t>(at));
+    if (done < 0 && errno == EINTR) continue;
+    if (done <= 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(done));
+    at += static_cast<std::size_t>(done);
+  }
+  return true;
+}
+
+/// @return how many bytes are there
+std::size_t read_all(int file, std::span<std::uint8_t> into, std::size_t at) {
+  std::size_t got = 0;
+  while (got < into.size()) {
+    const ssize_t done = ::pread(file, into.data() + got, into.size() - got, static_cast<off_t>(at + got));
+    if (done < 0 && errno == EINTR) continue;
+    if (done <= 0) break;
+    got += static_cast<std::size_t>(done);
+  }
+  return got;
+}
+
+/// A slot fills its block: a disk writes whole blocks, and none of the other's.
+Slot slot_of(const SafetyRecord& record) {
+  Slot slot{};
+  std::ranges::copy(encoded(record), slot.begin());
+  return slot;
+}
+
+}  // namespace
+
+RecordFile::RecordFile(std::filesystem::path path)
+    : path_(std::move(path)), folder_(path_.has_parent_path() ? path_.parent_path() : std::filesystem::path(".")) {}
+
+bool RecordFile::open() {
+  // Never through a link, which may lead anywhere, nor into a pipe, which may wait.
+  constexpr int kFlags = O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
+  FileDescriptor file(::open(path_.c_str(), O_RDWR | kFlags));
+  if (file.number() < 0) file = FileDescriptor(::open(path_.c_str(), O_RDONLY | kFlags));
+  struct stat status {};
+  if (file.number() < 0 || ::fstat(file.number(), &status) != 0 || !S_ISREG(status.st_mode)) return false;
+  file_ = std::move(file);
+  return true;
+}
+
+bool RecordFile::claim() {
+  return file_.number() < 0 || ::flock(file_.number(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+}
+
+std::string RecordFile::holder() const {
+  try {
+    require_not_being_written(path_);
+  } catch (const FolderInUse& e) {
+    return e.what();
+  }
+  return path_.string() + ": another program is writing this file";
+}
+
+std::optional<SafetyRecord> RecordFile::newest() {
+  std::optional<SafetyRecord> newest;
+  for (std::size_t slot = 0; file_.number() >= 0 && slot < kRecordSlots; ++slot) {
+    SafetyRecordBytes bytes{};
+    if (read_all(file_.number(), bytes, slot * kRecordSlotBytes) < bytes.size()) continue;
+    const std::optional<SafetyRecord> record = read_safety_record(bytes);
+    if (!record || (newest && record->sequence < newest->sequence)) continue;
+    newest = record;
+    newest_slot_ = slot;
+  }
+  return newest;
+}
+
+std::vector<std::uint8_t> RecordFile::kept(std::uint32_t crc32) const {
+  std::array<std::uint8_t, 4> size{};
+  if (file_.number() < 0 || read_all(file_.number(), size, kKeptAt) < size.size()) return {};
+  std::vector<std::uint8_t> bytes(std::min<std::uint64_t>(load_big_endian(size), kMostKeptBytes - size.size()));
+  if (read_all(file_.number(), bytes, kKeptAt + size.size()) < bytes.size() || earshot::crc32(bytes) != crc32) return {};
+  return bytes;
+}
+
+/// A file system that cannot promise space (EOPNOTSUPP) is written to, which takes it.
+bool RecordFile::hold_space() const {
+  if (::fallocate(file_.number(), 0, 0, kRecordFileBytes) == 0) return true;
+  if (errno != EOPNOTSUPP) return false;
+  struct stat status {};
+  if (::fstat(file_.number(), &status) != 0) return false;
+  const Slot zeros{};
+  for (auto at = static_cast<std::size_t>(status.st_size); at < kRecordFileBytes; at += zeros.size()) {
+    if (!write_all(file_.number(), std::span(zeros).first(std::min(zeros.size(), kRecordFileBytes - at)), at)) return false;
+  }
+  return true;
+}
+
+bool RecordFile::prepare(std::span<const std::uint8_t> kept) {
+  if (file_.number() < 0 && !open()) {
+    file_ = FileDescriptor(::open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, kMode));
+    if (file_.number() < 0) return false;
+  }
+  if (!claim() || !hold_space()) return false;
+  if (!kept.empty() && !this->kept(crc32(kept)).empty()) return true;
+  std::array<std::uint8_t, 4> size{};
+  if (kept.size() > kMostKeptBytes - size.size()) return false;
+  store_big_endian(size, kept.size());
+  if (!write_all(file_.number(), size, kKeptAt) || !write_all(file_.number(), kept, kKeptAt + size.size())) return false;
+  const FileDescriptor folder(::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  return ::fsync(file_.number()) == 0 && folder.number() >= 0 && ::fsync(folder.number()) == 0;
+}
+
+bool RecordFile::write(const SafetyRecord& record) {
+  if (file_.number() < 0) return false;
+  const std::size_t slot = (newest_slot_ + 1) % kRecordSlots;
+  const Slot bytes = slot_of(record);
+  if (!write_all(file_.number(), bytes, slot * kRecordSlotBytes) || ::fdatasync(file_.number()) != 0) return false;
+  newest_slot_ = slot;
+  return true;
+}
+
+}  // namespace earshot::host

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/safety_record/safety_record.hpp"
+
+namespace earshot::host {
+
+/// Another process flies with one of the copies; the message says which.
+class RecordInUse : public BadInput {
+ public:
+  using BadInput::BadInput;
+};
+
+/// A copy of the record.
+struct SafetyCopy {
+  std::filesystem::path file;
+  bool survives_power_cut = true;  ///< false: it is in memory (tmpfs), which a disk's sickness does not reach, and a crash leaves alone
+};
+
+/// All copies of a vehicle's safety record. Each is written by a thread of its own, so that a disk which hangs holds up neither the turn
+/// nor the other copies; one that does not take the record is tried again ten times a second. Nothing allocates after the construction, but
+/// prepare(), kept() and complaints().
+/// Oracle: SafetyCopies.*
+class SafetyCopies {
+ public:
+  /// Reads what is there. @throws RecordInUse
+  explicit SafetyCopies(const std::vector<SafetyCopy>& copies);
+  ~SafetyCopies();
+  SafetyCopies(const SafetyCopies&) = delete;
+  SafetyCopies& operator=(const SafetyCopies&) = delete;
+
+  /// Of all copies, when this was made: the newest record that is whole. Nothing: there is none.
+  [[nodiscard]] const std::optional<SafetyRecord>& found() const;
+  /// What is kept beside that record; empty: all copies of it are damaged.
+  [[nodiscard]] std::vector<std::uint8_t> kept() const;
+
+  /// Before a flight begins: makes the files that are not there, with all the space that they will ever need, and what is to be kept in
+  /// them. A copy that this cannot do for is tried again with every record.
+  void prepare(std::span<const std::uint8_t> kept);
+
+  /// Gives the record to all copies. @param record  its sequence is given here
+  /// @param patience  with slow disks
+  /// @return as is_durable()
+  bool write(const SafetyRecord& record, std::chrono::milliseconds patience);
+  /// Likewise one that says nothing new but its clocks, and for which nobody waits.
+  void stamp(const SafetyRecord& record);
+  /// What was written last is in a copy that survives a power cut by now.
+  [[nodiscard]] bool is_durable() const;
+  /// The copies that have not taken it; empty: all have.
+  [[nodiscard]] std::string complaints() const;
+
+ private:
+  struct Writers;
+  std::unique_ptr<Writers> writers_;
+};
+
+}  // namespace earshot::host

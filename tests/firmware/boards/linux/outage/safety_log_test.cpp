@@ -1,0 +1,135 @@
+#include "firmware/boards/linux/outage/safety_log.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "firmware/boards/linux/outage/safety_places.hpp"
+#include "firmware/host/safety_record/record_file.hpp"
+#include "tests/firmware/runtime/mission_rig.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot::board {
+namespace {
+
+namespace fs = std::filesystem;
+using messages::MissionState;
+using std::chrono::milliseconds;
+
+constexpr milliseconds kPatient{10'000};
+constexpr Time kUtc{1'795'000'000'000'000};
+
+class SetHost final : public HostClock {
+ public:
+  [[nodiscard]] Time utc() const override { return kUtc + running; }
+  [[nodiscard]] Duration since_boot() const override { return running; }
+  [[nodiscard]] BootId boot() const override { return {7}; }
+  Duration running = Duration::seconds(100);
+};
+
+class SafetyLogTest : public testing::Test {
+ protected:
+  [[nodiscard]] host::SafetyRecord on_disk() const {
+    host::RecordFile file(path_);
+    return file.open() ? file.newest().value_or(host::SafetyRecord{}) : host::SafetyRecord{};
+  }
+  static runtime::Outputs outputs(std::uint64_t turn, MissionState state, bool commands = true) {
+    runtime::Outputs outputs;
+    outputs.health.turn = turn;
+    outputs.health.state = state;
+    if (commands) outputs.setpoint.emplace();
+    return outputs;
+  }
+  bool note(const runtime::Outputs& outputs) { return log_.note(kUtc + host_.running, outputs, mission_, kPatient); }
+
+  const support::TemporaryFolder folder_;
+  const fs::path path_ = folder_ / "record";
+  SetHost host_;
+  config::Mission mission_ = runtime::paper_mission();
+  host::SafetyCopies copies_{{{.file = path_}}};
+  SafetyLog log_{copies_, host_, {}};
+};
+
+TEST_F(SafetyLogTest, HoldsTheNewStandingBeforeItReturns) {
+  ASSERT_TRUE(log_.begin(kUtc, mission_, 77, std::vector<std::uint8_t>{1, 2}, kPatient));
+  EXPECT_EQ(on_disk().journal_crc32, 77U);
+  EXPECT_EQ(on_disk().max_depth, mission_.max_depth);
+  EXPECT_FALSE(host::is_under_way(on_disk()));
+  EXPECT_TRUE(note(outputs(1, MissionState::kSearch)));
+  EXPECT_TRUE(on_disk().is_engaged);
+  EXPECT_EQ(on_disk().state, MissionState::kSearch);
+  EXPECT_EQ(on_disk().boot, BootId{7});
+  EXPECT_EQ(on_disk().since_boot, host_.running);
+  EXPECT_EQ(on_disk().mission_time, kUtc + host_.running);
+  runtime::Outputs paused = outputs(2, MissionState::kSearch);
+  paused.health.is_paused = true;
+  EXPECT_TRUE(note(paused));
+  EXPECT_TRUE(on_disk().is_paused);
+  mission_.max_depth = Meters{100};
+  EXPECT_TRUE(note(outputs(3, MissionState::kSearch)));
+  EXPECT_EQ(on_disk().max_depth, Meters{100});
+  EXPECT_EQ(on_disk().deepest, Meters{320}) << "it may be there still";
+  runtime::Outputs released = outputs(4, MissionState::kAbort);
+  released.setpoint->release_weight = true;
+  EXPECT_TRUE(note(released));
+  EXPECT_TRUE(on_disk().is_released);
+  EXPECT_TRUE(note(outputs(5, MissionState::kAbort, false)));
+  EXPECT_TRUE(on_disk().is_released && on_disk().is_engaged) << "what was released or commanded stays so";
+  EXPECT_TRUE(log_.close(kPatient));
+  EXPECT_FALSE(host::is_under_way(on_disk()));
+}
+
+TEST_F(SafetyLogTest, OfATurnThatChangesNothingWritesNothingButItsClocksEveryTenSeconds) {
+  ASSERT_TRUE(log_.begin(kUtc, mission_, 77, {}, kPatient));
+  ASSERT_TRUE(note(outputs(1, MissionState::kSearch)));
+  const std::uint64_t sequence = on_disk().sequence;
+  host_.running = host_.running + Duration::seconds(9);
+  ASSERT_TRUE(note(outputs(2, MissionState::kSearch)));
+  EXPECT_EQ(on_disk().sequence, sequence);
+  host_.running = host_.running + Duration::seconds(1);
+  ASSERT_TRUE(note(outputs(3, MissionState::kSearch)));
+  for (int i = 0; i < 1000 && on_disk().sequence == sequence; ++i) std::this_thread::sleep_for(milliseconds(5));
+  EXPECT_EQ(on_disk().sequence, sequence + 1);
+  EXPECT_EQ(on_disk().since_boot, host_.running);
+}
+
+TEST_F(SafetyLogTest, ForgetsItsStartsOnceItHasFlownForAMinute) {
+  ASSERT_TRUE(log_.begin(kUtc, mission_, 77, {}, kPatient));
+  host::SafetyRecord again = log_.record();
+  again.starts = 2;
+  SafetyLog log(copies_, host_, again);
+  (void)log.note(kUtc, outputs(1, MissionState::kSearch), mission_, kPatient);
+  EXPECT_EQ(on_disk().starts, 2U);
+  host_.running = host_.running + Duration::seconds(61);
+  (void)log.note(kUtc, outputs(2, MissionState::kAbort), mission_, kPatient);
+  EXPECT_EQ(on_disk().starts, 0U);
+}
+
+TEST(SafetyPlaces, AreBesideTheJournalInTheServicesStateAndInMemory) {
+  const auto places = safety_places("/var/lib/earshot/search", {}, {.state = "/var/lib/earshot", .runtime = "/run/earshot"});
+  ASSERT_EQ(places.size(), 3U);
+  EXPECT_EQ(places[0].file, "/var/lib/earshot/search/journal.safety");
+  EXPECT_EQ(places[1].file.parent_path(), "/var/lib/earshot");
+  EXPECT_EQ(places[2].file, fs::path("/run/earshot") / places[1].file.filename());
+  EXPECT_TRUE(places[0].survives_power_cut && places[1].survives_power_cut);
+  EXPECT_FALSE(places[2].survives_power_cut);
+}
+
+TEST(SafetyPlaces, AreWhereAPersonSaysAndDifferForFoldersOfOneName) {
+  const auto here = safety_places("/a/search/", {"/mnt/card", "/mnt/other"}, {.state = "/var/lib/earshot", .runtime = {}});
+  const auto there = safety_places("/b/search", {"/mnt/card"}, {});
+  ASSERT_EQ(here.size(), 3U);
+  EXPECT_EQ(here[0].file, "/a/search/journal.safety");
+  EXPECT_EQ(here[1].file.parent_path(), "/mnt/card");
+  EXPECT_EQ(here[2].file.parent_path(), "/mnt/other");
+  EXPECT_TRUE(here[1].file.filename().string().starts_with("search-"));
+  EXPECT_NE(here[1].file, there[1].file);
+}
+
+}  // namespace
+}  // namespace earshot::board

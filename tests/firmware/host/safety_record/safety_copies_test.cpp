@@ -1,0 +1,104 @@
+#include "firmware/host/safety_record/safety_copies.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <thread>
+#include <vector>
+
+#include "firmware/core/crc32.hpp"
+#include "firmware/host/safety_record/record_file.hpp"
+#include "tests/firmware/host/safety_record/some_record.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot::host {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::milliseconds;
+
+constexpr milliseconds kPatient{10'000};  // a disk of ours takes it sooner, however busy this machine is
+
+class SafetyCopiesTest : public testing::Test {
+ protected:
+  [[nodiscard]] std::vector<SafetyCopy> copies() const {
+    return {{.file = one_}, {.file = two_}, {.file = memory_, .survives_power_cut = false}};
+  }
+  [[nodiscard]] static SafetyRecord record(std::uint64_t turn) {
+    SafetyRecord record = some_record(0);
+    record.turn = turn;
+    record.kept_crc32 = crc32(kKept);
+    return record;
+  }
+  [[nodiscard]] static std::uint64_t turn_in(const fs::path& path) {
+    RecordFile file(path);
+    return file.open() ? file.newest().value_or(SafetyRecord{}).turn : 0;
+  }
+
+  inline static const std::vector<std::uint8_t> kKept{5, 4, 3};
+  const support::TemporaryFolder folder_;
+  const fs::path one_ = folder_ / "one";
+  const fs::path two_ = folder_ / "two";
+  const fs::path memory_ = folder_ / "memory";
+};
+
+TEST_F(SafetyCopiesTest, AllHoldTheRecordThatTheNextProcessFinds) {
+  {
+    SafetyCopies copies(this->copies());
+    EXPECT_FALSE(copies.found());
+    copies.prepare(kKept);
+    EXPECT_TRUE(copies.write(record(1), kPatient));
+    EXPECT_TRUE(copies.write(record(2), kPatient));
+    EXPECT_TRUE(copies.is_durable());
+  }
+  for (const fs::path& path : {one_, two_, memory_}) EXPECT_EQ(turn_in(path), 2U) << path;
+  SafetyCopies next(copies());
+  ASSERT_TRUE(next.found());
+  EXPECT_EQ(next.found()->turn, 2U);
+  EXPECT_EQ(next.kept(), kKept);
+  EXPECT_TRUE(next.write(record(3), kPatient));
+}
+
+TEST_F(SafetyCopiesTest, TheNewestOfThemCountsWhicheverItIsAndADamagedOneIsNoneOfThem) {
+  {
+    SafetyCopies copies({{.file = one_}});
+    copies.prepare(kKept);
+    EXPECT_TRUE(copies.write(record(1), kPatient));
+  }
+  fs::copy_file(one_, two_);
+  {
+    SafetyCopies copies({{.file = two_}});
+    EXPECT_TRUE(copies.write(record(2), kPatient));
+  }
+  EXPECT_EQ(SafetyCopies(copies()).found()->turn, 2U);
+  fs::resize_file(two_, 0);
+  EXPECT_EQ(SafetyCopies(copies()).found()->turn, 1U);
+  EXPECT_EQ(SafetyCopies(copies()).kept(), kKept);
+}
+
+TEST_F(SafetyCopiesTest, SaysThatItIsNotDurableWhereOnlyMemoryTakesItAndTriesAgain) {
+  SafetyCopies copies({{.file = folder_ / "not yet there" / "one"}, {.file = memory_, .survives_power_cut = false}});
+  copies.prepare(kKept);
+  EXPECT_FALSE(copies.write(record(1), milliseconds(200)));
+  EXPECT_EQ(turn_in(memory_), 1U) << "a crash does not reach memory";
+  EXPECT_EQ(copies.complaints(), (folder_ / "not yet there" / "one").string());
+  fs::create_directory(folder_ / "not yet there");
+  const auto deadline = std::chrono::steady_clock::now() + kPatient;
+  while (!copies.is_durable() && std::chrono::steady_clock::now() < deadline) std::this_thread::sleep_for(milliseconds(10));
+  EXPECT_TRUE(copies.is_durable());
+  EXPECT_EQ(turn_in(folder_ / "not yet there" / "one"), 1U);
+}
+
+TEST_F(SafetyCopiesTest, RefusesToBeASecondOwner) {
+  const SafetyCopies copies(this->copies());
+  EXPECT_NO_THROW(SafetyCopies{this->copies()}) << "there is no file yet";
+  SafetyCopies first(this->copies());
+  first.prepare(kKept);
+  EXPECT_THROW(SafetyCopies{this->copies()}, RecordInUse);
+}
+
+}  // namespace
+}  // namespace earshot::host

@@ -1,0 +1,212 @@
+// Vehicles at sea whose earshotd is killed in mid-mission and started again while something is wrong: the disk, a clock, a file, a bit,
+// another owner of the bus, two of them at once. Whatever it is, within ten seconds of the start somebody commands the vehicle: it goes on,
+// or comes up; and what was acknowledged holds. How many: EARSHOT_OUTAGES, 2,000 in tests/outage/run; from which on: EARSHOT_OUTAGES_FROM.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "firmware/core/random.hpp"
+#include "firmware/host/transport/bus_lock.hpp"
+#include "tests/scenario/vehicle_over_lcm.hpp"
+#include "tests/scenario/walk_at_sea.hpp"
+#include "tests/support/private_network.hpp"
+
+namespace earshot {
+namespace {
+
+namespace fs = std::filesystem;
+using messages::CommandOutcome;
+using messages::MissionState;
+using messages::Order;
+using std::chrono::steady_clock;
+
+/// What had been done when it was killed.
+enum class Before { kSearched, kPaused, kTightened, kAborted, kReleased };
+constexpr int kBefores = 5;
+
+/// What is wrong from then on.
+enum class Wrong {
+  kNothing,
+  kFullDisk,
+  kReadOnlyDisk,
+  kSlowDisk,
+  kClockBehind,
+  kClockAhead,
+  kComputerStartedAgain,
+  kNoRealTimeClock,
+  kBitInJournal,
+  kBitInRecord,
+  kNoJournal,
+  kNoRecord,
+  kNoMission,
+  kNoPolicy,
+  kNoKey,
+  kSecondOwner,
+};
+constexpr int kWrongs = 16;
+constexpr const char* kWords[]{
+    "nothing",  "a full disk",          "a read-only disk",  "a slow disk", "a clock behind", "a clock ahead", "another start",
+    "no clock", "a bit in the journal", "a bit in a record", "no journal",  "no record",      "no mission",    "no policy",
+    "no key",   "a second owner"};
+
+int number_in(const char* variable, int otherwise) {
+  const char* const text = std::getenv(variable);
+  return text == nullptr ? otherwise : std::atoi(text);
+}
+
+class Outages : public WalkAtSea, public testing::WithParamInterface<int> {
+ protected:
+  void SetUp() override {
+    ENTER_PRIVATE_NETWORK_OR_SKIP();
+    vehicle_.emplace(std::string(host::kDefaultLcmUrl));
+    std::string mission = mission_of_short_steps("search.toml");
+    replace(mission, "navigation_timeout_s = 5.0", "navigation_timeout_s = 300.0");
+    replace(mission, "snr_timeout_s = 5.0", "snr_timeout_s = 300.0");
+    write_mission(mission + "\n[[rule]]\nwhen = \"leak\"\nfor_s = 1.0\nthen = \"release\"\n");
+    for (const char* name : {"state", "memory"}) fs::create_directory(folder_ / name);
+    before_ = static_cast<Before>(below(kBefores));
+    wrongs_ = {static_cast<Wrong>(below(kWrongs)), below(2) == 0 ? Wrong::kNothing : static_cast<Wrong>(below(kWrongs))};
+    has_memory_ = below(2) == 0;
+  }
+
+  std::uint32_t below(std::uint32_t bound) { return static_cast<std::uint32_t>(random_.uniform_double() * bound); }
+  [[nodiscard]] bool is(Wrong wrong) const { return wrongs_[0] == wrong || wrongs_[1] == wrong; }
+  [[nodiscard]] std::string sickness() const {
+    if (is(Wrong::kReadOnlyDisk)) return "read-only";
+    if (is(Wrong::kFullDisk)) return "full";
+    return is(Wrong::kSlowDisk) ? "slow" : "";
+  }
+  [[nodiscard]] bool is_in_new_boot() const { return is(Wrong::kComputerStartedAgain) || is(Wrong::kNoRealTimeClock); }
+  [[nodiscard]] std::int64_t clock_ahead_s() const {
+    if (is(Wrong::kNoRealTimeClock)) return -10 * 365 * 86'400LL;
+    if (is(Wrong::kClockBehind)) return -2;
+    return is(Wrong::kClockAhead) ? 20 * 3600 : 0;
+  }
+
+  void start(bool is_again) {
+    std::vector<std::pair<std::string, std::string>> environment{{"LD_PRELOAD", EARSHOT_SICK_HOST},
+                                                                 {"EARSHOT_TEST_DISK", sickness()},
+                                                                 {"EARSHOT_TEST_DISK_IS_SICK", (folder_ / "sick").string()},
+                                                                 {"STATE_DIRECTORY", (folder_ / "state").string()}};
+    if (has_memory_) environment.emplace_back("RUNTIME_DIRECTORY", (folder_ / "memory").string());
+    if (is_again) environment.emplace_back("EARSHOT_TEST_CLOCK_S", std::to_string(clock_ahead_s()));
+    if (is_again && is_in_new_boot()) environment.emplace_back("EARSHOT_TEST_BOOT", (folder_ / "boot").string());
+    for (const auto& [name, value] : environment) ::setenv(name.c_str(), value.c_str(), 1);
+    start_earshotd({"--resume", "--speed", "10"});
+    for (const auto& [name, value] : environment) ::unsetenv(name.c_str());
+  }
+
+  /// @return whether it is durable
+  bool give(Order order, const messages::OperatorLimits& limits = {}) {
+    vehicle_->order(order, limits);
+    EXPECT_TRUE(vehicle_->sails_until([&] { return vehicle_->outcome.has_value(); })) << earshotd_->output();
+    EXPECT_TRUE(messages::was_obeyed(vehicle_->outcome.value_or(CommandOutcome::kTooOld))) << earshotd_->output();
+    return vehicle_->outcome == CommandOutcome::kObeyed;
+  }
+
+  /// @return whether what was done must hold: it is durable, or in a memory that was not lost
+  bool fly_until_killed() {
+    start(false);
+    EXPECT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > 2; })) << earshotd_->output();
+    (void)give(Order::kStart);
+    const auto steps = static_cast<std::int32_t>(below(4));
+    EXPECT_TRUE(vehicle_->sails_until([&] { return vehicle_->state() == MissionState::kSearch && vehicle_->health.steps_taken >= steps; }));
+    if (!sickness().empty()) std::ofstream(folder_ / "sick") << "";
+    bool is_durable = true;
+    if (before_ == Before::kPaused) is_durable = give(Order::kPause);
+    if (before_ == Before::kTightened) is_durable = give(Order::kTighten, {.max_depth = Meters{200}});
+    if (before_ == Before::kAborted) is_durable = give(Order::kAbort);
+    if (before_ == Before::kReleased) {
+      vehicle_->leak();
+      EXPECT_TRUE(vehicle_->sails_until([&] { return vehicle_->is_released; })) << earshotd_->output();
+      is_durable = sickness().empty() || sickness() == "full";  // a disk that is full takes what it holds already
+    }
+    // What is refused comes at any moment.
+    for (std::uint32_t i = below(20); i > 0; --i) (void)vehicle_->sails_until([] { return true; });
+    earshotd_->signal(SIGKILL);
+    (void)earshotd_->wait(std::chrono::seconds(10));
+    return is_durable || (has_memory_ && !is_in_new_boot());
+  }
+
+  void flip_bit(const fs::path& path) {
+    const auto size = static_cast<std::uint32_t>(fs::file_size(path));
+    const std::uint32_t at = path.extension() == ".safety" ? below(4096 * 2 + 6000) : below(size);
+    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekg(at);
+    const int byte = file.get();
+    file.seekp(at);
+    file.put(static_cast<char>(byte ^ (1 << below(8))));
+  }
+
+  /// One of the copies on a disk.
+  fs::path some_record() {
+    if (below(2) == 0) return folder_ / "journal.safety";
+    return fs::directory_iterator(folder_ / "state")->path();
+  }
+
+  void go_wrong() {
+    if (sickness() != "slow" && below(2) == 0) fs::remove(folder_ / "sick");  // it is well again
+    std::ofstream(folder_ / "boot") << "0b1c61e7-6b43-4a5c-9f0e-2d1f5f3b6a8c\n";
+    if (is_in_new_boot()) fs::remove_all(folder_ / "memory"), fs::create_directory(folder_ / "memory");
+    if (is(Wrong::kBitInJournal)) flip_bit(folder_ / "journal.lcmlog");
+    if (is(Wrong::kBitInRecord)) flip_bit(some_record());
+    if (is(Wrong::kNoRecord)) fs::remove(some_record());
+    if (is(Wrong::kNoJournal)) fs::remove(folder_ / "journal.lcmlog");
+    if (is(Wrong::kNoMission)) fs::remove(folder_ / "mission.toml");
+    if (is(Wrong::kNoPolicy)) fs::remove(folder_ / "walk.policy");
+    if (is(Wrong::kNoKey)) fs::remove(folder_ / "walk.pub");
+    if (is(Wrong::kSecondOwner)) owner_.emplace(host::lock_lcm(host::kDefaultLcmUrl));
+    vehicle_->clock_is_ahead = Duration::seconds(clock_ahead_s());
+    vehicle_->health = {};
+    vehicle_->setpoints = 0;
+  }
+
+  Pcg32 random_{static_cast<std::uint64_t>(GetParam())};
+  Before before_{};
+  std::vector<Wrong> wrongs_;
+  bool has_memory_ = false;
+  std::optional<VehicleOverLcm> vehicle_;
+  std::optional<host::BusLock> owner_;
+};
+
+TEST_P(Outages, AreFollowedByACommandToGoOnOrToComeUpAndNothingThatWasAcknowledgedIsForgotten) {
+  SCOPED_TRACE(std::string("before: ") + std::to_string(static_cast<int>(before_)) + "; " + kWords[static_cast<int>(wrongs_[0])] + " and " +
+               kWords[static_cast<int>(wrongs_[1])] + (has_memory_ ? ", with memory" : ""));
+  const bool holds = fly_until_killed();
+  go_wrong();
+  const auto began = steady_clock::now();
+  start(true);
+  const auto is_commanded = [&] { return vehicle_->setpoints > 0 && vehicle_->state() != MissionState::kStandby; };
+  EXPECT_TRUE(vehicle_->sails_until([&] { return is_commanded() || steady_clock::now() - began > std::chrono::seconds(20); }));
+  EXPECT_TRUE(is_commanded()) << earshotd_->output();
+  EXPECT_LT(steady_clock::now() - began, std::chrono::seconds(10)) << earshotd_->output();
+  const int turns = vehicle_->turns;
+  EXPECT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 2; })) << "it goes on" << earshotd_->output();
+  const bool comes_up = vehicle_->state() == MissionState::kAbort && vehicle_->depth() == Meters{0.0};
+  EXPECT_TRUE(comes_up || vehicle_->state() == MissionState::kSearch) << earshotd_->output();
+  if (!holds || comes_up) {
+    EXPECT_TRUE(!holds || before_ != Before::kReleased || vehicle_->is_released) << "a release was forgotten" << earshotd_->output();
+    return;
+  }
+  EXPECT_NE(before_, Before::kAborted) << "an ABORT was forgotten" << earshotd_->output();
+  EXPECT_NE(before_, Before::kReleased) << "a release was forgotten" << earshotd_->output();
+  EXPECT_TRUE(before_ != Before::kPaused || vehicle_->health.paused != 0) << "a PAUSE was forgotten" << earshotd_->output();
+  EXPECT_TRUE(before_ != Before::kTightened || vehicle_->depth() <= Meters{200}) << "a TIGHTEN was forgotten" << earshotd_->output();
+}
+
+INSTANTIATE_TEST_SUITE_P(Seed, Outages,
+                         testing::Range(number_in("EARSHOT_OUTAGES_FROM", 0),
+                                        number_in("EARSHOT_OUTAGES_FROM", 0) + number_in("EARSHOT_OUTAGES", 16)));
+
+}  // namespace
+}  // namespace earshot
