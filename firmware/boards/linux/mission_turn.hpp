@@ -94,6 +94,8 @@ class MissionTurn final : public InputSink {
   bool record(Time now, const runtime::Outputs& outputs);
   /// The journal's trouble is an input like a port's: it stands in the health, and a replay gives it again.
   void report_journal(Time now);
+  /// So is a set-point that no port could send.
+  void report_mute();
   void record_trouble(std::uint8_t port, BusTrouble trouble, bool is_there);
   void write_ahead_of(const runtime::Outputs& outputs, bool is_new_state);
 
@@ -102,6 +104,7 @@ class MissionTurn final : public InputSink {
   host::Journal& journal_;
   Clock& clock_;
   TurnMemory memory_;
+  bool is_mute_ = false;      ///< the last turn's set-point could not be sent
   Time journal_up_due_;       ///< not before is it told that the disk takes the journal again
   runtime::Outputs outputs_;  ///< of the last turn
   bool is_called_ = false;

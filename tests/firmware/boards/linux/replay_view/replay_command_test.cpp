@@ -119,11 +119,11 @@ TEST_F(ReplayCommand, NamesTheRuleByWhichAnotherMissionEnds) {
   // Nine rules stand in a mission without a fence. Nobody tells of the vehicle from the second in which the search begins: three seconds
   // are over in the sixth.
   EXPECT_NE(
-      said_.find("now: ABORT: a safety rule ended it, after 0 steps (since 6.0 s, rule 10, vehicle_status_age_s: 4.0, above 3.0: abort)"),
+      said_.find("now: ABORT: a safety rule ended it, after 0 steps (since 6.0 s, rule 14, vehicle_status_age_s: 4.0, above 3.0: abort)"),
       std::string::npos)
       << said_;
-  EXPECT_NE(said_.find("\nnow steers there: rule 10, vehicle_status_age_s: 4.0, above 3.0: abort\n"), std::string::npos) << said_;
-  EXPECT_NE(support::read_text(file("r.json")).find("\"rule\": \"rule 10, vehicle_status_age_s: 4.0, above 3.0: abort\""),
+  EXPECT_NE(said_.find("\nnow steers there: rule 14, vehicle_status_age_s: 4.0, above 3.0: abort\n"), std::string::npos) << said_;
+  EXPECT_NE(support::read_text(file("r.json")).find("\"rule\": \"rule 14, vehicle_status_age_s: 4.0, above 3.0: abort\""),
             std::string::npos);
 }
 
