@@ -91,10 +91,11 @@ inline constexpr std::size_t kMaxPolygonCorners = 16;
 inline constexpr std::size_t kMaxNoSurfaceZones = 4;
 /// Corrections of a dead reckoning that count at once (500 m within ten minutes, each more than 25 m); more: not believed.
 inline constexpr std::size_t kMaxCorrections = 20;
-/// Rules of a mission's own (each of the conditions once); more: mission refused.
+/// Rules of a mission's own (each of the conditions once, but for those that stand in every mission without a limit to choose); more:
+/// mission refused.
 inline constexpr std::size_t kMaxOwnRules = 25;
-/// Rules with those that no mission can switch off (at most 10).
-inline constexpr std::size_t kMaxRules = kMaxOwnRules + 10;
+/// Rules with those that no mission can switch off (at most 14).
+inline constexpr std::size_t kMaxRules = kMaxOwnRules + 14;
 
 // LCM (firmware/wire/lcm, firmware/boards/linux).
 /// Bytes of one LCM message (1 s of float samples at 32 kHz); full: refused, counted.

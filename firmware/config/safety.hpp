@@ -58,8 +58,12 @@ enum class Condition : std::uint8_t {
   kDepthIgnored,         ///< between depth and set-point
   kNoProgress,           ///< since the vehicle last came nearer to its way-point
   kPolicyUnhealthy,      ///< the policy gave no number, or was shown an observation that it cannot have been trained on
+  kNavigationDisputed,   ///< how far fixes that come late lie from those that were believed of their time
+  kPlaceUnexplained,     ///< how much further the place went than speed, heading and current can have taken it
+  kDepthUnexplained,     ///< how far the depth lies from where the set-points can have brought the vehicle
+  kSetpointsUnsent,      ///< for how long no set-point could be sent
 };
-inline constexpr std::size_t kConditions = 25;
+inline constexpr std::size_t kConditions = 29;
 
 /// One line of the supervisor's list: `response` acts once `condition` has been beyond `limit` for `persistence`.
 struct Rule {
@@ -117,16 +121,29 @@ inline constexpr std::array<ConditionTraits, kConditions> kConditionTraits{{
     {"depth_ignored_m", "the distance between depth and set-point", ConditionTraits::Kind::kAbove, 0.0, 11'000.0},
     {"no_progress_s", "the time since the vehicle last came nearer to its way-point", ConditionTraits::Kind::kAbove, 1.0, 1e7},
     {"policy_unhealthy", "the policy gives no number, or saw what it was never trained on", ConditionTraits::Kind::kFlag, 0.0, 0.0},
+    {"navigation_disputed_m", "the distance of late fixes from those that were believed of their time", ConditionTraits::Kind::kAbove, 0.0,
+     1e6},
+    {"place_unexplained_m", "the way that the place went beyond what speed, heading and current explain", ConditionTraits::Kind::kAbove,
+     0.0, 1e6},
+    {"depth_unexplained_m", "the distance of the depth from where set-points can have brought the vehicle", ConditionTraits::Kind::kAbove,
+     0.0, 11'000.0},
+    {"setpoints_unsent_s", "the time for which no set-point could be sent", ConditionTraits::Kind::kAbove, 0.5, 3600.0},
 }};
+
+/// No vehicle that is able to come up does so more slowly, or faster.
+inline constexpr MetersPerSecond kSlowestAscent{0.1};
+inline constexpr MetersPerSecond kFastestAscent{5.0};
 
 /// How the vehicle moves, as far as the supervisor must know. Not known: what stands here, which asks for nothing.
 struct VehicleLimits {
-  MetersPerSecond max_speed{20.0};      ///< through the water; no fix is believed that needs more
-  MetersPerSecond max_current{0.0};     ///< of the water over ground, anywhere in the area
-  Meters turn_radius{0.0};              ///< of its tightest turn at search speed
-  MetersPerSecond hold_speed{0.0};      ///< that it must keep to obey its rudders; 0: it can hover
-  MetersPerSecond ascent_speed{0.0};    ///< that it must keep to come up; 0: it floats up by itself
-  double battery_percent_per_km = 0.0;  ///< through the water, at search speed
+  MetersPerSecond max_speed{20.0};              ///< through the water; no fix is believed that needs more
+  MetersPerSecond max_current{0.0};             ///< of the water over ground, anywhere in the area
+  Meters turn_radius{0.0};                      ///< of its tightest turn at search speed
+  MetersPerSecond hold_speed{0.0};              ///< that it must keep to obey its rudders; 0: it can hover
+  MetersPerSecond ascent_speed{0.0};            ///< that it must keep to come up; 0: it floats up by itself
+  MetersPerSecond ascent_rate{kSlowestAscent};  ///< upwards, that it then makes at the least
+  Meters surface_depth{2.0};                    ///< it is at the surface, its antenna out of the water, when it says no more than this
+  double battery_percent_per_km = 0.0;          ///< through the water, at search speed
   friend constexpr bool operator==(const VehicleLimits&, const VehicleLimits&) = default;
 };
 

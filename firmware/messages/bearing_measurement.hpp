@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <numbers>
 #include <optional>
 
 #include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
+#include "firmware/messages/ranges.hpp"
 
 namespace earshot::messages {
 
@@ -20,12 +20,12 @@ struct Bearing {
 
 /// False for a NaN.
 [[nodiscard]] constexpr bool is_of_a_compass(Radians angle) {
-  return angle.value >= 0.0 && angle.value <= 2.0 * std::numbers::pi;
+  return kDirection_rad.contains(angle.value);
 }
 
 /// Whether every angle is in its range; false for a NaN in any of them.
 [[nodiscard]] constexpr bool is_possible(const Bearing& bearing) {
-  return is_of_a_compass(bearing.direction) && bearing.deviation.value > 0.0 && bearing.deviation.value <= std::numbers::pi &&
+  return is_of_a_compass(bearing.direction) && kDeviation_rad.contains(bearing.deviation.value) &&
          (!bearing.mirror_axis || is_of_a_compass(*bearing.mirror_axis));
 }
 

@@ -3,9 +3,9 @@
 #include <limits>
 
 #include "firmware/core/geometry.hpp"
-#include "firmware/core/math.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
+#include "firmware/messages/ranges.hpp"
 
 namespace earshot::messages {
 
@@ -22,12 +22,13 @@ struct Navigation {
   friend constexpr bool operator==(const Navigation&, const Navigation&) = default;
 };
 
-/// Whether it says where the vehicle is: all of it is finite, but for a speed that is not known. Nothing steers by the speed.
-[[nodiscard]] inline bool is_usable(const Navigation& navigation) {
+/// Whether it says where the vehicle is: all of it is in its range, but for a speed that is not known.
+[[nodiscard]] constexpr bool is_usable(const Navigation& navigation) {
   const double speed = navigation.speed.value;
   const bool is_unknown = speed != speed;  // NaN
-  return earshot::is_finite(navigation.position) && earshot::is_finite(navigation.depth.value) &&
-         earshot::is_finite(navigation.heading.value) && (is_unknown || earshot::is_finite(speed));
+  return kPlace_m.contains(navigation.position.north.value) && kPlace_m.contains(navigation.position.east.value) &&
+         kDepth_m.contains(navigation.depth.value) && kHeading_rad.contains(navigation.heading.value) &&
+         (is_unknown || kSpeed_mps.contains(speed));
 }
 
 }  // namespace earshot::messages

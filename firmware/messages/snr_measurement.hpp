@@ -2,16 +2,16 @@
 
 #include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
+#include "firmware/messages/ranges.hpp"
 
 namespace earshot::messages {
 
-/// No SNR is greater, either side of zero, whether heard or modelled: a source of 0 to 300 dB, a transmission loss of up to 300 dB and
-/// noise of -100 to 300 dB are the most that an ocean's file may hold. A look beyond it would drag a window's mean along with it.
-inline constexpr Decibels kMostSnr{600.0};
+/// No SNR is greater, either side of zero.
+inline constexpr Decibels kMostSnr{kSnr_db.highest};
 
 /// False for a NaN.
 [[nodiscard]] constexpr bool is_possible_snr(Decibels snr) {
-  return snr >= -kMostSnr && snr <= kMostSnr;
+  return kSnr_db.contains(snr.value);
 }
 
 /// The SNR at the hydrophone, measured over an interval: from the detector at sea, from the PE model over the simulation link.

@@ -4,6 +4,7 @@
 
 #include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
+#include "firmware/messages/ranges.hpp"
 
 namespace earshot::messages {
 
@@ -18,5 +19,12 @@ struct VehicleStatus {
   bool has_ground_fault = false;
   friend constexpr bool operator==(const VehicleStatus&, const VehicleStatus&) = default;
 };
+
+/// With "not known" in place of a number that is none: an alarm beside it counts all the same.
+[[nodiscard]] constexpr VehicleStatus usable_part_of(VehicleStatus status) {
+  if (!kAltitude_m.contains(status.altitude.value)) status.altitude = Meters{VehicleStatus::kUnknown};
+  if (!kBattery_percent.contains(status.battery_percent)) status.battery_percent = VehicleStatus::kUnknown;
+  return status;
+}
 
 }  // namespace earshot::messages

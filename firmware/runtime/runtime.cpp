@@ -121,7 +121,7 @@ void Runtime::turn(Time now, Outputs& outputs) {
   } else if (progress_.command.is_engaged()) {
     watch_for_release(now, outputs);
   }
-  outputs.setpoint = setpoint();
+  outputs.setpoint = setpoint(now);
   outputs.acknowledgements = progress_.acknowledgements;
   progress_.acknowledgements.clear();
   outputs.health = health(now);
@@ -129,25 +129,37 @@ void Runtime::turn(Time now, Outputs& outputs) {
 
 messages::CommandOutcome Runtime::judge(const messages::Input& input) {
   CommandOutcome outcome = CommandOutcome::kObeyed;
-  if (const auto* navigation = std::get_if<messages::Navigation>(&input.value)) take(input.arrival, *navigation);
+  if (const auto* navigation = std::get_if<messages::Navigation>(&input.value)) take(input.arrival, input.port, *navigation);
   if (const auto* measurement = std::get_if<messages::SnrMeasurement>(&input.value)) take(input.arrival, *measurement);
   if (const auto* bearing = std::get_if<messages::BearingMeasurement>(&input.value)) take(input.arrival, input.port, *bearing);
   if (const auto* command = std::get_if<messages::OperatorCommand>(&input.value))
     outcome = take_command(input.arrival, input.port, *command);
   if (const auto* report = std::get_if<messages::PortReport>(&input.value)) take(*report);
   safety::Situation& situation = progress_.situation;
-  if (const auto* status = std::get_if<messages::VehicleStatus>(&input.value)) take_status(input.arrival, *status, situation.vehicle);
+  if (const auto* status = std::get_if<messages::VehicleStatus>(&input.value))
+    take_status(input.arrival, messages::usable_part_of(*status), situation.vehicle);
   if (const auto* status = std::get_if<messages::AutopilotStatus>(&input.value)) take_status(input.arrival, *status, situation.autopilot);
   if (const auto* status = std::get_if<messages::HydrophoneStatus>(&input.value)) take_status(input.arrival, *status, situation.hydrophone);
   return outcome;
 }
 
-void Runtime::take(Time arrival, const messages::Navigation& navigation) {
+void Runtime::take(Time arrival, std::uint8_t port, const messages::Navigation& navigation) {
   safety::Situation& situation = progress_.situation;
   const bool is_to_move = situation.commanded && situation.commanded->speed.value > 0.0;
+  if (situation.navigation.is_anothers(port, arrival)) return situation.navigation.compare(arrival, navigation);
   if (!situation.navigation.take(arrival, navigation, is_to_move)) {
     ++progress_.counters.navigation_refused;
-  } else if (progress_.state == MissionState::kSearch && situation.navigation.newest_is_correction()) {
+    return;
+  }
+  situation.navigation.hold(port, arrival);
+  const messages::Navigation& fix = *situation.navigation.newest();
+  situation.depth.take(fix, mission_.safety.vehicle);
+  if (is_to_move && !situation.navigation.newest_is_correction()) {
+    situation.place.take(fix, mission_.safety.vehicle);
+  } else {
+    situation.place.begin(fix);
+  }
+  if (progress_.state == MissionState::kSearch && situation.navigation.newest_is_correction()) {
     situation.track.correct(*situation.navigation.newest());
   } else if (progress_.state == MissionState::kSearch) {
     situation.track.take(*situation.navigation.newest());
@@ -183,10 +195,12 @@ void Runtime::take(Time arrival, std::uint8_t port, const messages::BearingMeasu
 void Runtime::take(const messages::PortReport& report) {
   for (messages::PortReport& known : progress_.ports) {
     if (known.port == report.port) {
+      if (report.port == messages::kOwnPort && report.malformed > known.malformed) progress_.is_mute = true;
       known = report;
       return;
     }
   }
+  if (report.port == messages::kOwnPort && report.malformed > 0) progress_.is_mute = true;
   static_cast<void>(progress_.ports.push_back(report));  // a report of a port that cannot be: there is room for each that can
 }
 
@@ -266,6 +280,12 @@ void Runtime::supervise(Time now, Outputs& outputs) {
   safety::Situation& situation = progress_.situation;
   situation.now = now;
   situation.snr = progress_.listener.newest()->time;
+  if (!progress_.is_mute) {
+    situation.mute_since.reset();
+  } else if (!situation.mute_since) {
+    situation.mute_since = now;
+  }
+  progress_.is_mute = false;
   for (const messages::SafetyEvent& event : progress_.supervisor.watch(mission_, situation))
     static_cast<void>(outputs.safety_events.push_back(event));  // there is room: an event per rule
   situation.is_steered_back = progress_.supervisor.acts_on(config::Condition::kOutsideFence);
@@ -291,12 +311,13 @@ messages::Setpoint Runtime::wanted_setpoint() {
           .waypoint = progress_.leg.waypoint()};
 }
 
-std::optional<messages::Setpoint> Runtime::setpoint() {
+std::optional<messages::Setpoint> Runtime::setpoint(Time now) {
   if (!progress_.command.is_engaged()) return std::nullopt;
   assert(progress_.situation.navigation.newest());  // no search begins without
   const safety::SafeSetpoint safe =
       safety::safe_setpoint(mission_, *progress_.situation.navigation.newest(), wanted_setpoint(), progress_.situation.unseen());
   if (safe.limited) ++progress_.counters.setpoints_limited;
+  progress_.situation.depth.tell(now, safe.setpoint, mission_.safety.vehicle);
   progress_.situation.commanded = safe.setpoint;
   progress_.situation.goes_round = safety::goes_round(*progress_.situation.navigation.newest(), safe.setpoint);
   return safe.setpoint;

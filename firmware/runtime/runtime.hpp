@@ -107,6 +107,7 @@ class Runtime {
     authority::CommandJudge judge;
     Acknowledgements acknowledgements;
     FixedVector<messages::PortReport, config::kMaxPorts> ports;
+    bool is_mute = false;  ///< no port could send the last turn's set-point
   };
   /// What decides about the vehicle, once more.
   struct Sealed {
@@ -131,7 +132,7 @@ class Runtime {
 
   messages::CommandOutcome judge(const messages::Input& input);
   void turn(Time now, Outputs& outputs);
-  void take(Time arrival, const messages::Navigation& navigation);
+  void take(Time arrival, std::uint8_t port, const messages::Navigation& navigation);
   void take(Time arrival, const messages::SnrMeasurement& measurement);
   void take(Time arrival, std::uint8_t port, const messages::BearingMeasurement& measurement);
   void take(const messages::PortReport& report);
@@ -167,7 +168,7 @@ class Runtime {
   void ponder();
   [[nodiscard]] bool decide(Time now, const policy::Reception& reception, messages::Decision& decision);
   [[nodiscard]] messages::Setpoint wanted_setpoint();
-  [[nodiscard]] std::optional<messages::Setpoint> setpoint();
+  [[nodiscard]] std::optional<messages::Setpoint> setpoint(Time now);
   [[nodiscard]] messages::Health health(Time now) const;
 
   /// Any other number: its memory was found damaged.

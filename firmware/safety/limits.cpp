@@ -41,7 +41,7 @@ SafeSetpoint safe_setpoint(const config::Mission& mission, const messages::Navig
                            Duration unseen) {
   const bool finite =
       is_finite(wanted.heading.value) && is_finite(wanted.speed.value) && is_finite(wanted.depth.value) && is_finite(wanted.waypoint);
-  if (!finite) return {.setpoint = come_up(mission, fix, unseen), .limited = true};
+  if (!finite) return {.setpoint = come_up(mission, fix, unseen, false), .limited = true};
   messages::Setpoint allowed = wanted;
   allowed.depth = std::clamp(wanted.depth, Meters{0.0}, mission.max_depth);
   allowed.speed = std::clamp(wanted.speed, MetersPerSecond{0.0}, std::max(mission.search_speed, mission.safety.vehicle.ascent_speed));
@@ -52,11 +52,9 @@ Meters blind_radius(Meters turn_radius) {
   return std::max(2.0 * turn_radius, Meters{20.0});
 }
 
-messages::Setpoint come_up(const config::Mission& mission, const messages::Navigation& fix, Duration unseen, Duration told) {
+messages::Setpoint come_up(const config::Mission& mission, const messages::Navigation& fix, Duration unseen, bool is_up) {
   const config::VehicleLimits& vehicle = mission.safety.vehicle;
-  const bool had_time = unseen.to_seconds() > mission.max_depth.value / kSlowestAscent.value;
-  const bool is_up = fix.depth <= kAtSurface && unseen - told < kDivesAgain;
-  const bool must_move = vehicle.ascent_speed.value > 0.0 && !is_up && !had_time;
+  const bool must_move = vehicle.ascent_speed.value > 0.0 && !is_up;
   const Radians turned_on{vehicle.ascent_speed.value / blind_radius(vehicle.turn_radius).value * unseen.to_seconds()};
   return {.heading = wrap_to_pi(must_move ? fix.heading + kQuarterTurn + turned_on : fix.heading),
           .speed = must_move ? vehicle.ascent_speed : MetersPerSecond{0.0},

@@ -40,22 +40,12 @@ struct SafeSetpoint {
 ///
 ///   heading = heading of the fix + pi/2 + v t / blind_radius
 ///
-/// t: how long it was unseen (Situation::unseen), v: ascent speed. When it has had the time to come up from its deepest at kSlowestAscent,
-/// it stops. It stops at the surface too, but does not believe a fix there from kDivesAgain or more before it was told to come up: a
-/// vehicle whose fixes ceased as it dived has gone deeper since.
-/// @param told  for how long it has been told to come up
-[[nodiscard]] messages::Setpoint come_up(const config::Mission& mission, const messages::Navigation& fix, Duration unseen,
-                                         Duration told = {});
+/// t: how long it was unseen (Situation::unseen), v: ascent speed. It stops once `is_up`, which no depth alone decides (DepthEstimate).
+[[nodiscard]] messages::Setpoint come_up(const config::Mission& mission, const messages::Navigation& fix, Duration unseen, bool is_up);
 
 /// Whether a set-point sends the vehicle round and round: a quarter of a turn to the right of where it points.
 [[nodiscard]] bool goes_round(const messages::Navigation& fix, const messages::Setpoint& setpoint);
 
-/// Above this, the vehicle has come up.
-inline constexpr Meters kAtSurface{2.0};
-/// In this time a vehicle that dives gets below kAtSurface by so much that it matters.
-inline constexpr Duration kDivesAgain = Duration::seconds(2);
-/// No vehicle that is able to come up does so more slowly.
-inline constexpr MetersPerSecond kSlowestAscent{0.1};
 /// Of the circle on which a vehicle is sent up that cannot be seen: twice as wide as its tightest, and 20 m where that is not known.
 [[nodiscard]] Meters blind_radius(Meters turn_radius);
 

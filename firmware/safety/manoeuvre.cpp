@@ -46,7 +46,6 @@ NorthEast way_back(const config::Fence& fence, NorthEast position) {
 messages::Setpoint Manoeuvre::setpoint(const config::Mission& mission, const Situation& situation, config::Response response) {
   const bool steers_back = situation.is_steered_back || response <= config::Response::kSteerBack;
   if (!steers_back) side_ = Side::kNone;  // the next time that it is beyond the fence is another
-  if (response < config::Response::kSurface) coming_up_.reset();
   switch (response) {
     case config::Response::kWarn:
     case config::Response::kSteerBack:
@@ -128,14 +127,13 @@ messages::Setpoint Manoeuvre::hold(const config::Mission& mission, const Situati
 }
 
 messages::Setpoint Manoeuvre::come_up_from(const config::Mission& mission, const Situation& situation) {
-  if (!coming_up_) coming_up_ = situation.now;
-  return come_up(mission, *situation.navigation.newest(), situation.unseen(), situation.now - *coming_up_);
+  return come_up(mission, *situation.navigation.newest(), situation.unseen(), situation.depth.is_up(mission.safety.vehicle));
 }
 
 messages::Setpoint Manoeuvre::surface(const config::Mission& mission, const Situation& situation) {
   const messages::Navigation& fix = *situation.navigation.newest();
   const config::Polygon* zone = zone_at(mission.safety, fix.position);
-  if (zone == nullptr || fix.depth <= kAtSurface) return come_up_from(mission, situation);
+  if (zone == nullptr || fix.depth <= mission.safety.vehicle.surface_depth) return come_up_from(mission, situation);
   const NorthEast edge = nearest_on_edges(zone->span(), fix.position);
   const NorthEast way = edge - fix.position;
   return {.heading = edge == fix.position ? wrap_to_pi(fix.heading) : bearing_of(way.north.value, way.east.value),

@@ -28,14 +28,13 @@ class Manoeuvre {
   [[nodiscard]] messages::Setpoint steer_back(const config::Mission& mission, const Situation& situation);
   [[nodiscard]] messages::Setpoint stay_at(const config::Mission& mission, const Situation& situation, NorthEast place) const;
   [[nodiscard]] messages::Setpoint hold(const config::Mission& mission, const Situation& situation);
-  [[nodiscard]] messages::Setpoint come_up_from(const config::Mission& mission, const Situation& situation);
-  [[nodiscard]] messages::Setpoint surface(const config::Mission& mission, const Situation& situation);
+  [[nodiscard]] static messages::Setpoint come_up_from(const config::Mission& mission, const Situation& situation);
+  [[nodiscard]] static messages::Setpoint surface(const config::Mission& mission, const Situation& situation);
   [[nodiscard]] static Side open_side(const config::Mission& mission, const messages::Navigation& fix, Radians error);
   [[nodiscard]] Radians by_way_of_its_side(const config::Mission& mission, const messages::Navigation& fix, Radians wanted);
 
   Side side_ = Side::kNone;           ///< of a turn back by more than a right angle, until it is over
   std::optional<NorthEast> holding_;  ///< the place
-  std::optional<Time> coming_up_;     ///< since when it is told to come up
 };
 
 }  // namespace earshot::safety

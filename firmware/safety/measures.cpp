@@ -146,6 +146,14 @@ std::optional<double> measure(Condition condition, const config::Mission& missio
       return situation.track.without_progress(situation.now).to_seconds();
     case Condition::kPolicyUnhealthy:
       return as_number(situation.is_policy_unhealthy);
+    case Condition::kNavigationDisputed:
+      return situation.navigation.dispute(situation.now).value;
+    case Condition::kPlaceUnexplained:
+      return situation.place.unexplained(safety.vehicle).value;
+    case Condition::kDepthUnexplained:
+      return situation.depth.unexplained().value;
+    case Condition::kSetpointsUnsent:
+      return situation.mute_since ? seconds_since(*situation.mute_since, situation.now) : 0.0;
   }
   return std::nullopt;
 }

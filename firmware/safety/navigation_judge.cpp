@@ -3,12 +3,49 @@
 #include <algorithm>
 
 namespace earshot::safety {
+namespace {
+
+constexpr std::uint32_t kOfOneSender = 3;  ///< two stray fixes may lie at one place by chance
+
+}  // namespace
+
+void NavigationJudge::hold(std::uint8_t port, Time arrival) {
+  port_ = port;
+  held_ = arrival;
+}
+
+bool NavigationJudge::is_anothers(std::uint8_t port, Time arrival) const {
+  return newest_ && port != port_ && arrival - held_ <= kHandover;
+}
+
+void NavigationJudge::compare(Time arrival, const messages::Navigation& fix) {
+  if (!messages::is_usable(fix) || !lies_within(fix.time, arrival, timeout_)) return;
+  messages::Navigation dated = fix;
+  dated.time = std::min(fix.time, arrival);
+  const bool is_late = dated.time < newest_->time;
+  dispute(arrival, is_late ? excess(dated, *newest_, kNoise) : excess(*newest_, dated, kNoise));
+}
+
+void NavigationJudge::dispute(Time arrival, Meters by) {
+  if (!(by > Meters{0.0})) return;
+  const Duration apart = arrival - disputed_;
+  dispute_memory_ = dispute_ > Meters{0.0} && apart <= kSlowestSender ? std::max(kJumpMemory, apart + apart) : kJumpMemory;
+  disputed_ = arrival;
+  dispute_ = by;
+}
+
+Meters NavigationJudge::dispute(Time now) const {
+  return now - disputed_ > dispute_memory_ ? Meters{0.0} : dispute_;
+}
 
 bool NavigationJudge::take(Time arrival, const messages::Navigation& fix, bool is_to_move) {
   if (!messages::is_usable(fix) || !lies_within(fix.time, arrival, timeout_) || fix.time > arrival + kMostAhead) return false;
   messages::Navigation dated = fix;
   dated.time = std::min(fix.time, arrival);  // a sender whose clock is fast does not stay fresh for longer
-  if (newest_ && dated.time < newest_->time) return false;
+  if (newest_ && dated.time < newest_->time) {
+    dispute(arrival, excess(dated, *newest_, kNoise));
+    return false;
+  }
   const bool starts_over = !newest_ || (!is_to_move && arrival - newest_->time > timeout_);  // carried about, as on a ship's deck
   const Meters jump = starts_over ? Meters{0.0} : excess(dated);
   const bool corrects = jump > Meters{0.0} && is_correction(dated, jump);
@@ -68,7 +105,6 @@ void NavigationJudge::correct(const messages::Navigation& fix, Meters jump) {
 }
 
 void NavigationJudge::remember_sender(const messages::Navigation& fix) {
-  constexpr std::uint32_t kOfOneSender = 3;  // two stray fixes may lie at one place by chance
   const bool goes_on =
       other_sender_ && lies_within(other_sender_->time, fix.time, kSlowestSender) && !(excess(*other_sender_, fix, kNoise) > Meters{0.0});
   other_senders_fixes_ = goes_on ? std::min(other_senders_fixes_ + 1, kOfOneSender) : 1;
@@ -85,6 +121,10 @@ void NavigationJudge::count(bool is_refused) {
 void NavigationJudge::believe(const messages::Navigation& fix, bool is_to_move) {
   const bool stays = newest_ && newest_->position == fix.position && is_to_move;
   if (!stays) moved_ = fix.time;
+  if (!newest_ || !is_to_move || range_between(left_at_, fix.position) > kJitter) {
+    left_ = fix.time;
+    left_at_ = fix.position;
+  }
   newest_ = fix;
   refused_.reset();
   if (fix.time - next_anchor_.time < kAnchorAge) return;
@@ -94,11 +134,14 @@ void NavigationJudge::believe(const messages::Navigation& fix, bool is_to_move) 
 
 Meters NavigationJudge::jump(Time now) const {
   if (now - jump_seen_ > jump_memory_) return Meters{0.0};
-  return jump_ > kMostCorrection || refused_share_ > kNoisyShare ? jump_ : Meters{0.0};
+  const bool is_a_sender = other_senders_fixes_ == kOfOneSender && jump_ > kMostNoise;
+  return is_a_sender || jump_ > kMostCorrection || refused_share_ > kNoisyShare ? jump_ : Meters{0.0};
 }
 
 Duration NavigationJudge::frozen() const {
-  return newest_ ? newest_->time - moved_ : Duration{};
+  if (!newest_) return {};
+  const Duration jitters = newest_->time - left_;
+  return std::max(newest_->time - moved_, jitters > kSlowMove ? jitters : Duration{});
 }
 
 }  // namespace earshot::safety

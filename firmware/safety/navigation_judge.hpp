@@ -33,11 +33,24 @@ class NavigationJudge {
   [[nodiscard]] bool newest_is_correction() const { return newest_is_correction_; }
 
   /// How far the newest refused fix lay from where the vehicle can have been; none once no fix was refused for kJumpMemory, and none as
-  /// long as no more than kNoisyShare of the fixes are, and by no more than kMostCorrection: that is noise. A sender that is slower than
-  /// kJumpMemory is remembered for twice the time between its fixes, once three have gone on from each other.
+  /// long as no more than kNoisyShare of the fixes are, and by no more than kMostCorrection: that is noise. Once three have gone on from
+  /// each other they are a sender's, however few they are, if they lie more than kMostNoise off, and one that is slower than kJumpMemory is
+  /// remembered for twice the time between its fixes.
   [[nodiscard]] Meters jump(Time now) const;
-  /// For how long fixes have said one place although the vehicle was to move.
+  /// For how long fixes have said one place although the vehicle was to move, or places within kJitter for more than kSlowMove.
   [[nodiscard]] Duration frozen() const;
+
+  /// Whether fixes are taken from another port: from the first that has brought one that is believed, until it has brought none for
+  /// kHandover.
+  [[nodiscard]] bool is_anothers(std::uint8_t port, Time arrival) const;
+  /// Of a fix by another port than the one that fixes are taken from: holds it against those.
+  void compare(Time arrival, const messages::Navigation& fix);
+  void hold(std::uint8_t port, Time arrival);
+
+  /// By how much the newest fix that came late, or by another port, lay further off than a vehicle can have gone from the newest of those
+  /// believed, or by then to it: there are two senders, and who is right nobody knows. None once no such fix came for kJumpMemory, or twice
+  /// the time between the last two, were they no more than kSlowestSender apart.
+  [[nodiscard]] Meters dispute(Time now) const;
 
   /// No date of a fix lies further ahead of its arrival: clocks that are kept by NTP or GNSS differ by less.
   static constexpr Duration kMostAhead = Duration::milliseconds(500);
@@ -55,10 +68,16 @@ class NavigationJudge {
   /// Refused fixes further apart are not one sender's: in that time the vehicle gets to where a stray fix may be.
   static constexpr Duration kSlowestSender = Duration::seconds(30);
   static constexpr double kNoisyShare = 1.0 / 3.0;  ///< of some sixteen fixes
+  static constexpr Meters kMostNoise{50.0};
+  static constexpr Duration kHandover = Duration::seconds(3);
+  /// Of a receiver's last digits; a vehicle that makes more than a tenth of that a second is not still.
+  static constexpr Meters kJitter{0.25};
+  static constexpr Duration kSlowMove = Duration::seconds(3);
 
  private:
   [[nodiscard]] Meters excess(const messages::Navigation& from, const messages::Navigation& to, Meters noise) const;
   [[nodiscard]] Meters excess(const messages::Navigation& fix) const;
+  void dispute(Time arrival, Meters by);
   struct Correction {
     Time time;
     Meters by;
@@ -88,7 +107,14 @@ class NavigationJudge {
   double refused_share_ = 0.0;  ///< of the fixes, the older the less
   Time jump_seen_;
   Meters jump_;
-  Time moved_;  ///< date of the last fix of another place, or after which the vehicle was not told to move
+  Time moved_;         ///< date of the last fix of another place, or after which the vehicle was not told to move
+  Time left_;          ///< likewise, of the last that lay further than kJitter from the one before it that did
+  NorthEast left_at_;  ///< its place
+  Time disputed_;      ///< arrival
+  Meters dispute_;
+  Duration dispute_memory_ = kJumpMemory;
+  Time held_;  ///< arrival of the newest that is believed
+  std::uint8_t port_ = 0;
 };
 
 }  // namespace earshot::safety

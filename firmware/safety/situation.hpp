@@ -8,7 +8,9 @@
 #include "firmware/messages/navigation.hpp"
 #include "firmware/messages/setpoint.hpp"
 #include "firmware/messages/vehicle_status.hpp"
+#include "firmware/safety/depth_estimate.hpp"
 #include "firmware/safety/navigation_judge.hpp"
+#include "firmware/safety/place_estimate.hpp"
 #include "firmware/safety/track.hpp"
 
 namespace earshot::safety {
@@ -21,6 +23,9 @@ struct Situation {
   std::optional<Time> operator_heard;  ///< arrival of the newest command
   NavigationJudge navigation;
   Track track;
+  DepthEstimate depth;
+  PlaceEstimate place;
+  std::optional<Time> mute_since;  ///< since when no set-point could be sent
   std::optional<messages::VehicleStatus> vehicle;
   std::optional<messages::AutopilotStatus> autopilot;
   std::optional<messages::HydrophoneStatus> hydrophone;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "firmware/safety/limits.hpp"
+#include "firmware/messages/ranges.hpp"
 #include "firmware/safety/measures.hpp"
 
 namespace earshot::safety {
@@ -15,6 +15,8 @@ using config::Rule;
 
 /// Refused fixes may be a second sender's: which of the two is true, nobody on board can say.
 constexpr Duration kJumpPersistence = Duration::seconds(10);
+/// Without a set-point it may be for as long as without a fix, but a device may wait for its address.
+constexpr Duration kShortestMute = Duration::seconds(10);
 /// A leg may take as many times what it takes at search speed before it is no progress.
 constexpr double kSlowestShare = 3.0;
 
@@ -29,8 +31,10 @@ bool is_beyond(const Rule& rule, double measure) {
   return true;
 }
 
+/// @param way_m  any number: nobody is deeper than an ocean
 Duration time_to_come_up(double way_m) {
-  return Duration::seconds(static_cast<std::int64_t>(std::max(way_m, 0.0) / kSlowestAscent.value));
+  const double seconds = std::clamp(way_m, 0.0, messages::kDepth_m.highest) / config::kSlowestAscent.value;
+  return Duration::seconds(static_cast<std::int64_t>(seconds));
 }
 
 Rule aborting(Condition condition, double limit, Duration persistence = {}) {
@@ -49,6 +53,10 @@ Rules standing(const config::Mission& mission) {
   add(aborting(Condition::kNavigationFrozen, mission.navigation_timeout.to_seconds()));
   add(aborting(Condition::kNoProgress, kSlowestShare * mission.step_length.value / mission.search_speed.value));
   add(aborting(Condition::kPolicyUnhealthy, 0.0));
+  add(aborting(Condition::kNavigationDisputed, 0.0, kJumpPersistence));
+  add(aborting(Condition::kPlaceUnexplained, 0.0, kJumpPersistence));
+  add(aborting(Condition::kDepthUnexplained, 0.0, kJumpPersistence));
+  add(aborting(Condition::kSetpointsUnsent, std::max(mission.navigation_timeout, kShortestMute).to_seconds()));
   if (mission.safety.fence) add({.condition = Condition::kOutsideFence, .limit = 0.0, .persistence = {}, .response = Response::kSteerBack});
   return rules;
 }
@@ -67,6 +75,9 @@ Rules rules_of(const config::Mission& mission) {
 
 void Supervisor::configure(const config::Mission& mission) {
   rules_ = rules_of(mission);
+  standing_ = standing_rules(mission);
+  next_depth_.reset();
+  next_depth_by_.reset();
   watches_.clear();
   for (std::size_t i = 0; i < rules_.size(); ++i) static_cast<void>(watches_.push_back({}));
 }
@@ -75,24 +86,24 @@ void Supervisor::tighten(const config::Mission& mission) {
   const Rules tighter = standing(mission);
   for (std::size_t i = 0; i < tighter.size(); ++i) {
     if (rules_[i].condition == Condition::kDepth) {
-      watches_[i].next_limit = tighter[i].limit;
-      watches_[i].next_by.reset();
+      next_depth_ = tighter[i].limit;
+      next_depth_by_.reset();
     } else {
       rules_[i].limit = tighter[i].limit;
     }
   }
 }
 
-void Supervisor::take_next_limit(std::size_t rule, double measured, Time now) {
-  Watch& watch = watches_[rule];
-  if (!watch.next_limit) return;
-  const double next = *watch.next_limit;
-  if (!watch.next_by) watch.next_by = now + kTimeToTurnUp + time_to_come_up(measured - next);
+void Supervisor::take_next_depth(std::size_t rule, double measured, Time now) {
+  const bool is_of_every_mission = rule < standing_ && rules_[rule].condition == Condition::kDepth;
+  if (!is_of_every_mission || !next_depth_) return;
+  const double next = *next_depth_;
+  if (!next_depth_by_) next_depth_by_ = now + kTimeToTurnUp + time_to_come_up(measured - next);
   rules_[rule].limit = std::min(rules_[rule].limit, std::max(next, measured + kOvershoot.value));
-  if (measured > next && now < *watch.next_by) return;
+  if (measured > next && now < *next_depth_by_) return;
   rules_[rule].limit = next;
-  watch.next_limit.reset();
-  watch.next_by.reset();
+  next_depth_.reset();
+  next_depth_by_.reset();
 }
 
 SafetyEvents Supervisor::watch(const config::Mission& mission, const Situation& situation) {
@@ -115,7 +126,7 @@ void Supervisor::watch(std::size_t i, const config::Mission& mission, const Situ
   const std::optional<double> measured = measure(rule.condition, mission, situation);
   if (measured) {
     watch.measure = *measured;
-    take_next_limit(i, *measured, situation.now);
+    take_next_depth(i, *measured, situation.now);
     const bool holds = is_beyond(rule, *measured);
     if (!holds) watch.since.reset();
     if (holds && !watch.since) watch.since = situation.now;

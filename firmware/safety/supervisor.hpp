@@ -55,19 +55,20 @@ class Supervisor {
 
  private:
   struct Watch {
-    std::optional<Time> since;         ///< its condition has been beyond its limit
-    std::optional<double> next_limit;  ///< is the rule's once the measure is within it
-    std::optional<Time> next_by;       ///< or at this time
-    double measure = 0.0;              ///< the last that was known
+    std::optional<Time> since;  ///< its condition has been beyond its limit
+    double measure = 0.0;       ///< the last that was known
     bool acts = false;
   };
 
   [[nodiscard]] std::optional<std::size_t> strongest() const;
   void watch(std::size_t rule, const config::Mission& mission, const Situation& situation, SafetyEvents& events);
-  void take_next_limit(std::size_t rule, double measured, Time now);
+  void take_next_depth(std::size_t rule, double measured, Time now);
 
   Rules rules_;
+  std::size_t standing_ = 0;  ///< so many of them are of every mission
   FixedVector<Watch, config::kMaxRules> watches_;
+  std::optional<double> next_depth_;   ///< is the limit of the depth of every mission once the vehicle is within it
+  std::optional<Time> next_depth_by_;  ///< or at this time
 };
 
 }  // namespace earshot::safety

@@ -60,8 +60,10 @@ Expectation expected_without_firing(Expectation expected, const std::vector<Cond
 }
 
 bool can_be_disarmed(Condition rule) {
-  constexpr Condition kStanding[]{Condition::kOutsideHalt, Condition::kSearchTime,      Condition::kNavigationJump,
-                                  Condition::kNoProgress,  Condition::kPolicyUnhealthy, Condition::kOutsideFence};
+  constexpr Condition kStanding[]{Condition::kOutsideHalt,        Condition::kSearchTime,       Condition::kNavigationJump,
+                                  Condition::kNoProgress,         Condition::kPolicyUnhealthy,  Condition::kOutsideFence,
+                                  Condition::kNavigationDisputed, Condition::kPlaceUnexplained, Condition::kDepthUnexplained,
+                                  Condition::kSetpointsUnsent};
   return std::ranges::find(kStanding, rule) == std::end(kStanding);
 }
 

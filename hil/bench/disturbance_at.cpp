@@ -51,6 +51,25 @@ Disturbance disturbance_at(const std::vector<TimedFault>& faults, Time now, Dura
       case Fault::kDepthError:
         d.depth_error += Meters{fault.amount};
         break;
+      case Fault::kSpeedError:
+        d.speed_error += MetersPerSecond{fault.amount};
+        break;
+      case Fault::kPositionDrift: {
+        const double seconds = (now - fault.from).to_seconds();
+        d.position_error = d.position_error + NorthEast{fault.vector().north * seconds, fault.vector().east * seconds};
+        break;
+      }
+      case Fault::kPositionShiver:
+        d.is_place_stuck = true;
+        // From side to side, once a second.
+        d.position_error = d.position_error + NorthEast{Meters{now.us / 1'000'000 % 2 == 0 ? fault.amount : -fault.amount}, Meters{}};
+        break;
+      case Fault::kDepthDrift:
+        d.depth_error += Meters{fault.amount * (now - fault.from).to_seconds()};
+        break;
+      case Fault::kDepthStuck:
+        d.stuck_depth = Meters{fault.amount};
+        break;
       case Fault::kDeaf:
         d.hydrophone.is_deaf = true;
         break;

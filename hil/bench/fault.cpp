@@ -7,7 +7,11 @@
 namespace earshot::hil {
 
 bool has_direction(Fault fault) {
-  return fault == Fault::kCurrent || fault == Fault::kPositionError || fault == Fault::kSecondNavigation;
+  return fault == Fault::kCurrent || fault == Fault::kPositionError || fault == Fault::kSecondNavigation || leads_away(fault);
+}
+
+bool leads_away(Fault fault) {
+  return fault == Fault::kPositionDrift || fault == Fault::kWalkingNavigation;
 }
 
 NorthEast TimedFault::vector() const {

@@ -27,14 +27,15 @@ enum class Fault : std::uint8_t {
   kReordering,
   kDateError,
   // Of who is on the bus.
-  kFlood,             ///< frames of the highest priority that mean nothing; over LCM: messages of a channel that nobody has
-  kNavigationFlood,   ///< fixes of which every number is drawn
-  kSecondNavigation,  ///< another inertial navigation, which believes that it is elsewhere
-  kSecondAutopilot,   ///< another autopilot, which follows no set-point
-  kAddressThief,      ///< a device with more rights that claims Earshot's address
-  kStrangersOrder,    ///< a COMPLETE that is long out of date, given again and again
-  kUnknownOrder,      ///< one that there is none of, again and again
-  kInterfaceDown,     ///< the computer's CAN interface
+  kFlood,              ///< frames of the highest priority that mean nothing; over LCM: messages of a channel that nobody has
+  kNavigationFlood,    ///< fixes of which every number is drawn
+  kSecondNavigation,   ///< another inertial navigation, which believes that it is elsewhere
+  kWalkingNavigation,  ///< one that believes itself to be carried away from where the vehicle is
+  kSecondAutopilot,    ///< another autopilot, which follows no set-point
+  kAddressThief,       ///< a device with more rights that claims Earshot's address
+  kStrangersOrder,     ///< a COMPLETE that is long out of date, given again and again
+  kUnknownOrder,       ///< one that there is none of, again and again
+  kInterfaceDown,      ///< the computer's CAN interface
   // Of the controller and the wire (SeaEquipment).
   kErrorPassive,  ///< the computer's CAN controller counts many errors
   kBusOff,        ///< it leaves the bus; when it is over, the interface is taken down and up
@@ -54,6 +55,11 @@ enum class Fault : std::uint8_t {
   kPositionError,
   kHeadingError,
   kDepthError,
+  kSpeedError,
+  kPositionDrift,   ///< the place goes away from the truth
+  kPositionShiver,  ///< it stands still, but for a shiver
+  kDepthDrift,
+  kDepthStuck,  ///< it says one depth, whatever is true
   kDeaf,
   kGainError,
   // Of a hydrophone whose samples come over LCM (SoundFault).
@@ -71,7 +77,7 @@ enum class Fault : std::uint8_t {
   kReadOnlyDisk,
   kNoRoom,  ///< the interface takes no more than so many frames a second, and the kernel refuses the others
 };
-inline constexpr std::size_t kFaults = 50;
+inline constexpr std::size_t kFaults = 56;
 inline constexpr std::size_t kFrameFaults = 11;  ///< the first of them
 
 /// On which buses there is such a fault.
@@ -106,6 +112,7 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
     {"flood", "frames_per_s", 1.0, 20'000.0},
     {"navigation_flood", "messages_per_s", 1.0, 3.0, FaultBus::kLcm},
     {"second_navigation", "metres_off", 0.0, 1e6},
+    {"walking_navigation", "mps", 0.0, 100.0, FaultBus::kLcm},
     {"second_autopilot", "", 0.0, 0.0, FaultBus::kCan},
     {"address_thief", "", 0.0, 0.0, FaultBus::kCan},
     {"strangers_order", ""},
@@ -128,6 +135,11 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
     {"position_error", "metres", -1e6, 1e6},
     {"heading_error", "degrees", -180.0, 180.0},
     {"depth_error", "metres", -11'000.0, 11'000.0},
+    {"speed_error", "mps", -10.0, 10.0},
+    {"position_drift", "mps", 0.0, 100.0},
+    {"position_shiver", "metres", 0.0, 100.0},
+    {"depth_drift", "mps", -10.0, 10.0},
+    {"depth_stuck", "metres", -100.0, 11'000.0},
     {"deaf", ""},
     {"gain_error", "decibels", -120.0, 120.0},
     {"sound_dropout", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kAtSea},
@@ -186,6 +198,8 @@ struct TimedFault {
 [[nodiscard]] bool is_of_controller(Fault fault);
 /// Whether it befalls the hydrophone whose samples come over LCM.
 [[nodiscard]] bool is_of_sound(Fault fault);
+/// Whether the vehicle may truly be led out of its area by it: what is told of its place is a lie that goes on growing.
+[[nodiscard]] bool leads_away(Fault fault);
 /// Whether `direction_deg` says where to.
 [[nodiscard]] bool has_direction(Fault fault);
 

@@ -1,9 +1,11 @@
 #include "hil/bench/random_case.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <filesystem>
 #include <iomanip>
+#include <iterator>
 #include <sstream>
 #include <utility>
 
@@ -85,7 +87,8 @@ Case random_case(const std::vector<Case>& pool, std::uint64_t seed) {
   std::vector<TimedFault> all;
   Case made = drawn(pool, seed);
   for (const Case& c : pool) {
-    if (c.bus == made.bus) all.insert(all.end(), c.faults.begin(), c.faults.end());
+    if (c.bus != made.bus) continue;
+    std::ranges::copy_if(c.faults, std::back_inserter(all), [](const TimedFault& fault) { return !leads_away(fault.fault); });
   }
   made.name = "random_" + std::to_string(seed);
   made.given = "a search that begins towards the fence";

@@ -26,6 +26,9 @@ struct Disturbance {
   NorthEast position_error = {};
   Radians heading_error = {};  ///< a magnetic compass that calls its north true: minus the variation
   Meters depth_error = {};
+  MetersPerSecond speed_error = {};
+  bool is_place_stuck = false;             ///< but for `position_error`
+  std::optional<Meters> stuck_depth = {};  ///< what the depth sensor says
   HydrophoneFault hydrophone = {};
 };
 

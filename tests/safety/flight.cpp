@@ -118,7 +118,7 @@ class Flight {
       const bool must_release = is_watched && leaks_ && now_ > ended + Duration::seconds(kLeakAfterEnd_s) + leak_lasts;
       if (must_release && !outputs_.setpoint->release_weight) broken_ = "the weight is not released after the end";
     }
-    if (broken_.empty() && vehicle_.depth_m() > safety::kAtSurface.value) broken_ = "it does not come up";
+    if (broken_.empty() && vehicle_.depth_m() > drawn_.mission.safety.vehicle.surface_depth.value) broken_ = "it does not come up";
   }
 
   void break_vehicle() {

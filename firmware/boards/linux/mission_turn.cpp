@@ -129,6 +129,7 @@ runtime::Outputs MissionTurn::operator()() {
   ports_.report_changes(*this);
   const Time turn = now();
   report_journal(turn);
+  report_mute();
   is_called_ = false;
   if (is_part_asked_for_ != nullptr && is_part_asked_for_->exchange(false) && journal_ != nullptr) journal_->begin_part();
   outputs_ = core_.step(turn);
@@ -137,7 +138,9 @@ runtime::Outputs MissionTurn::operator()() {
   write_ahead_of(outputs_, is_new_state);
   const bool is_durable = safety_ == nullptr || safety_->note(turn, outputs_, core_.mission(), patience_);
   ports_.note_speed(is_finite(memory_.speed.value) ? memory_.speed : memory_.commanded_speed);
+  const std::uint64_t sent = ports_.setpoints_sent();
   ports_.publish(turn, as_told(is_durable));
+  is_mute_ = outputs_.setpoint && ports_.carries_setpoints() && ports_.setpoints_sent() == sent;
   if (manager_ != nullptr) manager_->note_turn(outputs_.health);
   if (news_ == nullptr) return outputs_;
   news_->tell(turn, core_.mission());
@@ -167,7 +170,20 @@ void MissionTurn::report_journal(Time now) {
   if (is_fine == memory_.reports[kOwnPort].link_up || (is_fine && now < journal_up_due_)) return;
   const host::JournalCounters counters = journal_ == nullptr ? host::JournalCounters{} : journal_->counters();
   journal_up_due_ = now + kJournalDownAtLeast;
-  take(kOwnPort, messages::PortReport{.port = kOwnPort, .link_up = is_fine, .lost = counters.all_lost(), .unsent = counters.write_errors});
+  take(kOwnPort, messages::PortReport{.port = kOwnPort,
+                                      .link_up = is_fine,
+                                      .lost = counters.all_lost(),
+                                      .malformed = memory_.reports[kOwnPort].malformed,
+                                      .unsent = counters.write_errors});
+}
+
+/// That the last turn's set-point could not be sent: the supervisor counts how long that lasts.
+void MissionTurn::report_mute() {
+  if (!is_mute_) return;
+  messages::PortReport report = memory_.reports[kOwnPort];
+  report.port = kOwnPort;
+  ++report.malformed;
+  take(kOwnPort, report);
 }
 
 const runtime::Outputs& MissionTurn::as_told(bool is_durable) {

@@ -104,6 +104,8 @@ class MissionTurn final : public InputSink {
   bool record(Time now, const runtime::Outputs& outputs);
   /// The journal's trouble is an input like a port's: it stands in the health, and a replay gives it again.
   void report_journal(Time now);
+  /// So is a set-point that no port could send.
+  void report_mute();
   void record_trouble(std::uint8_t port, BusTrouble trouble, bool is_there);
   void write_ahead_of(const runtime::Outputs& outputs, bool is_new_state);
   void append(Time time, std::string_view channel, std::span<const std::uint8_t> data, host::Weight weight);
@@ -116,6 +118,7 @@ class MissionTurn final : public InputSink {
   Clock& clock_;
   TurnMemory memory_;
   OrderGate gate_;
+  bool is_mute_ = false;      ///< the last turn's set-point could not be sent
   Time journal_up_due_;       ///< not before is it told that the disk takes the journal again
   runtime::Outputs outputs_;  ///< of the last turn
   runtime::Outputs told_;     ///< likewise, where it was told otherwise

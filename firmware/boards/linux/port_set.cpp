@@ -92,6 +92,10 @@ std::span<const pollfd> PortSet::readable() {
   return std::span(readable_).first(count);
 }
 
+bool PortSet::carries_setpoints() const {
+  return std::ranges::any_of(ports_, [](const auto& port) { return port->has(host::Role::kAutopilot); });
+}
+
 std::uint64_t PortSet::blocks_heard() const {
   std::uint64_t sum = 0;
   for (const auto& port : ports_) sum += port->blocks_heard();

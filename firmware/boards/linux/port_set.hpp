@@ -21,7 +21,7 @@
 namespace earshot::board {
 
 /// Port 0 of every input: this computer itself (its stop signal). The mission's ports count from 1.
-inline constexpr std::uint8_t kOwnPort = 0;
+inline constexpr std::uint8_t kOwnPort = messages::kOwnPort;
 
 /// All ports of a vehicle, polled as one. Nothing allocates once they have been added.
 class PortSet {
@@ -52,6 +52,8 @@ class PortSet {
   /// One for each port whose link is up; valid until the next call of any kind.
   [[nodiscard]] std::span<const pollfd> readable();
   [[nodiscard]] std::uint64_t setpoints_sent() const { return setpoints_sent_; }
+  /// Whether there is an autopilot's port among them: without one nobody is to have set-points.
+  [[nodiscard]] bool carries_setpoints() const;
   /// Of all hydrophones.
   [[nodiscard]] std::uint64_t blocks_heard() const;
   /// The descriptions of the ports whose links are down, a line each; empty when all are up.

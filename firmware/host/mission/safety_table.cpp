@@ -36,6 +36,9 @@ config::VehicleLimits read_vehicle(TableReader vehicle) {
   limits.turn_radius = Meters{vehicle.number_or("turn_radius_m", 0.0, Range::between(0.0, 1000.0))};
   limits.hold_speed = speed("hold_speed_mps", limits.hold_speed);
   limits.ascent_speed = speed("ascent_speed_mps", limits.ascent_speed);
+  limits.ascent_rate = MetersPerSecond{vehicle.number_or("ascent_rate_mps", limits.ascent_rate.value,
+                                                         Range::between(config::kSlowestAscent.value, config::kFastestAscent.value))};
+  limits.surface_depth = Meters{vehicle.number_or("surface_depth_m", limits.surface_depth.value, Range::between(0.1, 10.0))};
   limits.battery_percent_per_km = vehicle.number_or("battery_percent_per_km", 0.0, Range::between(0.0, 100.0));
   return limits;
 }

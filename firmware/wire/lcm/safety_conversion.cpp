@@ -67,6 +67,8 @@ void put_safety(const config::Safety& safety, mission_t& m) {
   m.vehicle_turn_radius_m = safety.vehicle.turn_radius.value;
   m.vehicle_hold_speed_mps = safety.vehicle.hold_speed.value;
   m.vehicle_ascent_speed_mps = safety.vehicle.ascent_speed.value;
+  m.vehicle_ascent_rate_mps = safety.vehicle.ascent_rate.value;
+  m.vehicle_surface_depth_m = safety.vehicle.surface_depth.value;
   m.vehicle_battery_percent_per_km = safety.vehicle.battery_percent_per_km;
   put_rules(safety, m);
 }
@@ -83,6 +85,8 @@ config::Safety safety_in(const mission_t& m) {
                     .turn_radius = Meters{m.vehicle_turn_radius_m},
                     .hold_speed = MetersPerSecond{m.vehicle_hold_speed_mps},
                     .ascent_speed = MetersPerSecond{m.vehicle_ascent_speed_mps},
+                    .ascent_rate = MetersPerSecond{m.vehicle_ascent_rate_mps},
+                    .surface_depth = Meters{m.vehicle_surface_depth_m},
                     .battery_percent_per_km = m.vehicle_battery_percent_per_km};
   const auto rules = static_cast<std::size_t>(std::clamp<int>(m.rules, 0, config::kMaxOwnRules));
   for (std::size_t i = 0; i < rules; ++i) {

@@ -67,6 +67,18 @@ void MessageIntruders::say(const TimedFault& fault, Time now, double passed_s, L
                                                    .speed = vehicle_.speed}),
              said);
       break;
+    case Fault::kWalkingNavigation: {
+      const double seconds = (now - fault.from).to_seconds();
+      const NorthEast walked{fault.vector().north * seconds, fault.vector().east * seconds};
+      say_on(wire::kNavStateChannel,
+             wire::to_message(messages::Navigation{.time = now,
+                                                   .position = vehicle_.position + walked,
+                                                   .depth = vehicle_.depth,
+                                                   .heading = vehicle_.heading,
+                                                   .speed = vehicle_.speed}),
+             said);
+      break;
+    }
     case Fault::kStrangersOrder:
       say_on(wire::kOperatorCommandChannel,
              order(operator_command_t::COMPLETE, now.us - kLongAgo_us, now.us - kLongAgo_us + 1'000'000, ++orders_), said);

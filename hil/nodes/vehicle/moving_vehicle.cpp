@@ -16,7 +16,7 @@ constexpr MetersPerSecond kFastest{3.0};
 }  // namespace
 
 MovingVehicle::MovingVehicle(const vehicle::State& start, const vehicle::Limits& limits, Battery battery)
-    : state_(start), told_(start), over_floor_(start), limits_(limits), battery_(battery) {}
+    : state_(start), told_(start), over_floor_(start), place_(start.position), limits_(limits), battery_(battery) {}
 
 void MovingVehicle::disturb(const Disturbance& disturbance) {
   disturbance_ = disturbance;
@@ -53,10 +53,12 @@ void MovingVehicle::tell() {
   over_floor_ = state_;
   over_floor_.depth += disturbance_.floor_rise;
   if (disturbance_.is_frozen) return;
+  if (!disturbance_.is_place_stuck) place_ = state_.position;
   told_ = state_;
-  told_.position = told_.position + disturbance_.position_error;
+  told_.position = place_ + disturbance_.position_error;
+  told_.speed = told_.speed + disturbance_.speed_error;
   told_.heading = wrap_to_pi(told_.heading + disturbance_.heading_error);
-  told_.depth += disturbance_.depth_error;
+  told_.depth = disturbance_.stuck_depth.value_or(told_.depth + disturbance_.depth_error);
 }
 
 }  // namespace earshot::hil

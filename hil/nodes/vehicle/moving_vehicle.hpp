@@ -39,6 +39,7 @@ class MovingVehicle {
   vehicle::State state_;
   vehicle::State told_;
   vehicle::State over_floor_;
+  NorthEast place_;  ///< that its navigation goes by
   vehicle::Limits limits_;
   Battery battery_;
   Disturbance disturbance_;

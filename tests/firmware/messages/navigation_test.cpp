@@ -41,5 +41,21 @@ TEST(Navigation, IsUsableWithoutASpeedButNotWithAnInfiniteOne) {
   EXPECT_FALSE(is_usable_with([](Navigation& fix) { fix.speed = kUnknownSpeed, fix.depth = Meters{kNan}; }));
 }
 
+TEST(Navigation, IsOfNoUseWithANumberThatNoVehicleHas) {
+  for (const double sign : {1.0, -1.0}) {
+    EXPECT_TRUE(is_usable_with([sign](Navigation& fix) { fix.position = {.north = Meters{sign * 2e6}, .east = Meters{-sign * 2e6}}; }));
+    EXPECT_FALSE(is_usable_with([sign](Navigation& fix) { fix.position.north = Meters{sign * 2.001e6}; }));
+    EXPECT_FALSE(is_usable_with([sign](Navigation& fix) { fix.position.east = Meters{sign * 2.001e6}; }));
+    EXPECT_TRUE(is_usable_with([sign](Navigation& fix) { fix.heading = Radians{sign * 1000}; }));
+    EXPECT_FALSE(is_usable_with([sign](Navigation& fix) { fix.heading = Radians{sign * 1001}; }));
+    EXPECT_TRUE(is_usable_with([sign](Navigation& fix) { fix.speed = MetersPerSecond{sign * 50}; }));
+    EXPECT_FALSE(is_usable_with([sign](Navigation& fix) { fix.speed = MetersPerSecond{sign * 51}; }));
+  }
+  EXPECT_TRUE(is_usable_with([](Navigation& fix) { fix.depth = Meters{12'000}; }));
+  EXPECT_FALSE(is_usable_with([](Navigation& fix) { fix.depth = Meters{12'001}; }));
+  EXPECT_TRUE(is_usable_with([](Navigation& fix) { fix.depth = Meters{-100}; })) << "a pressure sensor that nobody zeroed";
+  EXPECT_FALSE(is_usable_with([](Navigation& fix) { fix.depth = Meters{-101}; }));
+}
+
 }  // namespace
 }  // namespace earshot::messages

@@ -180,7 +180,7 @@ TEST(Runtime, GoesByItsBeliefsOwnAdviceWhereThePolicyHasNoNetwork) {
 
 TEST(Runtime, EndsTheSearchThatBeginsBeyondAnyOcean) {
   Rig rig(*policy_that_believes());
-  rig.position = at(1e300, -1e300);
+  rig.position = at(1.9e6, -1.9e6);
   rig.sail(Order::kStart);
   EXPECT_EQ(rig.state(), MissionState::kAbort);
   EXPECT_EQ(rig.end_reason(), EndReason::kLeftOperatingArea);

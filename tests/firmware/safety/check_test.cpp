@@ -51,6 +51,14 @@ TEST(SafetyCheck, RefusesAVehicleThatCannotBe) {
     EXPECT_EQ(fault_of([wrong](config::Mission& m) { m.safety.vehicle.ascent_speed = MetersPerSecond{wrong}; }), SafetyFault::kVehicle);
     EXPECT_EQ(fault_of([wrong](config::Mission& m) { m.safety.vehicle.battery_percent_per_km = wrong; }), SafetyFault::kVehicle);
   }
+  for (const double wrong : {kNan, 0.09, 5.1})
+    EXPECT_EQ(fault_of([wrong](config::Mission& m) { m.safety.vehicle.ascent_rate = MetersPerSecond{wrong}; }), SafetyFault::kVehicle);
+  for (const double wrong : {kNan, 0.0, 10.1})
+    EXPECT_EQ(fault_of([wrong](config::Mission& m) { m.safety.vehicle.surface_depth = Meters{wrong}; }), SafetyFault::kVehicle);
+  for (const double right : {0.1, 5.0}) {
+    EXPECT_EQ(fault_of([right](config::Mission& m) { m.safety.vehicle.ascent_rate = MetersPerSecond{right}; }), SafetyFault::kNone);
+    EXPECT_EQ(fault_of([right](config::Mission& m) { m.safety.vehicle.surface_depth = Meters{2 * right}; }), SafetyFault::kNone);
+  }
   EXPECT_EQ(fault_of([](config::Mission& m) { m.safety.vehicle.max_speed = MetersPerSecond{1.9}; }), SafetyFault::kVehicle);
   EXPECT_EQ(fault_of([](config::Mission& m) { m.safety.vehicle.max_speed = MetersPerSecond{2}; }), SafetyFault::kNone);
   EXPECT_EQ(fault_of([](config::Mission& m) { m.safety.vehicle.max_current = MetersPerSecond{2}; }), SafetyFault::kVehicle)

@@ -86,6 +86,28 @@ void see_strange_fix(Situation& situation, std::int64_t seconds_ago) {
   static_cast<void>(situation.navigation.take(ago(situation, seconds_ago), fix_at(ago(situation, seconds_ago), at(9000, 5000)), true));
 }
 
+/// The fix is by half a second older than the newest, and arrives later.
+void see_late_fix(Situation& situation, std::int64_t seconds_ago, double off_m) {
+  const Time arrival = ago(situation, seconds_ago);
+  place(situation, fix_at(arrival, at(5000, 5000)));
+  const messages::Navigation late = fix_at(arrival + Duration::milliseconds(-500), at(5000 + off_m, 5000));
+  EXPECT_FALSE(situation.navigation.take(arrival, late, true));
+}
+
+/// Northwards for a minute, at 2 m/s by what the fixes say.
+void drift(Situation& situation, double way_m) {
+  situation.place.begin(fix_at(ago(situation, 60), at(5000, 5000)));
+  for (int s = 1; s <= 60; ++s)
+    situation.place.take(fix_at(ago(situation, 60 - s), at(5000 + way_m / 60.0 * s, 5000)), fenced_mission().safety.vehicle);
+}
+
+void tell_depth(Situation& situation, double then_m) {
+  const config::VehicleLimits vehicle = fenced_mission().safety.vehicle;
+  situation.depth.take(fix_at(situation.now, at(5000, 5000)), vehicle);
+  situation.depth.tell(situation.now, {.heading = {}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = {}}, vehicle);
+  situation.depth.take(fix_at(situation.now, at(5000, 5000), 0.0, then_m), vehicle);
+}
+
 void go_nowhere_for(Situation& situation, std::int64_t seconds) {
   place(situation, fix_at(ago(situation, seconds), at(5000, 5000)));
   situation.track.set_waypoint(at(6000, 5000));
@@ -207,6 +229,22 @@ const std::array<Scenario, config::kConditions> kScenarios{{
      0.0,
      {"the policy gave no number", [](Situation& s) { s.is_policy_unhealthy = true; }},
      {"it gave one", [](Situation& s) { s.is_policy_unhealthy = false; }}},
+    {Condition::kNavigationDisputed,
+     100.0,
+     {"a fix from half a second before the newest lies 4 km off, and others go on to", [](Situation& s) { see_late_fix(s, -3, 4000.0); }},
+     {"it lies 20 m off", [](Situation& s) { see_late_fix(s, -3, 20.0); }}},
+    {Condition::kPlaceUnexplained,
+     100.0,
+     {"at 2 m/s the place moved by 400 m in a minute", [](Situation& s) { drift(s, 400.0); }},
+     {"by 200 m", [](Situation& s) { drift(s, 200.0); }}},
+    {Condition::kDepthUnexplained,
+     20.0,
+     {"it says 250 m, and was told 300 m when it said 300 m", [](Situation& s) { tell_depth(s, 250.0); }},
+     {"it says 260 m", [](Situation& s) { tell_depth(s, 260.0); }}},
+    {Condition::kSetpointsUnsent,
+     10.0,
+     {"no set-point could be sent for 12 s", [](Situation& s) { s.mute_since = ago(s, 12); }},
+     {"for 5 s", [](Situation& s) { s.mute_since = ago(s, 5); }}},
 }};
 
 /// The seconds after which the scenario's rule began to act; -1: it did not in three seconds.

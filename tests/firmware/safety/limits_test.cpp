@@ -175,7 +175,7 @@ TEST(SafeSetpoint, BringsTheVehicleUpWhenAnythingIsNotFinite) {
       if (field == 4) wanted.waypoint.east = Meters{bad};
       const SafeSetpoint safe = safe_setpoint(mission(), kFix, wanted, {});
       EXPECT_TRUE(safe.limited) << field;
-      EXPECT_EQ(safe.setpoint, come_up(mission(), kFix, {})) << field;
+      EXPECT_EQ(safe.setpoint, come_up(mission(), kFix, {}, false)) << field;
     }
   }
 }
@@ -187,13 +187,13 @@ messages::Navigation fix_of(double heading, double depth) {
 constexpr double kPi = 3.141592653589793;
 
 TEST(ComeUp, KeepsAHeadingBeyondHalfATurnAsTheSameDirectionWithin) {
-  const auto heading_of = [](double heading) { return come_up(mission(), fix_of(heading, 300), {}).heading.value; };
+  const auto heading_of = [](double heading) { return come_up(mission(), fix_of(heading, 300), {}, false).heading.value; };
   EXPECT_NEAR(heading_of(4.0), 4.0 - 2.0 * kPi, 1e-15);   // doubles near 4
   EXPECT_NEAR(heading_of(-4.0), 2.0 * kPi - 4.0, 1e-15);  // as above
 }
 
 TEST(ComeUp, StopsWhereTheVehicleIsWhenItFloatsUpByItself) {
-  const messages::Setpoint setpoint = come_up(mission(), fix_of(1.5, 300), {});
+  const messages::Setpoint setpoint = come_up(mission(), fix_of(1.5, 300), {}, false);
   EXPECT_EQ(setpoint.speed, MetersPerSecond{0});
   EXPECT_EQ(setpoint.depth, Meters{0});
   EXPECT_EQ(setpoint.heading, Radians{1.5});
@@ -209,43 +209,23 @@ config::Mission mission_of_a_torpedo() {
   return torpedo;
 }
 
-TEST(ComeUp, KeepsAHullThatNeedsSpeedGoingRoundUntilItIsAtTheSurface) {
-  const messages::Setpoint deep = come_up(mission_of_a_torpedo(), fix_of(3.0, 2.5), {});
+// Whatever its depth says.
+TEST(ComeUp, KeepsAHullThatNeedsSpeedGoingRoundUntilItIsUp) {
+  const messages::Setpoint deep = come_up(mission_of_a_torpedo(), fix_of(3.0, 0.0), {}, false);
   EXPECT_EQ(deep.speed, MetersPerSecond{0.7});
   EXPECT_EQ(deep.depth, Meters{0});
   EXPECT_NEAR(deep.heading.value, 3.0 - 1.5 * kPi, 1e-15) << "a quarter of a turn to the right, over south";
-  const messages::Setpoint up = come_up(mission_of_a_torpedo(), fix_of(3.0, 2.0), {});
+  const messages::Setpoint up = come_up(mission_of_a_torpedo(), fix_of(3.0, 300.0), {}, true);
   EXPECT_EQ(up.speed, MetersPerSecond{0});
   EXPECT_EQ(up.heading, Radians{3.0});
 }
 
 TEST(ComeUp, GoesOnTurningWhenNobodySaysWhereTheVehiclePoints) {
   const auto heading_after = [](std::int64_t s) {
-    return come_up(mission_of_a_torpedo(), fix_of(0.5, 300), Duration::seconds(s)).heading.value;
+    return come_up(mission_of_a_torpedo(), fix_of(0.5, 300), Duration::seconds(s), false).heading.value;
   };
   EXPECT_NEAR(heading_after(10), 0.5 + kPi / 2 + 0.1, 1e-12) << "7 m round a circle of 70 m";
   EXPECT_NEAR(heading_after(300), 0.5 + kPi / 2 + 3.0 - 2 * kPi, 1e-12);
-}
-
-// 400 m at 0.1 m/s.
-TEST(ComeUp, StopsWithoutFixesOnceTheVehicleHadTheTimeToComeUp) {
-  const auto after = [](Duration unseen) { return come_up(mission_of_a_torpedo(), fix_of(0.5, 300), unseen); };
-  EXPECT_EQ(after(Duration::seconds(4000)).speed, MetersPerSecond{0.7});
-  EXPECT_EQ(after(Duration{4'000'000'001}).speed, MetersPerSecond{0});
-  EXPECT_EQ(after(Duration{4'000'000'001}).heading, Radians{0.5});
-}
-
-// It dives from 2 m down to 5 m, say, while nobody sees it.
-TEST(ComeUp, DoesNotBelieveAFixAtTheSurfaceFromBeforeItWasTold) {
-  const auto after = [](double unseen_s, double told_s) {
-    const auto of = [](double s) { return Duration{static_cast<std::int64_t>(s * 1e6)}; };
-    return come_up(mission_of_a_torpedo(), fix_of(0.5, 2.0), of(unseen_s), of(told_s)).speed;
-  };
-  EXPECT_EQ(after(1.9, 0.0), MetersPerSecond{0.0});
-  EXPECT_EQ(after(2.0, 0.0), MetersPerSecond{0.7});
-  EXPECT_EQ(after(12.0, 10.0), MetersPerSecond{0.7}) << "2 s before it was told";
-  EXPECT_EQ(after(100.0, 110.0), MetersPerSecond{0.0}) << "10 s after it was told, when it came up";
-  EXPECT_EQ(after(4000.1, 10.0), MetersPerSecond{0.0}) << "it had the time";
 }
 
 TEST(BlindRadius, IsTwiceTheVehiclesAndNoneIsTighterThanTwentyMetres) {

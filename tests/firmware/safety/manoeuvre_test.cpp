@@ -163,22 +163,17 @@ TEST(SituationUnseen, CountsFromWhenTheVehicleWasSeenToMove) {
   EXPECT_EQ(situation.unseen(), Duration::seconds(7));
 }
 
-// The fix at 1 m is as old as it is unseen; it was taken before, or after, the vehicle was told to come up.
-TEST_F(ManoeuvreTest, IsAtTheSurfaceOnceItWasSeenThereAfterItWasTold) {
+// It was told to search at 300 m for a minute, and has said 0 m all the time.
+TEST_F(ManoeuvreTest, StopsNobodyForADepthThatSaysAlone) {
   mission_.safety.vehicle.ascent_speed = MetersPerSecond{0.7};
-  const Situation seen = well(mission_, at(5000, 5000), kNorth, 1.0);
-  const auto speed_after = [&](std::int64_t s, Response response) {
-    Situation later = seen;
-    later.now = seen.now + Duration::seconds(s);
-    return manoeuvre_.setpoint(mission_, later, response).speed;
-  };
+  const config::VehicleLimits& vehicle = mission_.safety.vehicle;
   for (const Response response : {Response::kSurface, Response::kAbort, Response::kRelease}) {
-    EXPECT_EQ(speed_after(3, response), MetersPerSecond{0.7}) << "it may have dived for 3 s";
-    EXPECT_EQ(speed_after(60, response), MetersPerSecond{0.7});
-    (void)speed_after(60, Response::kHold);
-    EXPECT_EQ(speed_after(0, response), MetersPerSecond{0.0});
-    EXPECT_EQ(speed_after(60, response), MetersPerSecond{0.0}) << "it was up when it was told";
-    (void)speed_after(60, Response::kHold);
+    Situation situation = well(mission_, at(5000, 5000), kNorth, 0.0);
+    EXPECT_EQ(manoeuvre_.setpoint(mission_, situation, response).speed, MetersPerSecond{0.0}) << "it never was anywhere else";
+    for (int s = 0; s <= 60; ++s)
+      situation.depth.tell(situation.now + Duration::seconds(s),
+                           {.heading = {}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = {}}, vehicle);
+    EXPECT_EQ(manoeuvre_.setpoint(mission_, situation, response).speed, MetersPerSecond{0.7});
   }
 }
 

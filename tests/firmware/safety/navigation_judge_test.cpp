@@ -254,5 +254,78 @@ TEST_F(Judged, StartsOverWhenAVehicleThatIsNotToMoveWasCarriedAbout) {
   EXPECT_FALSE(judge_.take(at_ms(12'000), fix(12'000, 0), true)) << "never in a search";
 }
 
+// The reproduction: 12 km off in 800 s, all true fixes refused as older than the last.
+TEST_F(Judged, IsToldOfASecondSenderWithFresherDatesByTheFixesOfTheFirst) {
+  EXPECT_TRUE(takes(fix(1000, 0)));
+  double walked_m = 0.0;
+  for (int ms = 2000; ms <= 60'000 && !(judge_.dispute(at_ms(ms)) > Meters{0}); ms += 1000) {
+    walked_m += 4.0;
+    EXPECT_TRUE(judge_.take(at_ms(ms), fix(ms, walked_m), true));
+    EXPECT_FALSE(judge_.take(at_ms(ms), fix(ms - 200, 0), true));
+  }
+  EXPECT_LT(walked_m, 33.0) << "25 m of noise, a fifth of a second's way and the next fix";
+  EXPECT_GT(judge_.dispute(at_ms(60'000)) + Meters{walked_m}, Meters{0});
+}
+
+TEST_F(Judged, TakesALateFixOfTheSamePlaceForNoDispute) {
+  EXPECT_TRUE(takes(fix(1000, 0)));
+  EXPECT_TRUE(takes(fix(5000, 8)));
+  for (const double north_m : {-20.0, 0.0, 8.0, 40.0}) EXPECT_FALSE(judge_.take(at_ms(5000), fix(2000, north_m), true));
+  EXPECT_EQ(judge_.dispute(at_ms(5000)), Meters{0});
+  EXPECT_FALSE(judge_.take(at_ms(5000), fix(2000, 46), true));
+  EXPECT_EQ(judge_.dispute(at_ms(5000)), Meters{1}) << "38 m, of which 12 m of way and 25 m of noise are possible";
+  EXPECT_EQ(judge_.dispute(at_ms(7001)), Meters{0}) << "one may be wrong";
+}
+
+TEST_F(Judged, RemembersADisputeForTwiceTheTimeBetweenItsFixes) {
+  for (int s = 1; s <= 41; ++s) {
+    EXPECT_TRUE(takes(fix(1000 * s, 2.0 * s)));
+    if (s % 20 == 0) {
+      EXPECT_FALSE(judge_.take(at_ms(1000 * s), fix(1000 * s - 500, 900), true));
+    }
+  }
+  EXPECT_GT(judge_.dispute(at_ms(80'000)), Meters{700});
+  EXPECT_EQ(judge_.dispute(at_ms(80'001)), Meters{0});
+}
+
+// Five of six fixes are another's, which walks away: too few are refused to be more than noise, but they are one sender's.
+TEST_F(Judged, IsToldOfAFewFixesThatGoOnFromEachOtherFarFromTheOthers) {
+  EXPECT_TRUE(takes(fix(1000, 0)));
+  double walked_m = 0.0;
+  int ms = 1000;
+  while (ms < 200'000 && !(judge_.jump(at_ms(ms)) > Meters{0})) {
+    for (int i = 0; i < 5; ++i) (void)takes(fix(ms += 160, walked_m += 0.64));
+    (void)takes(fix(ms += 200, 0));
+  }
+  EXPECT_LT(walked_m, 110.0);
+}
+
+TEST_F(Judged, HoldsThePortOfTheFirstFixWhileItSpeaks) {
+  EXPECT_FALSE(judge_.is_anothers(2, at_ms(1000))) << "nobody has spoken";
+  EXPECT_TRUE(takes(fix(1000, 0)));
+  judge_.hold(1, at_ms(1000));
+  EXPECT_FALSE(judge_.is_anothers(1, at_ms(1500)));
+  EXPECT_TRUE(judge_.is_anothers(2, at_ms(4000)));
+  EXPECT_FALSE(judge_.is_anothers(2, at_ms(4001))) << "3 s of silence";
+  judge_.compare(at_ms(2000), fix(2000, 20));
+  EXPECT_EQ(judge_.dispute(at_ms(2000)), Meters{0}) << "it says the same";
+  judge_.compare(at_ms(2000), fix(2000, 129));
+  EXPECT_EQ(judge_.dispute(at_ms(2000)), Meters{100});
+  EXPECT_EQ(judge_.newest()->position.north, Meters{0});
+}
+
+// A receiver whose last digits shiver.
+TEST_F(Judged, CountsPlacesWithinAFootOfEachOtherAsOne) {
+  EXPECT_TRUE(takes(fix(1000, 0)));
+  for (int s = 2; s <= 9; ++s) EXPECT_TRUE(takes(fix(1000 * s, s % 2 == 0 ? 0.01 : -0.01)));
+  EXPECT_EQ(judge_.frozen(), Duration::seconds(8));
+  EXPECT_TRUE(takes(fix(10'000, 0.3)));
+  EXPECT_EQ(judge_.frozen(), Duration{});
+  for (int s = 11; s <= 60; ++s) {
+    EXPECT_TRUE(takes(fix(1000 * s, 0.1 * s)));
+    EXPECT_EQ(judge_.frozen(), Duration{}) << "10 cm a second are slow, but no standstill";
+  }
+}
+
 }  // namespace
 }  // namespace earshot::safety

@@ -19,6 +19,7 @@ class Supervised : public testing::Test {
   void begin() {
     supervisor_.configure(mission_);
     situation_ = well(mission_);
+    began_ = situation_.now;
     situation_.vehicle = messages::VehicleStatus{.time = situation_.now, .altitude = Meters{100}, .battery_percent = 50};
   }
   /// All is well for another second, but for what the test has put into the situation.
@@ -26,12 +27,13 @@ class Supervised : public testing::Test {
     const Time now = situation_.now + Duration::seconds(1);
     situation_.now = now;
     situation_.snr = now;
-    static_cast<void>(situation_.navigation.take(now, fix_at(now, at(5000 + 0.001 * static_cast<double>(now.us) * 1e-6, 5000)), true));
+    static_cast<void>(situation_.navigation.take(now, fix_at(now, at(5000 + 2.0 * (now - began_).to_seconds(), 5000)), true));
     return supervisor_.watch(mission_, situation_);
   }
 
   config::Mission mission_ = fenced_mission();
   Situation situation_;
+  Time began_;
   Supervisor supervisor_;
 };
 
@@ -161,11 +163,11 @@ TEST_F(Supervised, HasRulesThatNoMissionCanSwitchOff) {
     mission.safety = {};
     return mission;
   }();
-  EXPECT_EQ(standing_rules(bare), 9U);
-  EXPECT_EQ(standing_rules(mission_), 10U) << "and one about the fence";
+  EXPECT_EQ(standing_rules(bare), 13U);
+  EXPECT_EQ(standing_rules(mission_), 14U) << "and one about the fence";
   arm(battery_below(20, Response::kReturn));
-  EXPECT_EQ(rules_of(mission_).size(), 11U);
-  EXPECT_EQ(rules_of(mission_)[10], mission_.safety.rules[0]);
+  EXPECT_EQ(rules_of(mission_).size(), 15U);
+  EXPECT_EQ(rules_of(mission_)[14], mission_.safety.rules[0]);
   for (const Rule& rule : rules_of(bare)) EXPECT_EQ(rule.response, Response::kAbort);
 }
 

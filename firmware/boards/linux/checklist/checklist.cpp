@@ -119,8 +119,10 @@ std::string vehicle(const config::Mission& mission) {
              formatted("at most %.2f m/s through the water, in a current of at most %.2f m/s", v.max_speed.value, v.max_current.value)) +
          row("turns", formatted("within a radius of %.0f m", v.turn_radius.value)) +
          row("holds", v.hold_speed > MetersPerSecond{} ? formatted("its place by going round at %.2f m/s", v.hold_speed.value) : "hovers") +
-         row("comes up",
-             v.ascent_speed > MetersPerSecond{} ? formatted("by going round at %.2f m/s", v.ascent_speed.value) : "floats up by itself");
+         row("comes up", v.ascent_speed > MetersPerSecond{}
+                             ? formatted("by going round at %.2f m/s, upwards at %.2f m/s at the least, to %.1f m", v.ascent_speed.value,
+                                         v.ascent_rate.value, v.surface_depth.value)
+                             : "floats up by itself");
 }
 
 std::string extent_of(const config::Polygon& polygon) {

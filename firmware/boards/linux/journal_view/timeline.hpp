@@ -98,6 +98,7 @@ class Timeline {
     Told<bool> is_down;
     Grown failures;  ///< messages lost, malformed or not sent
   };
+  Grown mute_;  ///< set-points that could not be sent
 
   std::vector<Event> events_;  ///< of the entry that is taken
   std::optional<Time> began_;

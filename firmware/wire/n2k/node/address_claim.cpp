@@ -1,5 +1,7 @@
 #include "firmware/wire/n2k/node/address_claim.hpp"
 
+#include <algorithm>
+
 namespace earshot::n2k {
 
 void AddressClaim::accept(std::uint8_t source, Name name, Time now) {
@@ -12,11 +14,18 @@ void AddressClaim::accept(std::uint8_t source, Name name, Time now) {
   if (source != wanted_ || state_ == State::kWithout) return;
   if (name < name_) {
     ++counters_.lost;
+    if (state_ != State::kStarting) note_loss(now);  // of what was not claimed yet nobody can have taken it away
     yield_address(now);
   } else {
     ++counters_.defended;
     due_ = true;
   }
+}
+
+void AddressClaim::note_loss(Time now) {
+  lost_in_a_row_ = lost_in_a_row_ > 0 && now - lost_ <= kWarMemory ? std::min(lost_in_a_row_ + 1, kLostInWar) : 1;
+  lost_ = now;
+  is_at_war_ = lost_in_a_row_ == kLostInWar;
 }
 
 void AddressClaim::yield_address(Time now) {
@@ -53,7 +62,8 @@ Status AddressClaim::move_to(std::uint8_t address) {
 }
 
 bool AddressClaim::claim_due(Time now) {
-  if (state_ == State::kWithout && now - since_ >= kClaimAgain) {
+  is_at_war_ = is_at_war_ && now - lost_ <= kWarMemory;
+  if (state_ == State::kWithout && now - since_ >= (is_at_war_ ? kClaimAgainInWar : kClaimAgain)) {
     taken_.reset();
     claim(preferred_);
   }

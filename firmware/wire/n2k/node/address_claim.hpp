@@ -20,6 +20,14 @@ inline constexpr Duration kLeastClaimGap = Duration::milliseconds(20);
 /// Until a device without an address tries again: the bus may have emptied.
 inline constexpr Duration kClaimAgain = Duration::seconds(30);
 
+/// Addresses that were taken from a device after it had claimed them, each within kWarMemory of the one before, from which on somebody is
+/// after it, and not after one address: it then sends from each that it has claimed until that is taken, and claims again kClaimAgainInWar
+/// after it found none. SAE J1939-81 has it so for most addresses in any case (4.2.1): a device that waits for silence could be kept mute
+/// for as long as somebody likes.
+inline constexpr std::uint32_t kLostInWar = 3;
+inline constexpr Duration kWarMemory = Duration::seconds(10);
+inline constexpr Duration kClaimAgainInWar = Duration::seconds(1);
+
 /// Before a device says that it has no address, from what made it say so: on a full bus a request for claims makes all such devices answer
 /// at once, from the one address 254, and two that send at the same time disturb each other's frames. 0.6 ms times a number from 0 to 255,
 /// 153 ms at most; 0.6 ms is about the length of a frame at 250 kbit/s. The number is what the NAME's eight bytes give by exclusive or:
@@ -61,8 +69,11 @@ class AddressClaim {
   /// Time passes: whether a claim is to be sent now. It counts as sent.
   [[nodiscard]] bool claim_due(Time now);
 
-  /// What we may send from; nothing while claiming, and without one.
-  [[nodiscard]] std::optional<std::uint8_t> address() const { return state_ == State::kHolding ? std::optional(wanted_) : std::nullopt; }
+  /// What we may send from; nothing while claiming, but in a war for addresses, and without one.
+  [[nodiscard]] std::optional<std::uint8_t> address() const {
+    const bool may_send = state_ == State::kHolding || (state_ == State::kClaiming && is_at_war_);
+    return may_send ? std::optional(wanted_) : std::nullopt;
+  }
   /// What a claim is to be sent from: the address claimed, or 254.
   [[nodiscard]] std::uint8_t source() const { return state_ == State::kWithout ? kNullAddress : wanted_; }
   [[nodiscard]] Name name() const { return name_; }
@@ -71,6 +82,7 @@ class AddressClaim {
  private:
   enum class State : std::uint8_t { kStarting, kClaiming, kHolding, kWithout };
   void yield_address(Time now);
+  void note_loss(Time now);
   void claim(std::uint8_t address);
 
   Name name_;
@@ -78,11 +90,14 @@ class AddressClaim {
   std::uint8_t wanted_;
   State state_ = State::kStarting;
   bool due_ = true;
-  Time not_before_;           ///< without an address: when that may be said
-  std::optional<Time> sent_;  ///< our last claim
-  Time began_;                ///< the first claim of the address wanted
-  Time since_;                ///< when we were last left without an address
-  std::bitset<256> taken_;    ///< by devices with more rights than ours, as far as heard
+  Time not_before_;                  ///< without an address: when that may be said
+  std::optional<Time> sent_;         ///< our last claim
+  Time began_;                       ///< the first claim of the address wanted
+  Time since_;                       ///< when we were last left without an address
+  std::bitset<256> taken_;           ///< by devices with more rights than ours, as far as heard
+  Time lost_;                        ///< when the last was taken from us
+  std::uint32_t lost_in_a_row_ = 0;  ///< each within kWarMemory of the one before
+  bool is_at_war_ = false;
   ClaimCounters counters_;
 };
 

@@ -207,6 +207,7 @@ TEST_F(FlightBoardTest, SaysByteForByteWhatARuntimeOfThisProcessSays) {
     const Time now{1'000'000'000 + Duration::seconds(second).us};
     messages::Navigation navigation = vehicle.navigation_at(now);
     navigation.position.north += Meters{2.0 * second};
+    navigation.depth = Meters{300};
     std::vector<messages::Input> arriving{{.arrival = now, .port = 1, .sequence = inputs++, .value = navigation}};
     arriving.push_back(
         {.arrival = now, .port = 1, .sequence = inputs++, .value = messages::SnrMeasurement{.time = now, .snr = Decibels{0.01 * second}}});

@@ -51,10 +51,10 @@ class AtSea : public testing::Test {
     value.time = clock.mission_time_of(value.time);
     sink.take(kPort, value);
   }
-  /// It creeps northwards, a millimetre a second: one that stood still were a fault of its navigation.
+  /// It goes slowly northwards, half a metre a second: one that stood still were a fault of its navigation.
   [[nodiscard]] messages::Navigation fix() const {
     return {.time = host_.utc(),
-            .position = at(7000 + 1e-9 * static_cast<double>((host_.utc() - kUtc).us), 12000),
+            .position = at(7000 + 5e-7 * static_cast<double>(host_.monotonic().us), 12000),
             .depth = Meters{300},
             .heading = Radians{0},
             .speed = MetersPerSecond{2}};

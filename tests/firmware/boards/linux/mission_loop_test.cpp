@@ -73,7 +73,7 @@ TEST_F(AtSea, AGoodFixCountsThoughBadAndOlderOnesFollowItInItsTurn) {
       send(clock, sink, bad);
       messages::Navigation older = fix();
       older.time = older.time + Duration::milliseconds(-500);
-      older.position.north = Meters{-4000};
+      older.position.north = older.position.north - Meters{10};
       send(clock, sink, older);
       send(clock, sink, messages::SnrMeasurement{.time = host_.utc(), .snr = Decibels{std::numeric_limits<double>::infinity()}});
     });

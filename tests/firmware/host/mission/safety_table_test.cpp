@@ -22,6 +22,8 @@ max_current_mps = 0.5
 turn_radius_m = 20.0
 hold_speed_mps = 1.0
 ascent_speed_mps = 1.5
+ascent_rate_mps = 0.3
+surface_depth_m = 0.8
 battery_percent_per_km = 0.6
 
 [fence]
@@ -88,6 +90,8 @@ TEST(SafetyTable, GivesEveryKey) {
                                                    .turn_radius = Meters{20.0},
                                                    .hold_speed = MetersPerSecond{1.0},
                                                    .ascent_speed = MetersPerSecond{1.5},
+                                                   .ascent_rate = MetersPerSecond{0.3},
+                                                   .surface_depth = Meters{0.8},
                                                    .battery_percent_per_km = 0.6}));
   ASSERT_TRUE(safety.fence);
   EXPECT_EQ(safety.fence->inside.size(), 4U);
@@ -128,6 +132,8 @@ TEST(SafetyTable, NamesTheKeyAndWhatIsWrongWithIt) {
   EXPECT_EQ(complaint("max_current_mps = 0.5", "max_current_mps = 2.0").substr(0, 23), "vehicle.max_current_mps");
   EXPECT_EQ(complaint("hold_speed_mps = 1.0", "hold_speed_mps = 2.1").substr(0, 22), "vehicle.hold_speed_mps");
   EXPECT_EQ(complaint("ascent_speed_mps = 1.5", "ascent_speed_mps = 3.1").substr(0, 24), "vehicle.ascent_speed_mps");
+  EXPECT_EQ(complaint("ascent_rate_mps = 0.3", "ascent_rate_mps = 0.09").substr(0, 23), "vehicle.ascent_rate_mps");
+  EXPECT_EQ(complaint("surface_depth_m = 0.8", "surface_depth_m = 0").substr(0, 23), "vehicle.surface_depth_m");
   EXPECT_NE(complaint("inside_east_m = [0, 0, 25000, 25000]", "inside_east_m = [0, 0, 25000]")
                 .find("must have as many numbers as inside_north_m"),
             std::string::npos);

@@ -296,6 +296,8 @@ config::Safety some_safety() {
                     .turn_radius = Meters{24.0},
                     .hold_speed = MetersPerSecond{25.0},
                     .ascent_speed = MetersPerSecond{26.0},
+                    .ascent_rate = MetersPerSecond{28.0},
+                    .surface_depth = Meters{29.0},
                     .battery_percent_per_km = 27.0};
   for (std::size_t i = 0; i < config::kMaxOwnRules; ++i) {
     const config::Rule rule{.condition = static_cast<config::Condition>(config::kConditions - 1 - i % config::kConditions),
@@ -337,7 +339,7 @@ TEST(Conversion, GivesEveryFieldOfAMissionBack) {
   EXPECT_EQ(safety.rules.size(), config::kMaxOwnRules);
   EXPECT_TRUE(authority.needs_verified_commands);
   EXPECT_EQ(from_message(carried(to_message(mission, Time{7}))), mission);
-  EXPECT_EQ(Encoded(to_message(mission, Time{7})).bytes().size(), 2571U);
+  EXPECT_EQ(Encoded(to_message(mission, Time{7})).bytes().size(), 2587U);
 }
 
 TEST(Conversion, GivesAMissionWithoutFenceOrRulesBack) {

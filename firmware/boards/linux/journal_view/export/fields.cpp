@@ -168,7 +168,8 @@ Json rules(const mission_t& m) {
 Json vehicle(const mission_t& m) {
   return {{"max_speed_mps", m.vehicle_max_speed_mps},       {"max_current_mps", m.vehicle_max_current_mps},
           {"turn_radius_m", m.vehicle_turn_radius_m},       {"hold_speed_mps", m.vehicle_hold_speed_mps},
-          {"ascent_speed_mps", m.vehicle_ascent_speed_mps}, {"battery_percent_per_km", m.vehicle_battery_percent_per_km}};
+          {"ascent_speed_mps", m.vehicle_ascent_speed_mps}, {"ascent_rate_mps", m.vehicle_ascent_rate_mps},
+          {"surface_depth_m", m.vehicle_surface_depth_m},   {"battery_percent_per_km", m.vehicle_battery_percent_per_km}};
 }
 
 Json fields(const mission_t& m) {

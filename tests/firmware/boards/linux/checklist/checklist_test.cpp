@@ -40,9 +40,9 @@ TEST(Checklist, TellsPortsSearchBudgetsAndRules) {
   EXPECT_TRUE(has(text, "100.0 km for all steps, 31.8 km for the longest way home\n")) << text;
   EXPECT_TRUE(has(text, "60.0 % of the battery for all steps in still water, 23.9 % for the longest way home against the current\n"))
       << text;
-  EXPECT_TRUE(has(text, "rules (the first 10 stand")) << text;
+  EXPECT_TRUE(has(text, "rules (the first 14 stand")) << text;
   EXPECT_TRUE(has(text, "   1  abort once the age of the newest fix is above 5 s\n")) << text;
-  EXPECT_TRUE(has(text, "  13  abort and ask for the drop weight to be released once there is water in the hull for 2 s\n")) << text;
+  EXPECT_TRUE(has(text, "  17  abort and ask for the drop weight to be released once there is water in the hull for 2 s\n")) << text;
 }
 
 TEST(Checklist, TellsThatArrivalsMakeTurns) {
@@ -93,7 +93,7 @@ TEST(Checklist, TellsWhatTheVehicleCan) {
   EXPECT_TRUE(has(text, "  speed       at most 3.00 m/s through the water, in a current of at most 0.40 m/s\n")) << text;
   EXPECT_TRUE(has(text, "  turns       within a radius of 25 m\n"));
   EXPECT_TRUE(has(text, "  holds       its place by going round at 1.00 m/s\n"));
-  EXPECT_TRUE(has(text, "  comes up    by going round at 1.00 m/s\n"));
+  EXPECT_TRUE(has(text, "  comes up    by going round at 1.00 m/s, upwards at 0.10 m/s at the least, to 2.0 m\n"));
   file.mission.safety.vehicle = {};
   const std::string other = checklist(file, walk(), "", {});
   EXPECT_TRUE(has(other, "  holds       hovers\n")) << other;

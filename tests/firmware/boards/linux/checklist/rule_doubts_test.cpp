@@ -42,16 +42,16 @@ TEST(RuleDoubts, AreNoneAboutTheMissionThatShips) {
 
 TEST(RuleDoubts, NameARuleThatActsInEverySearch) {
   const std::string acts = " then abort, acts in a search that goes as it is planned: ";
-  EXPECT_EQ(doubt_of(Condition::kDepth, 100), "rule 12, depth_m above 100" + acts + "the search is at 300 m; leave 2 m");
+  EXPECT_EQ(doubt_of(Condition::kDepth, 100), "rule 16, depth_m above 100" + acts + "the search is at 300 m; leave 2 m");
   EXPECT_NE(doubt_of(Condition::kDepth, 301), "");
   EXPECT_EQ(doubt_of(Condition::kDepth, 302), "");
-  EXPECT_EQ(doubt_of(Condition::kSpeed, 1.5), "rule 12, speed_mps above 1.5" + acts + "the search is at 2 m/s");
+  EXPECT_EQ(doubt_of(Condition::kSpeed, 1.5), "rule 16, speed_mps above 1.5" + acts + "the search is at 2 m/s");
   EXPECT_NE(doubt_of(Condition::kSpeed, 2.0), "");
   EXPECT_EQ(doubt_of(Condition::kSpeed, 2.5), "");
-  EXPECT_EQ(doubt_of(Condition::kDistanceTravelled, 1000), "rule 12, distance_m above 1000" + acts + "all steps are 100000 m");
+  EXPECT_EQ(doubt_of(Condition::kDistanceTravelled, 1000), "rule 16, distance_m above 1000" + acts + "all steps are 100000 m");
   EXPECT_EQ(doubt_of(Condition::kDistanceTravelled, 100'000), "");
   EXPECT_EQ(doubt_of(Condition::kSearchTime, 49'999),
-            "rule 12, search_time_s above 49999" + acts + "all steps take 50000 s in still water");
+            "rule 16, search_time_s above 49999" + acts + "all steps take 50000 s in still water");
   EXPECT_EQ(doubt_of(Condition::kSearchTime, 50'000), "");
 }
 
@@ -59,14 +59,14 @@ TEST(RuleDoubts, NameARuleThatActsInEverySearch) {
 TEST(RuleDoubts, NameARuleThatTheVehiclesOwnTurnsAndDivesBreak) {
   const std::string acts = " then abort, acts in a search that goes as it is planned: ";
   EXPECT_EQ(doubt_of(Condition::kTurnRate, 4.5),
-            "rule 12, turn_rate_deg_per_s above 4.5" + acts + "the vehicle's tightest turn is 4.6 degrees a second");
+            "rule 16, turn_rate_deg_per_s above 4.5" + acts + "the vehicle's tightest turn is 4.6 degrees a second");
   EXPECT_EQ(doubt_of(Condition::kTurnRate, 4.6), "");
   EXPECT_EQ(doubt_of(Condition::kHeadingIgnored, 60, Duration::seconds(26)),
-            "rule 12, heading_ignored_deg above 60 for 26 s" + acts + "to turn round the vehicle takes up to 26 s");
+            "rule 16, heading_ignored_deg above 60 for 26 s" + acts + "to turn round the vehicle takes up to 26 s");
   EXPECT_EQ(doubt_of(Condition::kHeadingIgnored, 60, Duration::seconds(27)), "");
   // Straight down at 3 m/s: 285 m in 95 s.
   EXPECT_EQ(doubt_of(Condition::kDepthIgnored, 15, Duration::seconds(94)),
-            "rule 12, depth_ignored_m above 15 for 94 s" + acts + "from the surface to 300 m the vehicle takes 95 s at least");
+            "rule 16, depth_ignored_m above 15 for 94 s" + acts + "from the surface to 300 m the vehicle takes 95 s at least");
   EXPECT_EQ(doubt_of(Condition::kDepthIgnored, 15, Duration::seconds(95)), "");
 }
 
@@ -74,10 +74,10 @@ TEST(RuleDoubts, NameARuleThatTheVehiclesOwnTurnsAndDivesBreak) {
 TEST(RuleDoubts, CountTheReserveThatARuleKeeps) {
   const std::string acts = " then abort, acts in a search that goes as it is planned: all steps need 60 % of a battery";
   EXPECT_EQ(doubt_of(Condition::kBatteryAtHome, 95),
-            "rule 12, battery_at_home_percent below 95" + acts + ", the longest way home 24 %, and the rule keeps 95 %");
+            "rule 16, battery_at_home_percent below 95" + acts + ", the longest way home 24 %, and the rule keeps 95 %");
   EXPECT_NE(doubt_of(Condition::kBatteryAtHome, 16.2), "");
   EXPECT_EQ(doubt_of(Condition::kBatteryAtHome, 16.0), "");
-  EXPECT_EQ(doubt_of(Condition::kBattery, 41), "rule 12, battery_percent below 41" + acts + ", and the rule keeps 41 %");
+  EXPECT_EQ(doubt_of(Condition::kBattery, 41), "rule 16, battery_percent below 41" + acts + ", and the rule keeps 41 %");
   EXPECT_EQ(doubt_of(Condition::kBattery, 40), "");
 }
 
@@ -87,9 +87,9 @@ TEST(RuleDoubts, NameTheRulesThatGoByTheWordOfWhomNobodyWatches) {
   const config::Rule disengaged = rule(Condition::kAutopilotDisengaged, 0, Response::kAbort);
   EXPECT_EQ(
       doubts_about_rules(mission_with({leak, disengaged, altitude})),
-      (Lines{"no rule watches vehicle_status_age_s: when nobody tells the vehicle's status (any more), rules 11, 13 must go by the last "
+      (Lines{"no rule watches vehicle_status_age_s: when nobody tells the vehicle's status (any more), rules 15, 17 must go by the last "
              "word, or by none",
-             "no rule watches autopilot_age_s: when nobody tells the autopilot's status (any more), rule 12 must go by the last word, "
+             "no rule watches autopilot_age_s: when nobody tells the autopilot's status (any more), rule 16 must go by the last word, "
              "or by none"}));
   const config::Rule status_age = rule(Condition::kVehicleStatusAge, 60, Response::kWarn);
   const config::Rule autopilot_age = rule(Condition::kAutopilotAge, 10, Response::kWarn);

@@ -111,5 +111,51 @@ TEST(AddressClaim, IgnoresClaimsOfAddressesThatNobodyMayHave) {
   EXPECT_EQ(claim.source(), 0) << "after the last comes the first";
 }
 
+/// Somebody with all rights claims each address as soon as it is claimed, for five minutes of steps of 20 ms.
+/// @return the longest time for which it could send from none, looked at after its step, as a set-point is sent
+Duration longest_mute(AddressClaim& claim, Duration answer) {
+  bool is_to_be_taken = false;
+  Time to_take;
+  Time could_send = kBegin;
+  Duration longest;
+  for (Time now = kBegin; now < kBegin + Duration::seconds(300); now = now + kLeastClaimGap) {
+    if (is_to_be_taken && now >= to_take) {
+      claim.accept(claim.source(), 1, now);
+      is_to_be_taken = false;
+    }
+    if (claim.claim_due(now) && claim.source() != kNullAddress) {
+      is_to_be_taken = true;
+      to_take = now + answer;
+    }
+    if (claim.address()) could_send = now;
+    longest = std::max(longest, now - could_send);
+  }
+  return longest;
+}
+
+// 381 claims muted a vehicle for 75 s: an address a quarter of a second, and then none for half a minute.
+TEST(AddressClaim, IsNotMuteForLongHoweverManyAddressesAreTakenFromIt) {
+  for (const std::int64_t answer_ms : {1, 20, 100, 240}) {
+    AddressClaim claim(kName, 0x40);
+    EXPECT_LE(longest_mute(claim, Duration::milliseconds(answer_ms)), Duration::milliseconds(1100)) << answer_ms;
+    EXPECT_GT(claim.counters().lost, 1000U) << answer_ms;
+  }
+}
+
+TEST(AddressClaim, WaitsForSilenceAgainOnceTheWarIsOver) {
+  AddressClaim claim(kName, 0x40);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_TRUE(claim.claim_due(kBegin + Duration::milliseconds(100 * i)));
+    EXPECT_FALSE(claim.address()) << i;
+    claim.accept(claim.source(), 1, kBegin + Duration::milliseconds(100 * i));
+  }
+  EXPECT_TRUE(claim.claim_due(kBegin + Duration::milliseconds(300)));
+  EXPECT_EQ(claim.address(), 0x43);
+  const Time later = kBegin + Duration::milliseconds(200) + kWarMemory + Duration{1};
+  claim.accept(0x43, 1, later);
+  EXPECT_TRUE(claim.claim_due(later));
+  EXPECT_FALSE(claim.address()) << "one address is no war";
+}
+
 }  // namespace
 }  // namespace earshot::n2k

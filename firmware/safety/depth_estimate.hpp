@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+
+#include "firmware/config/safety.hpp"
+#include "firmware/core/time.hpp"
+#include "firmware/core/units.hpp"
+#include "firmware/messages/navigation.hpp"
+#include "firmware/messages/setpoint.hpp"
+
+namespace earshot::safety {
+
+/// How deep the vehicle can be, by what it was told and how fast it goes down and up, and whether what its depth sensor says can be true.
+/// The sensor alone never says that the vehicle has come up, and never keeps it below.
+///
+///   deepest' = kFastestSink down to the depth that it is told, ascent_rate up to it while it is told a speed at which it comes up;
+///   no less than two fixes in a row say, until it is told to come up, or when they say that it goes down again by kSinksAgain.
+///   unexplained = |depth - told| - allowed;   allowed begins where an order finds the vehicle, kOff further, and after kToTurn shrinks by
+///   kSlowestDive to kOff
+class DepthEstimate {
+ public:
+  /// What the vehicle is told from now on, once a turn; time never goes back.
+  void tell(Time now, const messages::Setpoint& setpoint, const config::VehicleLimits& vehicle);
+  /// A fix that is believed.
+  void take(const messages::Navigation& fix, const config::VehicleLimits& vehicle);
+
+  /// That the vehicle can be; what the sensor says as long as it was told nothing.
+  [[nodiscard]] Meters deepest() const { return deepest_; }
+  /// Whether the vehicle is at the surface, by two signs: its depth says so, and it had the time to come up from the deepest place where it
+  /// can be. Or it had that time at kSlowestAscent, and for kLongestHalt its depth has not fallen. Then until its depth rises again.
+  [[nodiscard]] bool is_up(const config::VehicleLimits& vehicle) const;
+  /// How much further from the depth that it is told the vehicle says that it is than one which obeys can be.
+  [[nodiscard]] Meters unexplained() const;
+
+  static constexpr MetersPerSecond kFastestSink{3.0};  ///< heavy, or at full speed and steeply
+  static constexpr MetersPerSecond kSlowestDive{0.05};
+  static constexpr Duration kToTurn = Duration::seconds(60);
+  static constexpr Meters kOff{25.0};  ///< of sensor and control, and as deep as a vehicle may get while it turns up
+  static constexpr Meters kSinksAgain{2.0};
+  static constexpr Duration kLongestHalt = Duration::seconds(600);
+
+ private:
+  void pass(Duration time, const config::VehicleLimits& vehicle);
+  void look(Time now, const config::VehicleLimits& vehicle);
+  void start_anew(Time now);
+
+  std::optional<Time> told_at_;
+  Meters told_;
+  MetersPerSecond told_speed_;
+  Meters depth_;            ///< as the newest fix says
+  Meters before_;           ///< and the one before
+  Meters deepest_;          ///< by ascent_rate
+  Meters deepest_of_slow_;  ///< by kSlowestAscent
+  Meters allowed_{kOff};
+  Duration turning_;   ///< for so long an order is not yet followed
+  Meters shallowest_;  ///< depth since it is told to come up, by a metre
+  Time fell_at_;       ///< when that was
+  bool comes_up_ = false;
+  bool is_up_ = false;
+};
+
+}  // namespace earshot::safety

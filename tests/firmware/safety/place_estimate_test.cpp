@@ -1,0 +1,99 @@
+#include "firmware/safety/place_estimate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "tests/firmware/place.hpp"
+
+namespace earshot::safety {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// 0.4 m/s of current are possible, and what the fixes say through the water is 2 m/s northwards: 0.8 m/s and 50 m are explained.
+class Places : public testing::Test {
+ protected:
+  /// Each second further by that much. @return the second from which on it is unexplained; -1: it never is, in an hour
+  int told_after(double north_mps, double east_mps, double speed_mps = 2.0) {
+    PlaceEstimate estimate;
+    estimate.begin(fix(0, at(0, 0), speed_mps));
+    for (int s = 1; s <= 3600; ++s) {
+      estimate.take(fix(s, at(north_mps * s, east_mps * s), speed_mps), vehicle_);
+      if (estimate.unexplained(vehicle_) > Meters{0}) return s;
+    }
+    return -1;
+  }
+  [[nodiscard]] static messages::Navigation fix(int s, NorthEast place, double speed_mps, double heading_rad = 0.0) {
+    return {.time = Time{} + Duration::seconds(s),
+            .position = place,
+            .depth = Meters{300},
+            .heading = Radians{heading_rad},
+            .speed = MetersPerSecond{speed_mps}};
+  }
+  [[nodiscard]] static config::VehicleLimits vehicle() {
+    config::VehicleLimits vehicle;
+    vehicle.max_speed = MetersPerSecond{3.0};
+    vehicle.max_current = MetersPerSecond{0.4};
+    return vehicle;
+  }
+
+  config::VehicleLimits vehicle_ = vehicle();
+};
+
+TEST_F(Places, ExplainsWhatSpeedHeadingAndCurrentMake) {
+  EXPECT_EQ(told_after(2.0, 0.0), -1);
+  EXPECT_EQ(told_after(2.0, 0.4), -1);
+  EXPECT_EQ(told_after(1.6, 0.0), -1);
+  EXPECT_EQ(told_after(1.22, 0.0), -1) << "0.78 m/s behind";
+}
+
+// The reproduction: the fixes say 2 m/s, and the place moves at 15. 13 m/s, of which 0.8 are explained, are 50 m in 4.1 s.
+TEST_F(Places, FindsAPlaceThatMovesFasterThanTheFixesSay) {
+  EXPECT_EQ(told_after(15.0, 0.0), 5);
+}
+
+TEST_F(Places, FindsAPlaceThatStandsStillOrGoesAnotherWay) {
+  EXPECT_EQ(told_after(0.0, 0.0), 42) << "1.2 m/s too slow";
+  EXPECT_EQ(told_after(0.0, 2.0), 25) << "2.03 m/s";
+}
+
+// 1 m/s off: 0.2 m/s more than is explained, 50 m in 251 s.
+TEST_F(Places, FindsASlowDriftOverTenMinutes) {
+  EXPECT_EQ(told_after(2.0, 1.0), 251);
+}
+
+TEST_F(Places, ExplainsACircle) {
+  PlaceEstimate estimate;
+  estimate.begin(fix(0, at(0, 0), 2.0));
+  for (int s = 1; s <= 3600; ++s) {
+    const double turned = 0.1 * s;  // 20 m in radius
+    estimate.take(fix(s, at(20 * std::sin(turned), 20 - 20 * std::cos(turned)), 2.0, turned), vehicle_);
+    ASSERT_EQ(estimate.unexplained(vehicle_), Meters{0}) << s;
+  }
+}
+
+TEST_F(Places, ThinksEveryWayPossibleThatTheVehicleCanMakeWhereItsSpeedIsNotKnown) {
+  EXPECT_EQ(told_after(3.3, 0.0, kNan), -1);
+  EXPECT_EQ(told_after(15.0, 0.0, kNan), 5) << "11.6 m/s more";
+}
+
+TEST_F(Places, ThinksACurrentOfStraitsPossibleWhereNobodyToldOfOne) {
+  vehicle_.max_current = MetersPerSecond{0.0};
+  EXPECT_EQ(told_after(0.0, 0.0), -1);
+  EXPECT_EQ(told_after(15.0, 0.0), 6) << "8.6 m/s more";
+}
+
+TEST_F(Places, BeginsAnew) {
+  PlaceEstimate estimate;
+  estimate.begin(fix(0, at(0, 0), 2.0));
+  estimate.take(fix(1, at(500, 0), 2.0), vehicle_);
+  EXPECT_GT(estimate.unexplained(vehicle_), Meters{400});
+  estimate.begin(fix(2, at(500, 0), 2.0));
+  EXPECT_EQ(estimate.unexplained(vehicle_), Meters{0});
+}
+
+}  // namespace
+}  // namespace earshot::safety
