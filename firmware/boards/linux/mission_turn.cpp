@@ -144,6 +144,7 @@ runtime::Outputs MissionTurn::operator()() {
   if (manager_ != nullptr) manager_->note_turn(outputs_.health);
   if (news_ == nullptr) return outputs_;
   news_->tell(turn, core_.mission());
+  news_->tell_durable(turn, is_durable);
   for (const messages::SafetyEvent& event : outputs_.safety_events) news_->tell(event);
   news_->tell(turn, outputs_.health);
   return outputs_;

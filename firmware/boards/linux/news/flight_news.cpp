@@ -149,6 +149,18 @@ void FlightNews::tell(Time now, const config::Mission& mission) {
   say({.severity = Severity::kNotice, .event = "limits", .time = now, .message = line.text()});
 }
 
+void FlightNews::tell_durable(Time now, bool is_durable) {
+  if (is_durable == is_durable_ || now < durable_due_) return;
+  is_durable_ = is_durable;
+  durable_due_ = now + kBetweenLinkLines;
+  say({.severity = is_durable ? Severity::kNotice : Severity::kError,
+       .event = "safety_record",
+       .time = now,
+       .message = is_durable
+                      ? "safety record: a disk has it again"
+                      : "safety record: no disk takes it in time: what is ordered is obeyed, and a power cut may make it forgotten"});
+}
+
 void FlightNews::tell(std::uint8_t port, const HeardChain& chain) {
   sounds_.at(port).chain = chain;
 }

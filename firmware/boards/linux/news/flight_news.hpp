@@ -67,6 +67,8 @@ class FlightNews {
   /// What was wrong with an order that a port brought, at the next turn; of each kind at most one line in kBetweenLinkLines, which counts
   /// those since the last.
   void tell(std::uint8_t port, OrderTrouble trouble);
+  /// Whether what must not be forgotten is on a disk; a change is told, once in kBetweenLinkLines at most.
+  void tell_durable(Time now, bool is_durable);
   /// This program is told to stop: an abort from now on is not an operator's.
   void tell_stop() { is_stopping_ = true; }
 
@@ -138,6 +140,8 @@ class FlightNews {
   Time limits_due_;
   bool is_stopping_ = false;
   bool is_journal_up_ = true;
+  bool is_durable_ = true;
+  Time durable_due_;
   Refused navigation_;
   Refused snr_;
   Refused bearing_;

@@ -40,6 +40,7 @@ class ToldPort final : public Port {
   std::uint64_t publish(Time /*now*/, const runtime::Outputs& outputs) override {
     state = outputs.health.state;
     refused = outputs.health.counters.navigation_refused;
+    acknowledgements = outputs.acknowledgements;
     return 0;
   }
   void note_speed(MetersPerSecond told) override { speed_mps = told.value; }
@@ -49,6 +50,7 @@ class ToldPort final : public Port {
   double speed_mps = -1.0;
   messages::MissionState state{};
   std::uint64_t refused = 0;
+  runtime::Acknowledgements acknowledgements;
 };
 
 /// A vehicle that lies in the middle of its area; what it says of its speed is the test's.
@@ -73,6 +75,11 @@ class MissionTurnTest : public testing::Test {
     turn_.take(0, messages::SnrMeasurement{.time = clock_.time, .snr = Decibels{12}});
     (void)turn_();
     return port_->speed_mps;
+  }
+
+  [[nodiscard]] bool is_own_port_up() const {
+    return std::ranges::none_of(turn_.outputs().health.ports,
+                                [](const auto& report) { return report.port == kOwnPort && !report.link_up; });
   }
 
   static constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -128,10 +135,7 @@ TEST_F(MissionTurnTest, WritesTheTroublesOfACanControllerIntoItsJournalAndNoneTh
 }
 
 TEST_F(MissionTurnTest, SaysAtOnceThatTheDiskTakesNothingThoughItSaidAMomentAgoThatItDoesAgain) {
-  const auto is_up = [this] {
-    return std::ranges::none_of(turn_.outputs().health.ports,
-                                [](const auto& report) { return report.port == kOwnPort && !report.link_up; });
-  };
+  const auto is_up = [this] { return is_own_port_up(); };
   const auto wait_for = [this](host::JournalTrouble trouble) {
     (void)told_after(1.25);
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
@@ -192,6 +196,35 @@ TEST_F(MissionTurnTest, AFloodOfRefusedOrdersFillsNoDiskIsCountedAndHoldsUpNoAbo
   turn_.take(1, runtime::command_of(messages::Order::kAbort, clock_.time, 1));
   (void)told_after(1.25);
   EXPECT_EQ(port_->state, messages::MissionState::kAbort);
+}
+
+TEST_F(MissionTurnTest, AnOrderThatNoDiskHasIsAcknowledgedAsNotDurableAndHealthAndAPersonAreTold) {
+  const std::filesystem::path said = folder_ / "said.txt";
+  host::FileDescriptor out(::open(said.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0600));
+  host::SafetyCopies copies({{.file = folder_ / "missing" / "record"}});
+  const HostClock host;
+  SafetyLog safety(copies, host, {});
+  (void)safety.begin(clock_.time, core_.mission(), 0, std::vector<std::uint8_t>{1}, std::chrono::milliseconds(0));
+  {
+    LineWriter writer(out.number());
+    FlightNews news(ports_, writer);
+    turn_.tell(news);
+    turn_.keep_safe(safety);
+    turn_.take(0, runtime::command_of(messages::Order::kAbort, clock_.time, 1));
+    (void)told_after(1.25);
+    ASSERT_EQ(port_->acknowledgements.size(), 1U);
+    EXPECT_EQ(port_->acknowledgements[0].outcome, messages::CommandOutcome::kObeyedNotDurable);
+    EXPECT_EQ(turn_.outputs().acknowledgements[0].outcome, messages::CommandOutcome::kObeyed) << "what a replay says";
+    EXPECT_FALSE(is_own_port_up());
+    std::filesystem::create_directory(folder_ / "missing");
+    for (int i = 0; i < 1000 && !safety.is_durable(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    clock_.time = clock_.time + Duration::seconds(60);
+    (void)told_after(1.25);
+    EXPECT_TRUE(is_own_port_up());
+  }
+  const std::string text = support::read_text(said);
+  EXPECT_NE(text.find("safety record: no disk takes it in time"), std::string::npos) << text;
+  EXPECT_NE(text.find("safety record: a disk has it again"), std::string::npos) << text;
 }
 
 }  // namespace
