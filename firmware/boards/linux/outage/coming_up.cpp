@@ -18,7 +18,7 @@ constexpr Duration kHeadingLasts = Duration::seconds(5);
 constexpr double kTimeToTurnUp_s = 60.0;
 
 Duration time_from(Meters depth) {
-  return {static_cast<std::int64_t>((depth.value / safety::kSlowestAscent.value + kTimeToTurnUp_s) * 1e6)};
+  return {static_cast<std::int64_t>((depth.value / config::kSlowestAscent.value + kTimeToTurnUp_s) * 1e6)};
 }
 
 }  // namespace
