@@ -7,6 +7,8 @@
 #include <functional>
 #include <memory>
 #include <numeric>
+#include <optional>
+#include <vector>
 
 #include "tests/policy/explain/flown_policy.hpp"
 
@@ -78,12 +80,17 @@ TEST(DecisionAccount, OfAPolicyWithoutANetworkTellsWhatEachActionIsWorthAndOfATr
   const DecisionAccount account =
       account_of({.policy = *policy, .belief = policy->observation.belief, .tables = falling_ocean(), .south_west = {}}, decisions);
   double best = 0.0;
-  for (std::size_t a = 0; a < account.actions.size(); ++a) {
-    ASSERT_TRUE(account.actions[a].worth);
-    // The observation shows each preference ten times as large, in the order of the actions.
-    EXPECT_NEAR(*account.actions[a].worth, static_cast<double>(decisions.back().observation[a]) / 10.0, 1e-6);
-    best = std::max(best, *account.actions[a].worth);
+  std::size_t preferences = 0;
+  for (std::size_t i = 0; i < policy->observation.spec.size(); ++i) {
+    const policy::ObservationElement& element = policy->observation.spec[i];
+    if (element.feature != policy::Feature::kPreference) continue;
+    ++preferences;
+    const std::optional<double> worth = account.actions.at(element.age).worth;
+    ASSERT_TRUE(worth);
+    EXPECT_NEAR(*worth, static_cast<double>(decisions.back().observation[i]) / 10.0, 1e-6) << "shown ten times as large";
+    best = std::max(best, *worth);
   }
+  EXPECT_EQ(preferences, account.actions.size());
   EXPECT_NEAR(best, 1.0, 1e-6);
   const auto trained = belief_policy(1);
   const std::vector<RecordedDecision> others = flown(*trained, 2, {});
