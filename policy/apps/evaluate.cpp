@@ -15,6 +15,7 @@
 #include "firmware/host/policy/tables_choice.hpp"
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/program/wrapped.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/apps/evaluate_mission.hpp"
 #include "policy/apps/evaluate_tables.hpp"
@@ -317,9 +318,10 @@ std::vector<evaluate::Row> fly_in_all(std::span<const evaluate::WorldFile> world
       if (ranks.rank() == 0) rows.push_back(evaluate::row_of(world.name, candidate.name, flights, pace, world.seed));
     }
     if (ranks.rank() > 0) continue;
-    program::say() << world.name << ": " << world.what << "; " << o.episodes << " searches, seed " << world.seed << ", steps of "
-                   << pace.step_s << " s\n"
-                   << evaluate::as_text(std::span(rows).subspan(first_row)) << std::endl;
+    std::ostringstream head;
+    head << world.name << ": " << world.what << "; " << o.episodes << " searches, seed " << world.seed << ", steps of " << pace.step_s
+         << " s";
+    program::say() << program::wrapped_lines(head.str()) << evaluate::as_text(std::span(rows).subspan(first_row)) << std::endl;
   }
   return rows;
 }
@@ -351,13 +353,17 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
     if (speaks) check_files(o, {candidates, environment, worlds, given.files});
   });
   std::vector<std::string> warnings = warnings_of(candidates, {task.settings, task.depth, host::crc32_text(environment.file_crc32)});
+  if (mission && !o.search.environment && o.worlds.empty() && !o.suite) {
+    if (const std::string doubt = evaluate::doubt_of_ocean(*mission, environment, environment_file); !doubt.empty())
+      warnings.push_back(doubt);
+  }
   const std::vector<const host::TablesFile*> tables = evaluate::tables_of_worlds(given, worlds, task.settings, warnings);
   if (speaks) {
     for (const std::string& warning : warnings) std::cerr << "earshot evaluate: warning: " << host::printable(warning) << "\n";
     for (const evaluate::Candidate& c : candidates) print_details(c);
     program::detail() << environment_file.string() << ": " << environment.name << "; the vehicle " << task.depth.value << " m deep\n"
                       << ranks.size() << (ranks.size() == 1 ? " process\n" : " processes\n");
-    program::say() << (mission ? evaluate::to_string(*mission) : "") << what_is_searched(o.search, task);
+    program::say() << program::wrapped_lines((mission ? evaluate::to_string(*mission) : "") + what_is_searched(o.search, task));
   }
   std::optional<policy::ActionDraw> draw;
   if (o.draw) draw = description::draw_named(*o.draw);

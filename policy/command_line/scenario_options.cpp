@@ -55,10 +55,10 @@ search::Scenario scenario_at(const std::filesystem::path& path, Meters vehicle_d
 
 void check_vehicle_depth(const ocean::Environment& environment, const std::filesystem::path& path, Meters vehicle_depth) {
   if (vehicle_depth < environment.seabed.depth) return;
-  std::ostringstream words;
-  words << "--vehicle-depth-m: " << vehicle_depth.value << ": must be less than the depth of the sea floor in " << path.string() << ", "
-        << environment.seabed.depth.value << " m";
-  throw BadInput(words.str());
+  std::ostringstream text;
+  text << "--vehicle-depth-m " << vehicle_depth.value << ": must be less than " << environment.seabed.depth.value
+       << " m, the depth of the sea floor in " << path.string();
+  throw BadInput(text.str());
 }
 
 sonar::SnrCurve curve_for(const ocean::Environment& environment, Meters vehicle_depth, const search::SearchSettings& settings) {

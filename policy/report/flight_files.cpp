@@ -48,6 +48,7 @@ void check_summary(const std::filesystem::path& path, const nlohmann::json& summ
   require("seed", value("seed").is_number_unsigned(), "a whole number from 0");
   for (const char* key : {"reward", "distance_m", "sim_time_s", "wall_time_s", "detection_threshold_db"})
     require(key, is_number(value(key)), "a number");
+  if (summary.contains("battery_percent")) require("battery_percent", is_number(summary.at("battery_percent")), "a number");
   for (const char* key : {"end_reason", "environment", "mission"}) require(key, value(key).is_string(), "a text");
   for (const char* key : {"source", "start"}) require(key, is_place(value(key)), "a place: north_m, east_m");
   const nlohmann::json area = value("area");
@@ -265,7 +266,13 @@ Flight read_flight(const std::filesystem::path& folder_or_journal) {
     throw BadInput(folder.string() + ": holds no " + kJournalName + "; name one of its journals, such as " +
                    (folder / flight.others.back()).string());
   flight.journal = read_journal(folder / kJournalName);
-  if (!std::filesystem::exists(folder / "summary.json")) flight.sea = read_sea_flight(folder / kJournalName);
+  std::optional<SeaFlight> journalled = read_sea_flight(folder / kJournalName);
+  if (!std::filesystem::exists(folder / "summary.json")) {
+    flight.sea = std::move(journalled);
+  } else if (journalled) {
+    flight.events = std::move(journalled->events);
+    flight.ending_rule = std::move(journalled->ending_rule);
+  }
   if (flight.sea && flight.sea->is_dated()) return flight;
   const auto is_there = [&](const char* name) {
     if (std::filesystem::exists(folder / name)) return true;

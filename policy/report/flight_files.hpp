@@ -55,10 +55,12 @@ struct Flight {
   std::vector<TrackRow> track;
   JournalledSearch journal;
   std::vector<SnrRow> snr;
-  HeardSound sound;                  ///< of a flight that heard
-  std::optional<SeaFlight> sea;      ///< what the journal tells when there is no summary
-  std::vector<std::string> missing;  ///< names of files that a simulator should have left
-  std::vector<std::string> others;   ///< names of the folder's other journals, of which nothing is here
+  HeardSound sound;                        ///< of a flight that heard
+  std::optional<SeaFlight> sea;            ///< what the journal tells when there is no summary
+  std::vector<SeaFlight::Event> events;    ///< of a simulated flight, as its journal tells them
+  std::optional<std::string> ending_rule;  ///< of a simulated flight: the safety rule that ended it, in words with its evidence
+  std::vector<std::string> missing;        ///< names of files that a simulator should have left
+  std::vector<std::string> others;         ///< names of the folder's other journals, of which nothing is here
 
   [[nodiscard]] bool is_complete() const { return missing.empty(); }
 };

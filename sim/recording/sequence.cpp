@@ -92,8 +92,14 @@ bool is_there(const std::filesystem::path& path) {
   return std::filesystem::exists(std::filesystem::symlink_status(path, ignored));
 }
 
+/// "5.25 s"; "306.25 days" where nobody counts seconds.
 std::string seconds_text(Duration duration) {
+  constexpr double kDay_s = 86'400.0;
   std::ostringstream text;
+  if (duration.to_seconds() >= kDay_s) {
+    text << std::round(duration.to_seconds() / kDay_s * 100.0) / 100.0 << " days";
+    return text.str();
+  }
   text << std::round(duration.to_seconds() * 1000.0) / 1000.0 << " s";
   return text.str();
 }

@@ -39,4 +39,11 @@ inline constexpr int kMostParts = 999'999;     ///< of one journal
 /// The first part of the newest of them whose first record bears this checksum; nothing when none does.
 [[nodiscard]] std::optional<std::filesystem::path> journal_marked(const std::filesystem::path& wanted, std::uint32_t first_record_crc32);
 
+/// What a flight calls its journal in the folder that it is given.
+inline constexpr const char* kFirstJournal = "journal.lcmlog";
+
+/// The journal that somebody means who names its folder: kFirstJournal, or where that is gone the newest of its name. Any other path is
+/// itself.
+[[nodiscard]] std::filesystem::path journal_in(const std::filesystem::path& folder_or_journal);
+
 }  // namespace earshot::host

@@ -22,7 +22,7 @@ struct FieldArguments {
   std::string history;  ///< the command itself
   double max_range_km = 25.0;
   std::vector<double> depth_m;
-  double depth_spacing_m = 10.0;
+  std::optional<double> depth_spacing_m;
   double bearing_deg = 0.0;
   std::size_t radials = 0;  ///< 0: one radial
   bool map = false;

@@ -185,15 +185,6 @@ void wait_for_both(ChildProcess& simulator, ChildProcess& runtime) {
   }
 }
 
-/// What a person should know of a flight that heard: its first minutes went by before the search.
-void print_hearing(const nlohmann::json& hearing) {
-  std::printf("  heard       %s: %llu SNRs measured, %llu of them too faint; the first %.0f s at rest, to learn the noise of the sea\n",
-              hearing.at("sound") == fly::kSynthetic ? "synthetic sound" : "recorded sound",
-              static_cast<unsigned long long>(hearing.at("looks").get<std::uint64_t>()),
-              static_cast<unsigned long long>(hearing.at("looks_too_faint").get<std::uint64_t>()),
-              hearing.at("search_began_s").get<double>());
-}
-
 void print_summary(const fs::path& out) {
   if (program::talk() == program::Talk::kQuiet) return;
   std::ifstream stream(out / "summary.json");
@@ -207,7 +198,6 @@ void print_summary(const fs::path& out) {
   std::printf("  time        %s at sea in %.2f s: %.0f times real time\n", fly::hours_and_minutes(at_sea).c_str(), wall_time_s,
               sim_time_s / std::max(wall_time_s, 1e-9));
   std::printf("%s", fly::account_lines(s).c_str());
-  if (s.contains("hearing")) print_hearing(s.at("hearing"));
 }
 
 bool writes_report(const fs::path& folder) {
@@ -383,7 +373,7 @@ int fly_search(Options o) {
   if (has_flown && conclude(o, folder, is_flown(simulator, runtime))) return status;
   if (stop_requested && !has_flown) std::cerr << "earshot fly: stopped before the flight began\n";
   if (fs::exists(folder.unfinished()))
-    std::cerr << "earshot fly: this flight is not whole; what there is of it is in " << folder.unfinished().string() << "\n";
+    std::cerr << "earshot fly: this flight is not whole; " << fly::place_of_rest(folder.unfinished()) << "\n";
   return status == program::kDone ? program::kLost : status;
 }
 

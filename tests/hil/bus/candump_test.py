@@ -165,6 +165,21 @@ class Reads(InAFolder):
 
     def test_a_file_of_something_else_without_telling_of_every_line(self):
         read = candump(self.write("noise", "x y z\n" * 5000))
+        self.assertEqual((read.returncode, read.stdout), (2, ""))
+        self.assertEqual(
+            read.stderr,
+            f"{self.folder}/noise: is no log that is read here: of its 5000 lines none holds a frame or a message\n",
+        )
+
+    def test_a_file_of_something_else_before_it_replaces_a_recording(self):
+        older = self.write("sea.log", LINES[0] + "\n")
+        read = candump(self.write("README.md", "# A page\n\nof words\nand more\n"), "--record", older, "--replace")
+        self.assertEqual((read.returncode, read.stdout), (2, ""))
+        self.assertIn("README.md: is no log that is read here: of its 4 lines none", read.stderr)
+        self.assertEqual(Path(older).read_text(), LINES[0] + "\n")
+
+    def test_much_that_is_damaged_behind_a_line_of_a_log_without_telling_of_every_line(self):
+        read = candump(self.write("noise", LINES[0] + "\n" + "x y z\n" * 5000))
         self.assertEqual(read.returncode, 1)
         self.assertLess(len(read.stderr.splitlines()), 110)
         self.assertIn("5000 damaged lines", read.stderr)

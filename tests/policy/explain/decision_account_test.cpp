@@ -72,6 +72,26 @@ TEST(DecisionAccount, BlamesTheChoiceOfAPolicyWithoutANetworkOnItsPreferencesAlo
 }
 
 /// Its tables hold one ocean, where the source is as loud as they say.
+TEST(DecisionAccount, OfAPolicyWithoutANetworkTellsWhatEachActionIsWorthAndOfATrainedOneNot) {
+  const auto policy = advice_policy();
+  const std::vector<RecordedDecision> decisions = flown(*policy, 4, {});
+  const DecisionAccount account =
+      account_of({.policy = *policy, .belief = policy->observation.belief, .tables = falling_ocean(), .south_west = {}}, decisions);
+  double best = 0.0;
+  for (std::size_t a = 0; a < account.actions.size(); ++a) {
+    ASSERT_TRUE(account.actions[a].worth);
+    // The observation shows each preference ten times as large, in the order of the actions.
+    EXPECT_NEAR(*account.actions[a].worth, static_cast<double>(decisions.back().observation[a]) / 10.0, 1e-6);
+    best = std::max(best, *account.actions[a].worth);
+  }
+  EXPECT_NEAR(best, 1.0, 1e-6);
+  const auto trained = belief_policy(1);
+  const std::vector<RecordedDecision> others = flown(*trained, 2, {});
+  EXPECT_FALSE(account_of({.policy = *trained, .belief = trained->observation.belief, .tables = falling_ocean(), .south_west = {}}, others)
+                   .actions[0]
+                   .worth);
+}
+
 TEST(DecisionAccount, NamesTheHypothesesThatAreLikelyTheLikeliestFirst) {
   const auto policy = belief_policy(1);
   const DecisionAccount a = account(*policy, flown(*policy, 5, kCorner), Baseline::kCentre);

@@ -69,6 +69,14 @@ TEST(Sequence, TellsGapsAndOverlaps) {
   EXPECT_NE(remarks[1].find("begins 5 s before the end of b_20200912_000040.wav"), std::string::npos) << remarks[1];
 }
 
+TEST(Sequence, TellsAGapOfMonthsInDays) {
+  const TemporaryFolder folder;
+  const Sequence sequence({ten_seconds(folder / "a_20200101_000000.wav"), ten_seconds(folder / "b_20201102_060010.wav")});
+  ASSERT_EQ(sequence.remarks().size(), 1U);
+  EXPECT_NE(sequence.remarks()[0].find("begins 306.25 days after the end of a_20200101_000000.wav"), std::string::npos)
+      << sequence.remarks()[0];  // 306 days of a leap year from the first of January to the second of November, and a quarter
+}
+
 TEST(Sequence, CountsTimeThroughTheSoundAndDatesItByItsFile) {
   const TemporaryFolder folder;
   const Sequence sequence({ten_seconds(folder / "a_20200912_000000.wav"), ten_seconds(folder / "b_20200912_000040.wav")});

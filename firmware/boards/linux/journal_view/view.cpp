@@ -20,6 +20,7 @@
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/journal/journal_parts.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/program/progress_bar.hpp"
@@ -167,16 +168,28 @@ class Viewer {
   std::optional<program::ProgressBar> bar_ = prints_ ? std::nullopt : std::optional<program::ProgressBar>(std::in_place, "journal");
 };
 
+/// Flights at sea may share a folder: what is read of it might be taken for the last one's.
+void tell_others(const std::filesystem::path& journal) {
+  const std::optional<std::filesystem::path> newest = host::newest_journal(journal);
+  if (newest && *newest != journal && program::talk() != program::Talk::kQuiet)
+    std::cerr << "earshot journal: reads " << host::printable(journal.string()) << "; the folder holds others, the newest "
+              << host::printable(newest->filename().string()) << ": name the one that you mean\n";
+}
+
 }  // namespace
 
-int view(const ViewOptions& options) {
-  if (!options.follow) return Viewer(options).run();
+int view(const ViewOptions& asked) {
+  ViewOptions options = asked;
+  options.journal = host::journal_in(asked.journal);
+  if (!options.follow) {
+    if (options.journal != asked.journal) tell_others(options.journal);
+    return Viewer(options).run();
+  }
   program::stop_on_signals();
-  const std::optional<std::filesystem::path> journal = wait_for_journal(options.journal, options.wait);
+  const std::optional<std::filesystem::path> journal = wait_for_journal(asked.journal, options.wait);
   if (!journal) return program::kStopped;
-  ViewOptions under_way = options;
-  under_way.journal = *journal;
-  return Viewer(under_way).run();
+  options.journal = *journal;
+  return Viewer(options).run();
 }
 
 }  // namespace earshot::journal_view

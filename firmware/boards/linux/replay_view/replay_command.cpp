@@ -29,6 +29,7 @@
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/program/wrapped.hpp"
 
 namespace earshot::replay_view {
 namespace {
@@ -120,9 +121,9 @@ Json tell_what_if(const ReplayCommand& c, const Question& question) {
   }
   const std::vector<StepPair> pairs = paired(told.then, told.now);
   program::say() << "\nthe same inputs, with " << question.words << ":\n"
-                 << where_they_part(pairs, c.from_step, told.began) << "\n\n"
+                 << program::wrapped_lines(where_they_part(pairs, c.from_step, told.began)) << "\n"
                  << decision_table(pairs, c.from_step, told.began) << "\n"
-                 << what_it_means(told, pairs);
+                 << program::wrapped_lines(what_it_means(told, pairs));
   if (c.map) {
     const std::string title = shown(c.journal.filename()) + ": decided then, and now";
     host::write_whole(*c.map, parting_map(told, pairs, c.from_step, question.plan.mission.operating_area, title));

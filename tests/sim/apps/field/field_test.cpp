@@ -38,6 +38,33 @@ TEST_F(FieldProgram, DrawsCurvesOfLossAndSnrWhereThereIsOneDepth) {
     EXPECT_NE(svg.find(words), std::string::npos) << words;
 }
 
+TEST_F(FieldProgram, DrawsACurveForEachOfFewDepthsThoughTheyLieUnequallyFarApart) {
+  const auto picture = folder_ / "out" / "field.svg";
+  ASSERT_EQ(run(kMunk + " -o " + output() + " --max-range-km 2 --depth 20 100 2900 --plot " + picture.string()), 0) << errors();
+  const std::string svg = read(picture);
+  for (const char* words : {"transmission loss (dB re 1 m)", "hydrophone at 20 m", "hydrophone at 100 m", "hydrophone at 2900 m"})
+    EXPECT_NE(svg.find(words), std::string::npos) << words;
+}
+
+TEST_F(FieldProgram, TakesFinerDepthsInShallowWaterAndTenMetresElsewhere) {
+  const std::string near = " -o " + output() + " --max-range-km 1 --output-step-m 500";
+  ASSERT_EQ(run(ocean_with("[seabed]\ndepth_m = 3000.0", "[seabed]\ndepth_m = 120.0") + near), 0) << errors();
+  EXPECT_NE(said().find("field:   2 ranges to 1 km, 120 depths from 1 to 120 m\n"), std::string::npos) << said();
+  ASSERT_EQ(run(kMunk + near), 0) << errors();
+  EXPECT_NE(said().find("300 depths from 10 to 3000 m"), std::string::npos) << said();
+}
+
+TEST_F(FieldProgram, SaysOneDepthAsOneAndTheBandThatItComputes) {
+  ASSERT_EQ(run(kMunk + " -o " + output() + " --max-range-km 1 --depth 300 --band-hz 15 30 --frequencies 2"), 0) << errors();
+  EXPECT_NE(said().find(" km, at a depth of 300 m\n"), std::string::npos) << said();
+  EXPECT_NE(said().find(", source of 15 to 30 Hz at "), std::string::npos) << said();
+}
+
+TEST_F(FieldProgram, RefusesAHydrophoneAtTheSurfaceWhereThereIsNoSound) {
+  expect_refused(kMunk + " -o " + output() + " --depth 0 100", "--depth = 0: at the surface there is no sound");
+  expect_refused(kMunk + " -o " + output() + " --radials 4 --receiver-depth-m 0", "--depth = 0: at the surface there is no sound");
+}
+
 TEST_F(FieldProgram, SaysThatGnuplotIsMissing) {
   // A picture of more data than a pipe holds: gnuplot's absence must not end the program by SIGPIPE.
   const auto picture = folder_ / "out" / "field.png";
@@ -205,6 +232,38 @@ TEST_F(FieldProgram, ComputesAndDrawsADetectionMap) {
 TEST_F(FieldProgram, MakesOneMarchForAllBearingsOfAFlatOcean) {
   ASSERT_EQ(run(kMunk + " -o " + output() + " --radials 360 --receiver-depth-m 300 --max-range-km 5"), 0) << errors();
   EXPECT_NE(said().find("one march for all"), std::string::npos) << said();
+}
+
+TEST_F(FieldProgram, SaysWhereTheSourceIsHeardNowhereAndWhereMaybeFurtherThanWasComputed) {
+  const std::string fan = kMunk + " -o " + output() + " --radials 4 --receiver-depth-m 300 --max-range-km 5 --detection-threshold-db ";
+  ASSERT_EQ(run(fan + "190"), 0) << errors();
+  EXPECT_NE(said().find("heard:   at 300 m nowhere: the SNR stays below 190 dB at every range\n"), std::string::npos) << said();
+  EXPECT_NE(said().find(", source of 20 Hz at "), std::string::npos) << said();
+  ASSERT_EQ(run(fan + "-100"), 0) << errors();
+  EXPECT_NE(said().find("heard:   at 300 m last at 5 km or further\n"), std::string::npos) << said();
+}
+
+TEST_F(FieldProgram, SaysOneRangeWhereItIsTheSameOnEveryBearing) {
+  ASSERT_EQ(run(kMunk + " -o " + output() + " --radials 4 --receiver-depth-m 300 --max-range-km 25 --detection-threshold-db 20"), 0)
+      << errors();
+  EXPECT_NE(said().find("heard:   at 300 m last at "), std::string::npos) << said();
+  EXPECT_EQ(said().find(" to ", said().find("heard:")), std::string::npos) << said();
+}
+
+TEST_F(FieldProgram, ExplainsInItsMapTheLinesAloneThatAreThere) {
+  const auto picture = folder_ / "out" / "map.svg";
+  const std::string map = kMunk + " -o " + output() +
+                          " --radials 4 --receiver-depth-m 300 --max-range-km 5 --map --map-intervals 20 --plot " + picture.string() +
+                          " --detection-threshold-db ";
+  ASSERT_EQ(run(map + "-100"), 0) << errors();
+  EXPECT_NE(read(picture).find("heard as far as computed, 5 km"), std::string::npos);
+  EXPECT_EQ(read(picture).find("heard nowhere"), std::string::npos);
+  EXPECT_EQ(read(picture).find("heard at every range within"), std::string::npos);
+  ASSERT_EQ(run(map + "190"), 0) << errors();
+  EXPECT_NE(read(picture).find("heard nowhere<"), std::string::npos);
+  EXPECT_EQ(read(picture).find("heard nowhere beyond"), std::string::npos);
+  EXPECT_EQ(read(picture).find("heard at every range within"), std::string::npos);
+  EXPECT_NE(read(picture).find("SNR does not fluctuate"), std::string::npos);
 }
 
 TEST_F(FieldProgram, SaysHowMuchAFinerGridChanges) {

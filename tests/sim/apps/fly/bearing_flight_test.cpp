@@ -104,7 +104,7 @@ TEST_F(BearingFlight, GivenAMissionWhoseSnrComesOverCanOneLineSaysThatNoBearingC
                              folder_ / "refused.txt");
   EXPECT_EQ(simulator.wait(10s), 2);
   EXPECT_EQ(simulator.output(), array.string() +
-                                    ": conditions.bearing_deg: a bearing goes over LCM, CAN carries none, and no LCM port of " +
+                                    ": conditions.bearing_deg: at sea a bearing comes over LCM, CAN carries none, and no LCM port of " +
                                     kMission.string() + " has the role \"snr\"\n");
   EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
