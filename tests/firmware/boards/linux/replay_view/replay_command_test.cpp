@@ -129,8 +129,8 @@ TEST_F(ReplayCommand, SaysWhatAnotherPolicyWouldHaveDecidedAndDrawsIt) {
 TEST_F(ReplayCommand, NamesTheRuleByWhichAnotherMissionEnds) {
   write_mission("m.toml", "\n[[rule]]\nwhen = \"vehicle_status_age_s\"\nabove = 3.0\nthen = \"abort\"\n");
   EXPECT_EQ(replay({"--mission", file("m.toml"), "--json", file("r.json")}), 0) << errors_;
-  // Thirteen rules stand in a mission without a fence. Nobody tells of the vehicle from the second in which the search begins: three seconds
-  // are over in the sixth.
+  // Thirteen rules stand in a mission without a fence. Nobody tells of the vehicle from the second in which the search begins: three
+  // seconds are over in the sixth.
   EXPECT_NE(unwrapped().find(
                 "now: ABORT: a safety rule ended it, after 0 steps (since 6.0 s, rule 14, vehicle_status_age_s: 4.0, above 3.0: abort)"),
             std::string::npos)
