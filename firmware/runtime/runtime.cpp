@@ -155,7 +155,7 @@ void Runtime::take(Time arrival, std::uint8_t port, const messages::Navigation& 
   const messages::Navigation& fix = *situation.navigation.newest();
   situation.depth.take(fix, mission_.safety.vehicle);
   if (is_to_move && !situation.navigation.newest_is_correction()) {
-    situation.place.take(fix, mission_.safety.vehicle);
+    situation.place.take(fix, *situation.commanded, mission_.safety.vehicle);
   } else {
     situation.place.begin(fix);
   }

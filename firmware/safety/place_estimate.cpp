@@ -9,58 +9,100 @@ namespace {
 
 constexpr Duration kMinute = Duration::seconds(60);
 constexpr Duration kTenMinutes = Duration::seconds(600);
+constexpr MetersPerSecond kSlowest{0.1};
 
 bool is_known(MetersPerSecond speed) {
   return is_finite(speed.value);
 }
 
-NorthEast each_second(const messages::Navigation& fix) {
-  if (!is_known(fix.speed)) return {};
-  const SineCosine heading = sine_cosine(fix.heading);
-  return {.north = Meters{fix.speed.value * heading.cosine}, .east = Meters{fix.speed.value * heading.sine}};
+NorthEast each_second(Radians heading, MetersPerSecond speed) {
+  if (!is_known(speed)) return {};
+  const SineCosine direction = sine_cosine(heading);
+  return {.north = Meters{speed.value * direction.cosine}, .east = Meters{speed.value * direction.sine}};
+}
+
+NorthEast scaled(NorthEast way, double by) {
+  return {.north = way.north * by, .east = way.east * by};
 }
 
 }  // namespace
 
-void PlaceEstimate::begin(const messages::Navigation& fix) {
-  newest_ = {.time = fix.time, .drift = fix.position, .way = {}};
+void DriftWatch::begin(const messages::Navigation& fix) {
+  newest_ = {.time = fix.time, .drift = fix.position, .uncertain = {}};
   position_ = fix.position;
-  each_second_ = each_second(fix);
   minute_ = {.older = newest_, .old = newest_};
   ten_minutes_ = minute_;
 }
 
-void PlaceEstimate::take(const messages::Navigation& fix, const config::VehicleLimits& vehicle) {
-  const double seconds = (fix.time - newest_.time).to_seconds();
-  const NorthEast now = each_second(fix);
-  const NorthEast both = each_second_ + now;
-  const NorthEast way{.north = both.north * (0.5 * seconds), .east = both.east * (0.5 * seconds)};
-  newest_.drift = newest_.drift + (fix.position - position_) - way;
-  newest_.way += length_of(way);
-  const bool is_anywhere = !is_known(fix.speed) || fix.time - newest_.time > kFarApart;
-  if (is_anywhere) newest_.way += Meters{vehicle.max_speed.value * seconds / kShare};
-  newest_.time = fix.time;
+void DriftWatch::take(const messages::Navigation& fix, NorthEast explained, Meters uncertain) {
+  newest_ = {.time = fix.time, .drift = newest_.drift + (fix.position - position_) - explained, .uncertain = newest_.uncertain + uncertain};
   position_ = fix.position;
-  each_second_ = now;
   move_on(minute_, kMinute);
   move_on(ten_minutes_, kTenMinutes);
 }
 
-void PlaceEstimate::move_on(Window& window, Duration length) const {
+void DriftWatch::move_on(Window& window, Duration length) const {
   if (newest_.time - window.old.time < length) return;
   window.older = window.old;
   window.old = newest_;
 }
 
-Meters PlaceEstimate::unexplained_since(const Anchor& anchor, MetersPerSecond current) const {
+Meters DriftWatch::unexplained_since(const Anchor& anchor, MetersPerSecond current) const {
   const Meters by_current{current.value * (newest_.time - anchor.time).to_seconds()};
-  const Meters by_error = kShare * (newest_.way - anchor.way);
-  return range_between(anchor.drift, newest_.drift) - by_current - by_error - kNoise;
+  return range_between(anchor.drift, newest_.drift) - by_current - (newest_.uncertain - anchor.uncertain) - kNoise;
+}
+
+Meters DriftWatch::unexplained(MetersPerSecond current) const {
+  return std::max({unexplained_since(minute_.older, current), unexplained_since(ten_minutes_.older, current), Meters{0.0}});
+}
+
+void PlaceEstimate::begin(const messages::Navigation& fix) {
+  by_log_.begin(fix);
+  by_order_.begin(fix);
+  time_ = fix.time;
+  each_second_ = each_second(fix.heading, fix.speed);
+  ordered_.reset();
+  ordered_speed_ = {};
+  turning_s_ = 0.0;
+}
+
+void PlaceEstimate::take(const messages::Navigation& fix, const messages::Setpoint& told, const config::VehicleLimits& vehicle) {
+  const Duration apart = fix.time - time_;
+  const double seconds = apart.to_seconds();
+  const NorthEast now = each_second(fix.heading, fix.speed);
+  const NorthEast way = scaled(each_second_ + now, 0.5 * seconds);
+  const bool is_anywhere = !is_known(fix.speed) || apart > kFarApart;
+  const Meters anywhere = is_anywhere ? Meters{vehicle.max_speed.value * seconds} : Meters{0.0};
+  by_log_.take(fix, way, kShare * length_of(way) + anywhere);
+
+  const NorthEast ordered = scaled(each_second(told.heading, told.speed), seconds);
+  by_order_.take(fix, ordered, kShare * length_of(ordered) + missed_way(told, seconds, vehicle));
+  each_second_ = now;
+  time_ = fix.time;
+}
+
+/// While a vehicle turns, or comes to its speed, it goes another way than it is told: half a circle instead of straight back misses 3.7 of
+/// its radii, of 3.1 that it sails, and a quarter 1.2 of 1.6.
+Meters PlaceEstimate::missed_way(const messages::Setpoint& told, double seconds, const config::VehicleLimits& vehicle) {
+  constexpr double kMissed = 1.5;
+  constexpr double kHalfTurn = 3.141592653589793;
+  constexpr Meters kTightest{20.0};
+  const double circle_s = std::max(vehicle.turn_radius, kTightest) / Meters{std::max(told.speed, kSlowest).value};
+  const double turn = ordered_ ? wrap_to_pi(told.heading - *ordered_).value : kHalfTurn;
+  const bool has_other_speed = !(told.speed == ordered_speed_);
+  turning_s_ += std::max(turn, -turn) * circle_s;
+  if (has_other_speed) turning_s_ += kGathersWay.to_seconds();
+  turning_s_ = std::min(turning_s_, kHalfTurn * circle_s + kGathersWay.to_seconds());
+  const double turning_s = std::min(turning_s_, seconds);
+  turning_s_ -= turning_s;
+  ordered_ = told.heading;
+  ordered_speed_ = told.speed;
+  return Meters{kMissed * told.speed.value * turning_s};
 }
 
 Meters PlaceEstimate::unexplained(const config::VehicleLimits& vehicle) const {
   const MetersPerSecond current = vehicle.max_current > MetersPerSecond{} ? vehicle.max_current : kAnyCurrent;
-  return std::max({unexplained_since(minute_.older, current), unexplained_since(ten_minutes_.older, current), Meters{0.0}});
+  return std::max(by_log_.unexplained(current), by_order_.unexplained(current));
 }
 
 }  // namespace earshot::safety

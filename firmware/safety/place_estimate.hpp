@@ -1,42 +1,35 @@
 #pragma once
 
+#include <optional>
+
 #include "firmware/config/safety.hpp"
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
 #include "firmware/messages/navigation.hpp"
+#include "firmware/messages/setpoint.hpp"
 
 namespace earshot::safety {
 
-/// Whether fixes fit themselves: what the place moves by, less speed times heading, is the current's way, and no current is stronger than
-/// the vehicle's owner says.
+/// How far a place has gone beside what explains its way, and whether that can be the current.
 ///
-///   unexplained = |d - d0| - (current (t - t0) + kShare way + kNoise),   d = place - sum of speed (cos heading, sin heading) dt
+///   unexplained = |d - d0| - (current (t - t0) + uncertain + kNoise),   d = place - sum of the ways that are explained
 ///
-/// way: through the water since t0; where the speed is not known, or fixes are further apart than kFarApart, anywhere that the vehicle can
-/// have gone counts. Over one to two minutes, for what is fast, and ten to twenty, for what is slow. What moves the place by less than
-/// current + kShare speed besides cannot be told from the current.
-class PlaceEstimate {
+/// over one to two minutes, for what is fast, and ten to twenty, for what is slow.
+class DriftWatch {
  public:
-  /// Of a fix that goes on from none, or of a vehicle that is not told to move and may be carried.
   void begin(const messages::Navigation& fix);
-  /// One that is believed, in the order of their dates.
-  void take(const messages::Navigation& fix, const config::VehicleLimits& vehicle);
+  /// @param explained, uncertain  of the way since the last fix
+  void take(const messages::Navigation& fix, NorthEast explained, Meters uncertain);
+  [[nodiscard]] Meters unexplained(MetersPerSecond current) const;
 
-  [[nodiscard]] Meters unexplained(const config::VehicleLimits& vehicle) const;
-
-  /// Of heading and speed together: six degrees, and a tenth of the speed.
-  static constexpr double kShare = 0.2;
   static constexpr Meters kNoise{50.0};  ///< of two fixes
-  static constexpr Duration kFarApart = Duration::seconds(3);
-  /// Where nobody says how strong it may be: tides in straits.
-  static constexpr MetersPerSecond kAnyCurrent{4.0};
 
  private:
   struct Anchor {
     Time time;
     NorthEast drift;
-    Meters way;
+    Meters uncertain;
   };
   struct Window {
     Anchor older;
@@ -46,10 +39,43 @@ class PlaceEstimate {
   [[nodiscard]] Meters unexplained_since(const Anchor& anchor, MetersPerSecond current) const;
 
   Anchor newest_;
-  NorthEast position_;     ///< of the newest fix
-  NorthEast each_second_;  ///< through the water, as the newest fix says
+  NorthEast position_;  ///< of the newest fix
   Window minute_;
   Window ten_minutes_;
+};
+
+/// Whether fixes fit themselves and what the vehicle is told: what the place moves by, less speed times heading, is the current's way, and
+/// no current is stronger than the vehicle's owner says. Of what the fixes say and of what was ordered the way through the water may be
+/// wrong by a share; of an order besides by what the vehicle needs to turn and to come to its speed. What moves the place by less than
+/// the current and that share cannot be told from the current.
+class PlaceEstimate {
+ public:
+  /// Of a fix that goes on from none, or of a vehicle that is not told to move and may be carried.
+  void begin(const messages::Navigation& fix);
+  /// One that is believed, in the order of their dates, of a vehicle that is told to move.
+  void take(const messages::Navigation& fix, const messages::Setpoint& told, const config::VehicleLimits& vehicle);
+
+  [[nodiscard]] Meters unexplained(const config::VehicleLimits& vehicle) const;
+
+  /// Of heading and speed together: six degrees, and a tenth of the speed, or of what it makes of the speed that it is told.
+  static constexpr double kShare = 0.2;
+  /// Where the speed is not known, or fixes are further apart than this, the vehicle may have gone anywhere.
+  static constexpr Duration kFarApart = Duration::seconds(3);
+  /// Until it has the speed that it is told.
+  static constexpr Duration kGathersWay = Duration::seconds(10);
+  /// Where nobody says how strong it may be: tides in straits.
+  static constexpr MetersPerSecond kAnyCurrent{4.0};
+
+ private:
+  [[nodiscard]] Meters missed_way(const messages::Setpoint& told, double seconds, const config::VehicleLimits& vehicle);
+
+  DriftWatch by_log_;
+  DriftWatch by_order_;
+  Time time_;                       ///< of the newest fix
+  NorthEast each_second_;           ///< through the water, as it says
+  std::optional<Radians> ordered_;  ///< heading
+  MetersPerSecond ordered_speed_;
+  double turning_s_ = 0.0;  ///< until it points where it is told, and is as fast
 };
 
 }  // namespace earshot::safety

@@ -74,11 +74,9 @@ Rules rules_of(const config::Mission& mission) {
 }
 
 void Supervisor::configure(const config::Mission& mission) {
+  *this = Supervisor{};
   rules_ = rules_of(mission);
   standing_ = standing_rules(mission);
-  next_depth_.reset();
-  next_depth_by_.reset();
-  watches_.clear();
   for (std::size_t i = 0; i < rules_.size(); ++i) static_cast<void>(watches_.push_back({}));
 }
 

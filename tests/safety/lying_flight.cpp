@@ -298,7 +298,7 @@ double most_beyond_m(const LyingMission& mission, std::int64_t lied_s) {
     if (is_drift) slow_mps += lie->size;
   }
   const bool is_told = slow_mps > slowest_told_drift(mission.drawn.mission).value;
-  return kMostBeyond_m + (is_told ? 0.0 : slow_mps * static_cast<double>(lied_s));
+  return kMostBeyond_m + (is_told ? 0.0 : slow_mps * static_cast<double>(std::max<std::int64_t>(lied_s, 0)));
 }
 
 LyingResult fly_lying(const LyingMission& mission) {

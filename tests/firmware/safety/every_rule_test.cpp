@@ -96,9 +96,10 @@ void see_late_fix(Situation& situation, std::int64_t seconds_ago, double off_m) 
 
 /// Northwards for a minute, at 2 m/s by what the fixes say.
 void drift(Situation& situation, double way_m) {
+  const messages::Setpoint told{.heading = {}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = {}};
   situation.place.begin(fix_at(ago(situation, 60), at(5000, 5000)));
   for (int s = 1; s <= 60; ++s)
-    situation.place.take(fix_at(ago(situation, 60 - s), at(5000 + way_m / 60.0 * s, 5000)), fenced_mission().safety.vehicle);
+    situation.place.take(fix_at(ago(situation, 60 - s), at(5000 + way_m / 60.0 * s, 5000)), told, fenced_mission().safety.vehicle);
 }
 
 void tell_depth(Situation& situation, double then_m) {

@@ -110,7 +110,7 @@ class FullDisk : public testing::Test {
     ++turns_;
     for (int i = fixes; i > 0; --i) {
       turn_->take(1, messages::Navigation{.time = clock_.time + Duration{-i},
-                                          .position = at(12'000 + 0.01 * turns_, 12'000),
+                                          .position = at(12'000 + 1.0 * turns_, 12'000),
                                           .depth = Meters{300},
                                           .heading = Radians{0},
                                           .speed = MetersPerSecond{2}});
