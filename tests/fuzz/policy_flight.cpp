@@ -87,6 +87,7 @@ bool flies(const policy::FrozenPolicy& policy, runtime::Runtime& runtime, Pcg32&
   Time now{1'000'000};
   messages::Navigation navigation;
   navigation.position = {0.5 * policy.area_size.north, 0.25 * policy.area_size.east};
+  if (!messages::is_usable(navigation)) return false;  // an area so wide that its middle lies where no fix can be
   std::uint32_t sequence = 0;
   const auto take = [&](const auto& value) { runtime.take({.arrival = now, .port = 0, .sequence = ++sequence, .value = value}); };
   take(messages::OperatorCommand{
