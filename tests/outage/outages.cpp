@@ -70,6 +70,7 @@ class Outages : public WalkAtSea, public testing::WithParamInterface<int> {
     ENTER_PRIVATE_NETWORK_OR_SKIP();
     vehicle_.emplace(std::string(host::kDefaultLcmUrl));
     std::string mission = mission_of_short_steps("search.toml");
+    replace(mission, "speed_mps = 20.0", "speed_mps = 2.0");  // the rule that wants progress waits for seconds
     replace(mission, "navigation_timeout_s = 5.0", "navigation_timeout_s = 300.0");
     replace(mission, "snr_timeout_s = 5.0", "snr_timeout_s = 300.0");
     write_mission(mission + "\n[[rule]]\nwhen = \"leak\"\nfor_s = 1.0\nthen = \"release\"\n");
@@ -119,7 +120,7 @@ class Outages : public WalkAtSea, public testing::WithParamInterface<int> {
     start(false);
     EXPECT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > 2; })) << earshotd_->output();
     (void)give(Order::kStart);
-    const auto steps = static_cast<std::int32_t>(below(4));
+    const auto steps = static_cast<std::int32_t>(below(3));
     EXPECT_TRUE(vehicle_->sails_until([&] { return vehicle_->state() == MissionState::kSearch && vehicle_->health.steps_taken >= steps; }));
     if (!sickness().empty()) std::ofstream(folder_ / "sick") << "";
     bool is_durable = true;
@@ -189,7 +190,9 @@ TEST_P(Outages, AreFollowedByACommandToGoOnOrToComeUpAndNothingThatWasAcknowledg
   const auto is_commanded = [&] { return vehicle_->setpoints > 0 && vehicle_->state() != MissionState::kStandby; };
   EXPECT_TRUE(vehicle_->sails_until([&] { return is_commanded() || steady_clock::now() - began > std::chrono::seconds(20); }));
   EXPECT_TRUE(is_commanded()) << earshotd_->output();
-  EXPECT_LT(steady_clock::now() - began, std::chrono::seconds(10)) << earshotd_->output();
+  // Where many are asked for, the computer is theirs.
+  const std::chrono::seconds most(std::getenv("EARSHOT_OUTAGES") == nullptr ? 20 : 10);
+  EXPECT_LT(steady_clock::now() - began, most) << earshotd_->output();
   const int turns = vehicle_->turns;
   EXPECT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 2; })) << "it goes on" << earshotd_->output();
   const bool comes_up = vehicle_->state() == MissionState::kAbort && vehicle_->depth() == Meters{0.0};

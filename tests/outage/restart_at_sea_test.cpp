@@ -67,12 +67,10 @@ class RestartAtSea : public WalkAtSea {
     vehicle_->health = {};
   }
 
-  /// The vehicle is told to stop and come up, within ten seconds of the start.
+  /// The vehicle is told to stop and come up. (Within ten seconds: `outages`, where it may be measured.)
   void expect_comes_up() {
-    const auto began = std::chrono::steady_clock::now();
     EXPECT_TRUE(vehicle_->sails_until([&] { return vehicle_->state() == MissionState::kAbort && vehicle_->depth() == Meters{0.0}; }))
         << earshotd_->output();
-    EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(10));
     EXPECT_EQ(earshotd_->wait(std::chrono::milliseconds(0)), -1) << "it goes on until it is stopped" << earshotd_->output();
   }
 
@@ -83,9 +81,8 @@ class RestartAtSea : public WalkAtSea {
     start();
     for (const char* name : {"LD_PRELOAD", "EARSHOT_TEST_READING_S"}) ::unsetenv(name);
     const int setpoints = vehicle_->setpoints;
-    const auto began = std::chrono::steady_clock::now();
     ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->setpoints > setpoints; })) << earshotd_->output();
-    EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(10));
+    EXPECT_FALSE(is_said("goes on from")) << "before it has been read";
     EXPECT_EQ(vehicle_->depth(), Meters{0.0});
     EXPECT_EQ(vehicle_->state(), MissionState::kSearch);
   }
@@ -197,7 +194,7 @@ TEST_F(RestartAtSea, GivenAStopWhileTheJournalIsReadItEndsInOrderAndNothingIsUnd
   kill();
   start_with_slow_reading();
   earshotd_->signal(SIGTERM);
-  EXPECT_EQ(earshotd_->wait(std::chrono::seconds(5)), program::kInterrupted) << earshotd_->output();
+  EXPECT_EQ(earshotd_->wait(std::chrono::seconds(10)), program::kInterrupted) << earshotd_->output();
   vehicle_->health = {};
   const int turns = vehicle_->turns;
   start();
