@@ -98,7 +98,7 @@ std::string worth_sentence(const DecisionAccount& a) {
     if (i != a.decision.action && a.actions[i].worth) others.push_back(&a.actions[i]);
   }
   std::ranges::stable_sort(others, [](const auto* x, const auto* y) { return *x->worth > *y->worth; });
-  others.resize(std::min(others.size(), kOthers));
+  if (others.size() > kOthers) others.erase(others.begin() + kOthers, others.end());
   const explain::ActionAccount& taken = a.actions[a.decision.action];
   const bool is_best = others.empty() || *taken.worth >= *others.front()->worth;
   std::string text = "By its belief's advice " + taken.name + " was worth " + (is_best ? "the most, " : "") + fixed(*taken.worth, 2) +

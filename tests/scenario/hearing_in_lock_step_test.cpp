@@ -91,7 +91,7 @@ void fly(const support::TemporaryFolder& folder) {
   for (int tick = 1; tick <= kTicks; ++tick) {
     const Time now{std::int64_t{tick} * 1'000'000};
     const messages::Navigation fix{.time = now,
-                                   .position = {Meters{12'500 + 0.01 * tick}, Meters{12'500}},
+                                   .position = {Meters{12'500 + 2.0 * tick}, Meters{12'500}},
                                    .depth = Meters{300},
                                    .heading = Radians{0},
                                    .speed = MetersPerSecond{2}};

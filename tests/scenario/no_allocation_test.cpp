@@ -131,7 +131,7 @@ TEST_F(NoAllocationOverLcm, GivenAKeyThereIsNoneAsItTellsItsChallengeAndRefusesW
   ASSERT_TRUE(vehicle.sails_until([&] { return vehicle.health.commands_refused > 0; })) << earshotd_->output();
   EXPECT_EQ(vehicle.state(), MissionState::kStandby);
   EXPECT_EQ(stop(), 0);
-  expect_said("\nearshotd: 0 allocations in 3 threads over ");
+  expect_said("\nearshotd: 0 allocations in 4 threads over ");
   expect_said("an order was refused that does not bear the mark of who knows the key");
 }
 

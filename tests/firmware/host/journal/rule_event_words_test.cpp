@@ -21,7 +21,7 @@ TEST(RuleEventWords, SayARuleWithItsEvidence) {
   EXPECT_EQ(to_string(event), "rule 11, battery_percent: no longer");
   event = event_of(config::Condition::kLeak, config::Response::kRelease);
   EXPECT_EQ(to_string(event), "rule 1, leak: release");
-  event.condition = static_cast<config::Condition>(25);
+  event.condition = static_cast<config::Condition>(config::kConditions);
   EXPECT_EQ(to_string(event), "rule 1, which this program does not know");
 }
 

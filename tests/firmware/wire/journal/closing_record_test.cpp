@@ -49,7 +49,7 @@ TEST(ClosingRecord, IsRefusedWhenItNamesWhatThereIsNotOrIsCut) {
   EXPECT_EQ(read_closing_record(with([](journal_end_t& m) { m.ending = 3; }).bytes(), read), Status::kOutOfRange);
   EXPECT_EQ(read_closing_record(with([](journal_end_t& m) { m.state = 4; }).bytes(), read), Status::kOutOfRange);
   EXPECT_EQ(read_closing_record(with([](journal_end_t& m) { m.end_reason = -1; }).bytes(), read), Status::kOutOfRange);
-  EXPECT_EQ(read_closing_record(with([](journal_end_t& m) { m.end_reason = 11; }).bytes(), read), Status::kOutOfRange);
+  EXPECT_EQ(read_closing_record(with([](journal_end_t& m) { m.end_reason = 12; }).bytes(), read), Status::kOutOfRange);
   EXPECT_EQ(read_closing_record(with([](journal_end_t& m) { m.steps_taken = -1; }).bytes(), read), Status::kOutOfRange);
   EXPECT_EQ(read_closing_record(with([](journal_end_t& m) { m.orders_lost = -1; }).bytes(), read), Status::kOutOfRange);
   EXPECT_EQ(read_closing_record(encoded(kAborted).bytes().first(kClosingRecordBytes - 1), read), Status::kMalformed);
