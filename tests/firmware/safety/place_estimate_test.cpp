@@ -92,8 +92,8 @@ TEST_F(Places, ThinksACurrentOfStraitsPossibleWhereNobodyToldOfOne) {
   EXPECT_EQ(told_after(15.0, 0.0), 6) << "8.6 m/s more";
 }
 
-// All of it is another vehicle's: it goes eastwards, as its compass and log say, and was told to go north. 2.8 m/s off, of which 0.8 m/s are
-// explained; the first turn takes 41 s, for which 124 m are.
+// All of it is another vehicle's: it goes eastwards, as its compass and log say, and was told to go north. 2.8 m/s off, of which 0.8 m/s
+// are explained; the first turn takes 41 s, for which 124 m are.
 TEST_F(Places, FindsFixesThatFitThemselvesAndNoOrder) {
   PlaceEstimate estimate;
   estimate.begin(fix(0, at(0, 0), 2.0));
