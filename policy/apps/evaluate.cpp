@@ -8,12 +8,14 @@
 #include <vector>
 
 #include "firmware/host/file/checksum_text.hpp"
+#include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/listening/listening_words.hpp"
 #include "firmware/host/policy/tables_choice.hpp"
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/program/wrapped.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/apps/evaluate_mission.hpp"
 #include "policy/apps/evaluate_tables.hpp"
@@ -200,35 +202,33 @@ constexpr host::OutputKind kPathsOutput{"paths of earshot evaluate (CSV)", {"wor
 /// What was read of the files that are given.
 struct Inputs {
   std::span<const evaluate::Candidate> candidates;
+  const ocean::Environment& environment;
   std::span<const evaluate::WorldFile> worlds;
   std::span<const host::TablesFile> tables;
 };
 
-/// No file that is read may be one that is written: --force would replace it.
-void check_inputs(const Options& o, const Inputs& read, std::span<const command_line::Output> outputs) {
-  const auto check = [outputs](const char* option, const std::filesystem::path& file) {
-    if (!file.empty()) command_line::check_is_none_of(outputs, option, file);
-  };
-  for (const evaluate::Candidate& candidate : read.candidates) check("POLICY", candidate.file);
-  if (o.search.environment) check("--environment", *o.search.environment);
-  if (o.mission) check("--mission", *o.mission);
-  for (const std::string& file : o.worlds) check("--world", file);
-  for (const evaluate::WorldFile& world : read.worlds) {
-    check("the environment of a world", world.environment);
-    check("the field library of a world", world.scenario.field_library);
-  }
-  for (const host::TablesFile& file : read.tables) check("--tables", file.path);
+/// None of which may be written: --force would replace it.
+host::DistinctFiles files_of(const Options& o, const Inputs& inputs) {
+  host::DistinctFiles read;
+  for (const evaluate::Candidate& candidate : inputs.candidates)
+    if (!candidate.file.empty()) read.read("POLICY", candidate.file);
+  if (o.search.environment) read.read("--environment", *o.search.environment);
+  read.read("a file of the environment", inputs.environment.files);
+  if (o.mission) read.read("--mission", *o.mission);
+  for (const std::string& file : o.worlds) read.read("--world", file);
+  for (const evaluate::WorldFile& world : inputs.worlds) read.read("the environment of a world", world.scenario.environment.files);
+  for (const host::TablesFile& file : inputs.tables) read.read("--tables", file.path);
+  return read;
 }
 
 void check_files(const Options& o, const Inputs& read) {
   if (o.plot) command_line::check_picture_name("--plot", *o.plot);
-  std::vector<command_line::Output> files;
+  std::vector<host::Output> files;
   if (o.json) files.push_back({"--json", *o.json, kFiguresOutput});
   if (o.csv) files.push_back({"--csv", *o.csv, kTableOutput});
   if (o.plot) files.push_back({"--plot", *o.plot, host::picture_kind(*o.plot)});
   if (o.paths) files.push_back({"--paths", *o.paths, kPathsOutput});
-  check_inputs(o, read, files);
-  command_line::require_writable(files, host::replaced_by(o.force));
+  host::require_writable(files_of(o, read), files, host::replaced_by(o.force));
 }
 
 /// The search that is flown, and who said so.
@@ -318,9 +318,10 @@ std::vector<evaluate::Row> fly_in_all(std::span<const evaluate::WorldFile> world
       if (ranks.rank() == 0) rows.push_back(evaluate::row_of(world.name, candidate.name, flights, pace, world.seed));
     }
     if (ranks.rank() > 0) continue;
-    program::say() << world.name << ": " << world.what << "; " << o.episodes << " searches, seed " << world.seed << ", steps of "
-                   << pace.step_s << " s\n"
-                   << evaluate::as_text(std::span(rows).subspan(first_row)) << std::endl;
+    std::ostringstream head;
+    head << world.name << ": " << world.what << "; " << o.episodes << " searches, seed " << world.seed << ", steps of " << pace.step_s
+         << " s";
+    program::say() << program::wrapped_lines(head.str()) << evaluate::as_text(std::span(rows).subspan(first_row)) << std::endl;
   }
   return rows;
 }
@@ -349,16 +350,20 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
   if (named_tables.empty() && mission && !mission->file.tables.empty()) named_tables.push_back(mission->file.tables.string());
   const evaluate::TablesGiven given = evaluate::read_tables(named_tables);
   session.all_or_none<BadInput>([&] {
-    if (speaks) check_files(o, {candidates, worlds, given.files});
+    if (speaks) check_files(o, {candidates, environment, worlds, given.files});
   });
   std::vector<std::string> warnings = warnings_of(candidates, {task.settings, task.depth, host::crc32_text(environment.file_crc32)});
+  if (mission && !o.search.environment && o.worlds.empty() && !o.suite) {
+    if (const std::string doubt = evaluate::doubt_of_ocean(*mission, environment, environment_file); !doubt.empty())
+      warnings.push_back(doubt);
+  }
   const std::vector<const host::TablesFile*> tables = evaluate::tables_of_worlds(given, worlds, task.settings, warnings);
   if (speaks) {
     for (const std::string& warning : warnings) std::cerr << "earshot evaluate: warning: " << host::printable(warning) << "\n";
     for (const evaluate::Candidate& c : candidates) print_details(c);
     program::detail() << environment_file.string() << ": " << environment.name << "; the vehicle " << task.depth.value << " m deep\n"
                       << ranks.size() << (ranks.size() == 1 ? " process\n" : " processes\n");
-    program::say() << (mission ? evaluate::to_string(*mission) : "") << what_is_searched(o.search, task);
+    program::say() << program::wrapped_lines((mission ? evaluate::to_string(*mission) : "") + what_is_searched(o.search, task));
   }
   std::optional<policy::ActionDraw> draw;
   if (o.draw) draw = description::draw_named(*o.draw);

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <system_error>
 
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/file/shipped.hpp"
 #include "firmware/host/policy/unverified_policy.hpp"
 #include "firmware/policy/tables/ocean_tables.hpp"
 #include "sim/search/scenario/file_kind.hpp"
@@ -98,6 +100,18 @@ std::string to_string(const FlownMission& mission) {
        << " m/s, at most " << steps_in_time(m) << " steps of " << m.step_length.value << " m";
   if (steps_in_time(m) < m.max_steps) text << " (of " << m.max_steps << ", for more do not fit into max_time_s)";
   text << "\n";
+  return text.str();
+}
+
+std::string doubt_of_ocean(const FlownMission& mission, const ocean::Environment& environment, const std::filesystem::path& file) {
+  std::error_code differ;
+  const std::filesystem::path folder = std::filesystem::absolute(mission.path).parent_path();
+  if (std::filesystem::equivalent(folder, host::shipped("firmware/boards/linux/missions"), differ)) return "";
+  const std::filesystem::path own = mission.path.parent_path() / "ocean.toml";
+  std::ostringstream text;
+  text << "no --environment is given: " << mission.path.string() << " is flown in the ocean of " << file.filename().string()
+       << ", whose sea floor lies at " << environment.seabed.depth.value << " m";
+  if (std::filesystem::exists(own)) text << "; " << own.string() << " lies beside the mission";
   return text.str();
 }
 

@@ -1,8 +1,10 @@
 // earshot-explain: what a policy does, and why it did it.
 
+#include <array>
 #include <ostream>
-#include <vector>
+#include <utility>
 
+#include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/program/talk.hpp"
@@ -92,12 +94,12 @@ void write_decision_report(const DecisionOptions& o) {
   const std::string extension = o.output.extension().string();
   if (extension != ".html" && extension != ".md" && extension != ".json")
     throw BadInput("-o " + o.output.string() + ": must end in .html, .md or .json");
-  const std::vector<command_line::Output> outputs{{"--output", o.output, {}}};
-  command_line::check_is_none_of(outputs, "FLIGHT", o.flight);
-  command_line::check_is_none_of(outputs, "FLIGHT", o.flight / "summary.json");
-  if (o.policy) command_line::check_is_none_of(outputs, "--policy", *o.policy);
-  if (o.tables) command_line::check_is_none_of(outputs, "--tables", *o.tables);
-  host::require_writable(o.output, report_kind(extension), host::replaced_by(o.force));
+  host::DistinctFiles read;
+  if (o.policy) read.read("--policy", *o.policy);
+  if (o.tables) read.read("--tables", *o.tables);
+  read.read("FLIGHT", report::files_of_flight(o.flight));
+  host::require_writable(std::move(read), std::array{host::Output{"--output", o.output, report_kind(extension)}},
+                         host::replaced_by(o.force));
   report::RecordingOptions recording{.policy = o.policy, .tables = o.tables, .south_west = std::nullopt};
   if (o.south_west) recording.south_west = command_line::north_east_of("--south-west", *o.south_west);
   const report::RecordedFlight flight = report::open_recording(o.flight, recording);

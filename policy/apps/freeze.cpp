@@ -1,11 +1,11 @@
 #include "policy/freeze/freeze.hpp"
 
-#include <array>
 #include <optional>
 #include <ostream>
 
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/checksum_text.hpp"
+#include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/file/file_checksum.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/program/talk.hpp"
@@ -87,8 +87,21 @@ std::uint32_t crc32_of(const std::string& bytes, const freeze::TrainedActor& act
   return crc32;
 }
 
-std::unique_ptr<policy::FrozenPolicy> freeze_foreign(const std::string& bytes, const std::filesystem::path& file, const Options& options) {
+/// What is read, and what is written, which is none of it, unless it is a policy whose owner says so: one of an older format is made anew
+/// in its place.
+host::DistinctFiles files_of(const Options& options, bool is_policy) {
+  host::DistinctFiles files;
+  if (!is_policy || !options.force) files.read("MODEL", *options.model);
+  if (options.search) files.read("--search", *options.search);
+  options.key.add_to(files);
+  files.write("--output", *options.output);
+  return files;
+}
+
+std::unique_ptr<policy::FrozenPolicy> freeze_foreign(const std::string& bytes, const std::filesystem::path& file, const Options& options,
+                                                     host::DistinctFiles files) {
   const freeze::TrainedActor actor = freeze::read_model(bytes, file.string());
+  files.read("weights of MODEL", actor.data_files);
   return naming(file, [&] {
     description::SearchDescription search = description::from_text(search_of(actor, options));
     search.provenance.emplace_back("model", file.filename().string());
@@ -107,13 +120,6 @@ std::unique_ptr<policy::FrozenPolicy> freeze_again(const std::string& text, cons
   return policy;
 }
 
-/// Nor over what it is made of, unless that is a policy whose owner says so: one of an older format is made anew in its place.
-void check_model_stays(const Options& options, bool is_policy) {
-  if (is_policy && options.force) return;
-  command_line::check_distinct(
-      std::array{command_line::Output{"MODEL", *options.model, {}}, command_line::Output{"--output", *options.output, {}}});
-}
-
 /// A policy for the search of a run file, which nothing is trained for.
 std::unique_ptr<policy::FrozenPolicy> freeze_untrained(const std::filesystem::path& file, const Options& options) {
   if (options.search) throw BadInput("--search: a run file says itself what is searched");
@@ -129,11 +135,11 @@ std::unique_ptr<policy::FrozenPolicy> freeze_untrained(const std::filesystem::pa
 }
 
 std::unique_ptr<policy::FrozenPolicy> freeze_model(const std::filesystem::path& file, const Options& options) {
-  if (file.extension() == ".toml") return freeze_untrained(file, options);
   const std::string bytes = host::read_text(file, host::kModelFile);
-  check_model_stays(options, freeze::is_policy(bytes));
+  const host::DistinctFiles files = files_of(options, freeze::is_policy(bytes));
+  if (file.extension() == ".toml") return freeze_untrained(file, options);
   if (freeze::is_policy(bytes)) return freeze_again(bytes, file, options);
-  if (freeze::is_foreign_model(bytes, file.string())) return freeze_foreign(bytes, file, options);
+  if (freeze::is_foreign_model(bytes, file.string())) return freeze_foreign(bytes, file, options, files);
   if (options.search) throw BadInput("--search: a checkpoint says itself what it was trained to search");
   const ppo::Checkpoint checkpoint = ppo::from_text(bytes, file.string());
   return naming(file, [&] { return freeze::freeze(checkpoint, draw_of(options)); });
@@ -153,7 +159,6 @@ void run(const Options& options) {
     throw BadInput("earshot freeze: nothing to do: no MODEL, no --new-key and no --public-key");
   std::unique_ptr<policy::FrozenPolicy> policy;
   if (options.model) {
-    options.key.check_is_not({"--output", *options.output, command_line::kPolicyOutput});
     policy = policy_of(options);
     host::require_writable(*options.output, command_line::kPolicyOutput, host::replaced_by(options.force));
   }

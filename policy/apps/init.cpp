@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "firmware/host/file/bad_input.hpp"
@@ -68,9 +69,14 @@ void add_options(program::CommandLine& line, Options& o) {
           [](const std::string& name) { return host::is_interface_name(name) ? std::string() : std::string(host::kInterfaceNameRule); })
       .shows_default();
   line.flag("--hear", &s.hears,
-            "the vehicle has a hydrophone, and measures the SNR itself: the mission's tables for it, and no port that tells one");
+            "the vehicle has a hydrophone, and measures the SNR itself: the mission's tables for it, and no port that tells one; "
+            "for a sound of 9.1 to 740 Hz");
   line.option("--battery-percent", &s.battery_percent, "a rule that ends the search when the battery is below this")
       .between(own_search::kBattery_percent.lowest, own_search::kBattery_percent.highest);
+  line.option("--battery-percent-per-km", &s.battery_percent_per_km,
+              "what a kilometre through the water takes of your vehicle's battery, at search speed; without it the mission leaves it open")
+      .between(own_search::kBattery_percent_per_km.lowest, own_search::kBattery_percent_per_km.highest);
+  line.at("--battery-percent-per-km").needs(line.at("--battery-percent"));
   line.option("--fence-m", &s.fence_m,
               "a fence so far outside of the area: the vehicle is steered back from twice, and the mission aborted at four times that")
       .between(own_search::kFence_m.lowest, own_search::kFence_m.highest);
@@ -87,6 +93,15 @@ void require_used(const program::CommandLine& line, const std::string& bus) {
   if (bus == "can" && is_given("--lcm-url")) throw host::BadInput("--lcm-url: needs --bus lcm, or mixed");
 }
 
+/// A command in a line for each of its options, as a shell takes it, too.
+std::string in_lines(std::string command) {
+  constexpr std::string_view kBreak = " \\\n    ";
+  for (const char* option : {" -o ", " --key ", " --vehicle-depth-m "}) {
+    if (const std::size_t at = command.rfind(option); at != std::string::npos) command.replace(at, 1, kBreak);
+  }
+  return "  " + command;
+}
+
 void run(const program::CommandLine& line, const Options& o) {
   require_used(line, o.search.bus);
   using own_search::Earlier;
@@ -94,8 +109,12 @@ void run(const program::CommandLine& line, const Options& o) {
   const FliesBy by = own_search::make_own_folder(o.folder, o.search, o.force ? Earlier::kReplaced : Earlier::kStays);
   if (by == FliesBy::kTablesToBeMade) {
     if (!o.search.own_tables) program::say() << "no ocean tables that ship are of this depth, frequency and area\n";
-    program::say() << "to be made first: " << own_search::tables_command(o.search, fs::absolute(o.folder).lexically_normal()) << "\n";
+    program::say() << "to be made first:\n"
+                   << in_lines(own_search::tables_command(o.search, fs::absolute(o.folder).lexically_normal())) << "\n";
   }
+  if (o.search.battery_percent && !o.search.battery_percent_per_km)
+    program::say() << "how far the battery lasts is left open: put your vehicle's battery_percent_per_km into\n"
+                   << (o.folder / own_search::kMissionFile).string() << " (or --battery-percent-per-km)\n";
   program::say() << (o.folder / own_search::kReadmeFile).string() << " says how to check this search and fly it\n";
 }
 

@@ -1,9 +1,13 @@
 // earshot-report: one page about one flight.
 
+#include <array>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
 
+#include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/program/talk.hpp"
@@ -43,13 +47,23 @@ void tell_others(const std::filesystem::path& folder, const report::Flight& flig
                  << flight.others.size() << " more, the last " << flight.others.back() << ": name one for its page\n";
 }
 
+/// "8 steps, 9 decisions": a mission may end within a step.
+std::string steps_and_decisions(const report::Flight& flight) {
+  const auto counted = [](std::size_t count, const char* what) { return std::to_string(count) + " " + what + (count == 1 ? "" : "s"); };
+  const std::string decisions = counted(flight.journal.decisions.size(), "decision");
+  if (flight.sea) return counted(flight.sea->steps_taken, "step") + ", " + decisions;
+  return flight.summary.is_null() ? decisions : counted(flight.summary.at("steps").get<std::size_t>(), "step") + ", " + decisions;
+}
+
 int write_report(const std::filesystem::path& folder, host::Replace replace) try {
   const std::filesystem::path page = page_of(folder);
   const report::Flight flight = report::read_flight(folder);
+  host::DistinctFiles read;
+  read.read("DIR", report::files_of_flight(folder));
+  host::require_writable(std::move(read), std::array{host::Output{"the page", page, host::kHtmlOutput}}, replace);
   const report::Pictures pictures = report::pictures_of(flight);
-  host::require_writable(page, host::kHtmlOutput, replace);
   host::write_whole(page, report::page(flight, pictures, report::explain_flight(folder)));
-  program::say() << host::printable(page.string()) << ": " << flight.journal.decisions.size() << " decisions\n";
+  program::say() << host::printable(page.string()) << ": " << steps_and_decisions(flight) << "\n";
   program::detail() << folder.string() << ": " << flight.journal.decisions.size() << " decisions in " << flight.journal.records
                     << " records of the journal, " << flight.track.size() << " rows of track.csv, " << flight.snr.size() << " of snr.csv\n";
   tell_others(folder, flight);

@@ -12,6 +12,7 @@
 #include "firmware/config/capacities.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/checksum_text.hpp"
+#include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/policy/tables_bytes.hpp"
 #include "firmware/host/program/progress_bar.hpp"
@@ -205,9 +206,8 @@ std::string tenths(double value) {
   return text;
 }
 
-std::unique_ptr<policy::OceanTables> tables_of(const Files& files, const Options& o) {
+std::unique_ptr<policy::OceanTables> tables_of(const Files& files, const Oceans& oceans, const Options& o) {
   const tables::CurvePlan plan = plan_of(o);
-  const Oceans oceans{.expected = oceans_of(files.expected), .variants = oceans_of(files.variants), .others = oceans_of(files.others)};
   const std::vector<tables::BelievedOcean> every = all_of(oceans);
   tables::require_one_frequency(every);
   const Curves curves = curves_of(oceans, plan);
@@ -232,14 +232,6 @@ std::unique_ptr<policy::OceanTables> tables_of(const Files& files, const Options
   return tables::make_tables(merged.curves, all, plan, every.front().environment.source.frequency, provenance);
 }
 
-/// No file that is read may be one that is written: --force would replace it.
-void check_is_not_written(const Options& o, const std::string& option, const std::filesystem::path& read) {
-  std::vector<command_line::Output> outputs;
-  if (o.output) outputs.push_back({"--output", *o.output, {}});
-  if (o.plot) outputs.push_back({"--plot", *o.plot, {}});
-  command_line::check_is_none_of(outputs, option, read);
-}
-
 /// Tables that are there are shown, not made.
 void require_no_tables(const std::vector<std::string>& environments) {
   for (const std::string& file : environments) {
@@ -249,25 +241,25 @@ void require_no_tables(const std::vector<std::string>& environments) {
   }
 }
 
-void check_outputs(const Options& o) {
-  std::vector<command_line::Output> outputs;
+/// @param read  none of which may be written: --force would replace it
+void check_outputs(const Options& o, host::DistinctFiles read) {
+  std::vector<host::Output> outputs;
   if (o.output) outputs.push_back({"--output", *o.output, command_line::kTablesOutput});
   if (o.plot) {
     command_line::check_picture_name("--plot", *o.plot);
     outputs.push_back({"--plot", *o.plot, host::picture_kind(*o.plot)});
   }
-  if (!o.show) {
-    for (const command_line::Output& output : outputs) o.key.check_is_not(output);
-  }
-  command_line::require_writable(outputs, host::replaced_by(o.force));
+  if (!o.show) o.key.add_to(read);
+  host::require_writable(std::move(read), outputs, host::replaced_by(o.force));
 }
 
 void show(const Options& o) {
   if (!o.environments.empty() || !o.expected.empty() || !o.variants.empty() || o.origin || o.output || !o.key.key.empty() ||
       o.key.only_makes_keys())
     throw BadInput("--show: goes with --plot alone, it makes no tables");
-  if (o.plot) check_is_not_written(o, "--show", *o.show);
-  check_outputs(o);
+  host::DistinctFiles read;
+  read.read("--show", *o.show);
+  check_outputs(o, std::move(read));
   const std::vector<std::uint8_t> bytes = host::read_tables_bytes(*o.show);
   const std::unique_ptr<policy::OceanTables> tables = host::tables_from(bytes, *o.show);
   tables::describe(program::say(), *tables);
@@ -283,13 +275,16 @@ void make(const Options& o) {
   if ((o.environments.empty() && o.expected.empty()) || !o.output || o.key.key.empty())
     throw BadInput("earshot tables: ENVIRONMENT or --expected, --output and --key are needed; or --show alone");
   const Files files = files_of(o);
-  for (const std::filesystem::path& file : files.others) check_is_not_written(o, "ENVIRONMENT", file);
-  for (const std::filesystem::path& file : files.expected) check_is_not_written(o, "--expected", file);
-  for (const std::filesystem::path& file : files.variants) check_is_not_written(o, "--variants", file);
-  check_outputs(o);
+  const Oceans oceans{.expected = oceans_of(files.expected), .variants = oceans_of(files.variants), .others = oceans_of(files.others)};
+  host::DistinctFiles read;
+  read.read("ENVIRONMENT", files.others);
+  read.read("--expected", files.expected);
+  read.read("--variants", files.variants);
+  for (const tables::BelievedOcean& ocean : all_of(oceans)) read.read("a file of " + ocean.file.string() + ":", ocean.environment.files);
+  check_outputs(o, std::move(read));
   program::say() << "oceans read: " << files.expected.size() << " expected (--expected), " << files.variants.size()
                  << " variants of these (--variants), " << files.others.size() << " others (ENVIRONMENT)\n";
-  const std::unique_ptr<policy::OceanTables> tables = tables_of(files, o);
+  const std::unique_ptr<policy::OceanTables> tables = tables_of(files, oceans, o);
   const host::SecretKey key = o.key.read(o.force);
   const std::vector<std::uint8_t> bytes = tables::sign(*tables, key);
   host::write_whole(*o.output, std::string(bytes.begin(), bytes.end()));

@@ -4,6 +4,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/toml/table_reader.hpp"
@@ -31,8 +32,10 @@ Trainings prepare(const training::TrainOptions& options, const std::vector<std::
   }
   std::vector<training::TrainingJob> jobs = training::jobs_of(options, arguments);
   if (jobs.size() > 1 && ranks.size() > 1) throw BadInput("several trainings at once share no MPI ranks: start mpirun for each");
+  host::DistinctFiles files = training::files_of(jobs, options);
   Trainings trainings;
   for (training::TrainingJob& job : jobs) trainings.push_back(std::make_unique<training::Training>(std::move(job), ranks));
+  for (const auto& each : trainings) each->add_to(files);
   return trainings;
 }
 

@@ -1,5 +1,7 @@
 #include "policy/command_line/scenario_options.hpp"
 
+#include <sstream>
+
 #include "firmware/host/toml/table_reader.hpp"
 #include "sim/search/scenario/file_kind.hpp"
 #include "sim/search/scenario/placement.hpp"
@@ -53,7 +55,10 @@ search::Scenario scenario_at(const std::filesystem::path& path, Meters vehicle_d
 
 void check_vehicle_depth(const ocean::Environment& environment, const std::filesystem::path& path, Meters vehicle_depth) {
   if (vehicle_depth < environment.seabed.depth) return;
-  throw BadInput("--vehicle-depth-m: must be less than the depth of the sea floor in " + path.string());
+  std::ostringstream text;
+  text << "--vehicle-depth-m " << vehicle_depth.value << ": must be less than " << environment.seabed.depth.value
+       << " m, the depth of the sea floor in " << path.string();
+  throw BadInput(text.str());
 }
 
 sonar::SnrCurve curve_for(const ocean::Environment& environment, Meters vehicle_depth, const search::SearchSettings& settings) {

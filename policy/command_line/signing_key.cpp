@@ -1,6 +1,5 @@
 #include "policy/command_line/signing_key.hpp"
 
-#include <array>
 #include <filesystem>
 #include <ostream>
 
@@ -32,9 +31,9 @@ program::Option SigningKeyOptions::add_to(program::CommandLine& line) {
   return option;
 }
 
-void SigningKeyOptions::check_is_not(const Output& output) const {
-  check_distinct(std::array{Output{"--key", key, {}}, output});
-  check_distinct(std::array{Output{"the public half of --key", host::public_file_of(key), {}}, output});
+void SigningKeyOptions::add_to(host::DistinctFiles& read) const {
+  read.read("--key", key);
+  read.read("the public half of --key", host::public_file_of(key));
 }
 
 host::SecretKey SigningKeyOptions::read(bool force) const {

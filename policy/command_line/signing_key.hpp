@@ -2,9 +2,9 @@
 
 #include <string>
 
+#include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/program/command_line.hpp"
 #include "firmware/host/trust/keys.hpp"
-#include "policy/command_line/outputs.hpp"
 
 namespace earshot::command_line {
 
@@ -17,8 +17,8 @@ struct SigningKeyOptions {
   /// Declares --key, --new-key and --public-key.
   program::Option add_to(program::CommandLine& line);
   [[nodiscard]] bool only_makes_keys() const { return new_key || public_key; }
-  /// What is signed must not be written over the key that signs it. Throws host::BadInput.
-  void check_is_not(const Output& output) const;
+  /// What is signed must not be written over the key that signs it, nor over its public half. Throws host::BadInput.
+  void add_to(host::DistinctFiles& read) const;
   /// The key, made first where --new-key says so; says which files it wrote, and which a vehicle needs and are missing.
   /// @param force  a lone public half may be replaced
   /// Throws host::BadInput naming the file.

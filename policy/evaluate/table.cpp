@@ -134,7 +134,8 @@ double least_usual_reward(std::span<const Row> rows) {
   return median - 6.0 * std::max(quantile(rewards, 0.5), kLeastDeviation);
 }
 
-/// The axis of the rewards: it ends where the usual ones end, and an outlier stands at its lower end as an arrowhead with its number.
+/// The axis of the rewards: it ends where the usual ones end, and an outlier stands at its lower end as an arrowhead with its number. So
+/// does, open, the end of an interval that reaches below it.
 std::string reward_axis(std::span<const Row> rows) {
   const double least_usual = least_usual_reward(rows);
   const std::vector<std::string> policies = distinct(rows, &Row::policy);
@@ -143,14 +144,21 @@ std::string reward_axis(std::span<const Row> rows) {
   for (const Row& row : rows) {
     if (row.summary.mean_reward >= least_usual) low = std::min(low, std::max(least_usual, row.intervals.mean_reward.low));
   }
+  low *= 1.05;
+  const bool has_outlier = std::ranges::any_of(rows, [&](const Row& row) { return row.summary.mean_reward < least_usual; });
+  if (!has_outlier) return "set yrange [*:0]\n";
   std::string labels;
   for (const Row& row : rows) {
-    if (row.summary.mean_reward >= least_usual) continue;
     const auto policy = static_cast<std::size_t>(std::ranges::find(policies, row.policy) - policies.begin());
-    labels += formatted("set label '%.1f' at first %g, graph 0.03 left rotate by 90 offset 0,0.6 point pt 11 ps 1.1 lc rgb '%s'\n",
-                        row.summary.mean_reward, place_of(row, policy, policies.size(), worlds), colour_of(policy));
+    const double place = place_of(row, policy, policies.size(), worlds);
+    if (row.summary.mean_reward < least_usual)
+      labels += formatted("set label '%.1f' at first %g, graph 0.03 left rotate by 90 offset 0,0.6 point pt 11 ps 1.1 lc rgb '%s'\n",
+                          row.summary.mean_reward, place, colour_of(policy));
+    else if (row.intervals.mean_reward.low < low)
+      labels += formatted("set label 'to %.1f' at first %g, graph 0.03 left rotate by 90 offset 0.8,0.6 point pt 10 ps 1.1 lc rgb '%s'\n",
+                          row.intervals.mean_reward.low, place, colour_of(policy));
   }
-  return labels.empty() ? "set yrange [*:0]\n" : formatted("set yrange [%g:0]\n", 1.05 * low) + labels;
+  return formatted("set yrange [%g:0]\n", low) + labels;
 }
 
 /// One panel: a point with its interval for every row; policies side by side within their world.

@@ -32,15 +32,17 @@ std::string starts_from(Meters margin) {
 /// Collects what differs, a sentence each.
 class Differences {
  public:
-  explicit Differences(std::string name) : name_(std::move(name)) {}
+  /// @param made  "was trained"
+  Differences(std::string name, std::string made) : name_(std::move(name)), made_(std::move(made)) {}
   void add(const std::string& trained, const std::string& tested) {
-    sentences_.push_back(name_ + " was trained " + trained + " and is tested " + tested);
+    sentences_.push_back(name_ + " " + made_ + " " + trained + " and is tested " + tested);
   }
   void say(const std::string& what) { sentences_.push_back(name_ + " " + what); }
   [[nodiscard]] std::vector<std::string> take() { return std::move(sentences_); }
 
  private:
   std::string name_;
+  std::string made_;
   std::vector<std::string> sentences_;
 };
 
@@ -117,8 +119,11 @@ void check_same_source(std::span<const Candidate> candidates) {
 std::vector<std::string> differences(const Candidate& candidate, const TestedTask& tested) {
   if (!candidate.learned) return {};
   const TrainedTask trained = trained_task(candidate);
-  Differences all(candidate.name);
+  const bool is_trained = policy::has_network(candidate.learned->network);
+  Differences all(candidate.name, is_trained ? "was trained" : "is made for searches");
   compare_sources(trained, tested, all);
+  // A belief's own advice holds for whatever search its tables are of, at their depth: nobody has trained it.
+  if (!is_trained) return all.take();
   compare_starts(trained, tested.settings, all);
   compare_rest(trained, tested, all);
   return all.take();

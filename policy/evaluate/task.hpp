@@ -31,7 +31,8 @@ struct TestedTask {
 };
 
 /// A sentence for everything that is tested in another way than the candidate was trained for, and one if its file does not say which
-/// source that was. Nothing of a candidate that is not learned. Oracle: Task.*
+/// source that was. Of one without a network, whose belief advises it, the kind of source alone counts: nothing in it was trained, and
+/// depth and frequency are its tables'. Nothing of a candidate that is not learned. Oracle: Task.*
 [[nodiscard]] std::vector<std::string> differences(const Candidate& candidate, const TestedTask& tested);
 
 }  // namespace earshot::evaluate

@@ -32,6 +32,17 @@ std::vector<ActionAccount> actions_of(const Circumstances& c, const RecordedDeci
   return actions;
 }
 
+/// Of a policy without a network, whose choice rests on nothing else.
+void note_worths(const Circumstances& c, const RecordedDecision& decision, std::vector<ActionAccount>& actions) {
+  if (policy::has_network(c.policy.network)) return;
+  for (std::size_t i = 0; i < decision.observation.size(); ++i) {
+    const policy::ObservationElement& element = c.policy.observation.spec[i];
+    if (element.feature != policy::Feature::kPreference || element.age >= actions.size()) continue;
+    actions[element.age].worth =
+        static_cast<double>(decision.observation[i]) / static_cast<double>(element.scale) + static_cast<double>(element.offset);
+  }
+}
+
 std::vector<HypothesisAccount> hypotheses_of(const policy::OceanBelief& belief, const policy::OceanTables& tables) {
   constexpr double kLeastShare = 0.01;
   std::vector<HypothesisAccount> hypotheses;
@@ -78,6 +89,7 @@ DecisionAccount account_with(const Circumstances& c, const RecordedDecision& dec
   account.place = believed_place(belief, c.belief);
   account.hypotheses = hypotheses_of(belief, c.tables);
   account.actions = actions_of(c, decision, belief, account.place);
+  note_worths(c, decision, account.actions);
   account.likeliest_action =
       static_cast<std::size_t>(std::ranges::max_element(account.actions, {}, &ActionAccount::probability) - account.actions.begin());
   account.baseline = c.baseline;

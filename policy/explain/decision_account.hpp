@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,12 +19,13 @@ namespace earshot::explain {
 struct ActionAccount {
   std::string name;  ///< of the direction
   double probability = 0.0;
-  NorthEast end;          ///< of its step, in the mission's plane
-  ExpectedHearing hear;   ///< at its end
-  double detected = 0.0;  ///< probability of a detection at its end
-  double found = 0.0;     ///< probability that its end lies within a step length of the source
-  Meters approach;        ///< expected decrease of the distance to the source
-  double border = 0.0;    ///< how deep its end lies in the border: 0 inside, 1 at the edge, more beyond
+  NorthEast end;                               ///< of its step, in the mission's plane
+  ExpectedHearing hear;                        ///< at its end
+  double detected = 0.0;                       ///< probability of a detection at its end
+  double found = 0.0;                          ///< probability that its end lies within a step length of the source
+  Meters approach;                             ///< expected decrease of the distance to the source
+  double border = 0.0;                         ///< how deep its end lies in the border: 0 inside, 1 at the edge, more beyond
+  std::optional<double> worth = std::nullopt;  ///< 1 the best, 0 the worst, of a policy that goes by its belief's advice alone
 };
 
 /// One element of what the policy saw.

@@ -6,6 +6,7 @@
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/toml/table_reader.hpp"
+#include "firmware/host/transport/lcm_url.hpp"
 #include "policy/own_search/own_policy.hpp"
 #include "policy/own_search/template_text.hpp"
 
@@ -103,6 +104,14 @@ void leave_out_snr(std::string& text) {
   }
 }
 
+/// A bus of its own.
+std::string hydrophone_url(const OwnSearch& search) {
+  const std::string url = "udpm://239.255.76.68:7668?ttl=0";
+  const host::LcmUrl usual = host::parse_lcm_url(url);
+  const host::LcmUrl vehicles = host::parse_lcm_url(search.lcm_url);
+  return vehicles.group == usual.group && vehicles.port == usual.port ? "udpm://239.255.76.69:7669?ttl=0" : url;
+}
+
 /// For a tone; its noise is learnt beside it, so that the source of ocean.toml, which never pauses, is heard.
 std::string hearing_tables(const OwnSearch& search) {
   constexpr double kToEachSide = 0.1;  // of the frequency
@@ -110,7 +119,9 @@ std::string hearing_tables(const OwnSearch& search) {
   return "[[port]]\n"
          "name = \"hydrophone\"\n"
          "kind = \"lcm\"\n"
-         "url = \"udpm://239.255.76.68:7668?ttl=0\"  # of its own, so that its samples cannot crowd out navigation and orders\n"
+         "url = \"" +
+         hydrophone_url(search) +
+         "\"  # of its own, so that its samples cannot crowd out navigation and orders\n"
          "roles = [\"hydrophone\"]\n\n"
          "[hydrophone]                     # the chain from water to numbers, and what is listened for\n"
          "preset = \"continuous_tone\"       # the noise is learnt in the bands beside it, for it never pauses; for calls with pauses "
@@ -122,7 +133,10 @@ std::string hearing_tables(const OwnSearch& search) {
          "sensitivity_db_re_1v_per_upa = -180.0  # of the hydrophone, by its data sheet: negative\n"
          "gain_db = 0.0                    # of amplifiers; what gain the blocks name comes on top\n"
          "full_scale_v = 1.0               # at the ADC's input for a sample of 1.0: half of its range from peak to peak\n"
-         "adc_bits = 24                    # that carry signal\n\n";
+         "adc_bits = 24                    # that carry signal\n"
+         "# expected_noise_db_re_1upa = " +
+         toml_number(noise_db(search)) +
+         " # in the band, where it is known: earshotd --check judges the chain by it, and flow noise is known by it\n\n";
 }
 
 /// Three rectangles around the area.
@@ -142,19 +156,50 @@ std::string fence_table(const OwnSearch& search) {
          rectangle("halt", kHalt, "aborted from here") + "\n";
 }
 
-std::string battery_rules(double percent) {
-  return "[vehicle]                        # fenced_search.toml (firmware/boards/linux/missions) has its other keys\n"
-         "battery_percent_per_km = 0.6     # through the water, at search speed; earshot fly --battery-percent 100 simulates it\n\n"
+/// What a vehicle takes of its battery only its owner knows: a number that nobody gave would be believed.
+std::string consumption(const OwnSearch& search) {
+  if (!search.battery_percent_per_km)
+    return "# battery_percent_per_km =       # put your vehicle's value here: what a kilometre through the water, at search speed, takes\n"
+           "                                 # of its battery; without it nothing says how far that lasts, and earshot fly cannot simulate "
+           "it\n";
+  return "battery_percent_per_km = " + toml_number(*search.battery_percent_per_km) +
+         "     # through the water, at search speed; earshot fly --battery-percent 100 simulates it\n";
+}
+
+std::string battery_rules(const OwnSearch& search) {
+  return "[vehicle]                        # fenced_search.toml (firmware/boards/linux/missions) has its other keys\n" +
+         consumption(search) +
+         "\n"
          "[[rule]]                         # firmware/safety/README.md lists the conditions and what may be done\n"
          "when = \"battery_percent\"\n"
          "below = " +
-         toml_number(percent) +
+         toml_number(*search.battery_percent) +
          "\nfor_s = 30.0\n"
          "then = \"abort\"                   # and come up\n\n"
          "[[rule]]                         # the battery is known as long as the vehicle tells it: at sea let this do more than warn\n"
          "when = \"vehicle_status_age_s\"\n"
          "above = 60.0\n"
          "then = \"warn\"\n\n";
+}
+
+bool is_battery_simulated(const OwnSearch& search) {
+  return search.battery_percent && search.battery_percent_per_km;
+}
+
+std::string battery_remark(const OwnSearch& search) {
+  if (!search.battery_percent) return "";
+  const std::string rule = "\n- The search ends when the battery is below " + toml_number(*search.battery_percent) + " %. ";
+  const std::string untold = "no battery is told, and the rule about `vehicle_status_age_s` warns of that after a minute.";
+  if (is_battery_simulated(search))
+    return rule +
+           "`earshot fly --battery-percent 100` begins with a full one, of which each kilometre takes the mission's "
+           "`battery_percent_per_km`; without that option " +
+           untold;
+  return rule +
+         "How far it lasts `mission.toml` does not say yet: put there what a kilometre takes of your vehicle's (`battery_percent_per_km`). "
+         "Then "
+         "`earshot fly --battery-percent 100` simulates it; until then " +
+         untold;
 }
 
 }  // namespace
@@ -167,7 +212,7 @@ std::string tables_command(const OwnSearch& search, const fs::path& folder) {
 
 std::string extra_tables(const OwnSearch& search) {
   return (search.hears ? hearing_tables(search) : "") + (search.fence_m ? fence_table(search) : "") +
-         (search.battery_percent ? battery_rules(*search.battery_percent) : "");
+         (search.battery_percent ? battery_rules(search) : "");
 }
 
 std::string mission_text(const OwnSearch& search, FliesBy by) {
@@ -242,7 +287,8 @@ std::string readme_text(const OwnSearch& search, FliesBy by, const fs::path& fol
   std::string text = "# A search of one's own\n```sh\n" + (to_be_made ? tables_command(search, folder) + "\n" : "") + command("earshotd") +
                      " --check " + mission + "\n" + command("earshot") + " fly --mission " + mission + " --environment " +
                      shell_word((folder / kOceanFile).string()) + " --out " + shell_word((folder / "flight").string()) +
-                     (search.bus == "lcm" ? "" : " --bus lcm") + (search.hears ? " --hear synthetic" : "") + "\n```\n";
+                     (search.bus == "lcm" ? "" : " --bus lcm") + (search.hears ? " --hear synthetic" : "") +
+                     (is_battery_simulated(search) ? " --battery-percent 100" : "") + "\n```\n";
   if (to_be_made)
     text +=
         "The first makes `search.tables`, what the vehicle believes possible of the ocean: here `ocean.toml` alone. At sea the ocean is "
@@ -269,6 +315,7 @@ std::string readme_text(const OwnSearch& search, FliesBy by, const fs::path& fol
       "- What the vehicle believes possible of the ocean stands in its tables, not in `ocean.toml`.";
   if (by == FliesBy::kWhatShips)
     text += " Those that ship are used here; `earshot init --own-tables` makes a folder for tables of your own.";
+  text += battery_remark(search);
   return text + "\n- This folder may be copied to the vehicle" +
          (by == FliesBy::kWhatShips ? "" : ", but for `search.key` (`rsync --exclude search.key`)") +
          "; the paths in `run` and `mission.toml` are then to be those of that computer.\n";

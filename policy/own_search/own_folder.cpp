@@ -151,17 +151,15 @@ void judge_kept_tables(const fs::path& folder, const fs::path& here) {
   }
 }
 
-void make(const fs::path& folder, const fs::path& here, const OwnSearch& search, FliesBy by) {
+void write(const fs::path& folder, const fs::path& here, const OwnSearch& search, FliesBy by) {
   if (by != FliesBy::kWhatShips) write_own_policy(here, search);
   write_files(here, search, by, folder);
-  judge(here, by);
-  if (by == FliesBy::kTablesToBeMade) judge_kept_tables(folder, here);
 }
 
-/// What is wrong with a file is said of where it would stand.
-std::string with_place(std::string text, const std::string& here, const std::string& folder) {
-  for (std::size_t at = text.find(here); at != std::string::npos; at = text.find(here, at + folder.size()))
-    text.replace(at, here.size(), folder);
+/// `text` with every place in `here` as one in `there`; "": by its name alone.
+std::string with_places(std::string text, const std::string& here, const std::string& there) {
+  for (std::size_t at = text.find(here); at != std::string::npos; at = text.find(here, at + there.size()))
+    text.replace(at, here.size(), there);
   return text;
 }
 
@@ -180,9 +178,15 @@ FliesBy make_own_folder(const fs::path& named, const OwnSearch& search, Earlier 
   if (has_earlier) keep({kKeyFile, kPublicKeyFile}, folder, to_be.path());
   if (has_earlier && by != FliesBy::kOwnPolicy) keep({kTablesFile}, folder, to_be.path());
   try {
-    make(folder, to_be.path(), search, by);
+    write(folder, to_be.path(), search, by);
   } catch (const host::BadInput& e) {
-    throw host::BadInput(with_place(e.what(), to_be.path().string(), folder.string()));
+    throw host::BadInput(with_places(e.what(), to_be.path().string(), folder.string()));
+  }
+  try {
+    judge(to_be.path(), by);
+    if (by == FliesBy::kTablesToBeMade) judge_kept_tables(folder, to_be.path());
+  } catch (const host::BadInput& e) {  // of files that are gone again: nobody finds them by their paths
+    throw host::BadInput("these options make a search that is refused: " + with_places(e.what(), to_be.path().string() + "/", ""));
   }
   to_be.keep(folder, has_earlier);
   return by;

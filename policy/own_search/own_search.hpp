@@ -24,10 +24,11 @@ struct OwnSearch {
   /// All over LCM ("lcm"), all over CAN ("can"), or what a CAN bus brings over that and the rest over LCM ("mixed").
   std::string bus = "lcm";
   std::string can_interface = "can0";
-  bool hears = false;                       ///< with a hydrophone of its own, and is told no SNR
-  std::optional<double> battery_percent{};  ///< below it the search ends
-  std::optional<double> fence_m{};          ///< so far outside of the area it may be, before it is steered back
-  bool own_tables = false;                  ///< of oceans of one's own, where tables that ship would do, too
+  bool hears = false;                              ///< with a hydrophone of its own, and is told no SNR
+  std::optional<double> battery_percent{};         ///< below it the search ends
+  std::optional<double> battery_percent_per_km{};  ///< that a kilometre through the water takes of it; absent: nobody said
+  std::optional<double> fence_m{};                 ///< so far outside of the area it may be, before it is steered back
+  bool own_tables = false;                         ///< of oceans of one's own, where tables that ship would do, too
 };
 
 struct Bounds {
@@ -43,8 +44,10 @@ inline constexpr Bounds kFrequency_hz{.lowest = 1.0, .highest = 10'000.0};
 inline constexpr Bounds kSourceLevel_db{.lowest = 60.0, .highest = 250.0};
 inline constexpr Bounds kNoise_db{.lowest = 0.0, .highest = 200.0};
 inline constexpr Bounds kBattery_percent{.lowest = 1.0, .highest = 90.0};
+inline constexpr Bounds kBattery_percent_per_km{.lowest = 0.001, .highest = 100.0};
 inline constexpr Bounds kFence_m{.lowest = 10.0, .highest = 20'000.0};
-inline constexpr Bounds kHeard_hz{.lowest = 2.0, .highest = 900.0};  ///< with a tenth to each side: what a hydrophone's detector can
+/// With a tenth to each side, and the bands beside that in which the noise is learnt: what a hydrophone's detector can (detector::check).
+inline constexpr Bounds kHeard_hz{.lowest = 9.1, .highest = 740.0};
 inline constexpr Bounds kSeaFloor_m{.lowest = 10.0, .highest = 11'000.0};
 
 /// What a search is flown by.

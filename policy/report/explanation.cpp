@@ -90,12 +90,23 @@ std::string safety_sentence(const DecisionAccount& a) {
          place_to_string(a.decision.waypoint) + ".";
 }
 
-std::string because_sentence(const DecisionAccount& a) {
-  std::string text = "What weighed most:";
-  const char* separator = " ";
-  for (const explain::ObservedAccount& o : explain::weightiest(a, 3)) {
-    text += separator + o.name + " " + o.value + " (" + factor_to_string(o.part) + ")";
-    separator = ", ";
+/// "W was worth the most, 1.00 (the worst is worth 0); next came SW with 0.93 and N with 0.90."
+std::string worth_sentence(const DecisionAccount& a) {
+  constexpr std::size_t kOthers = 2;
+  std::vector<const explain::ActionAccount*> others;
+  for (std::size_t i = 0; i < a.actions.size(); ++i) {
+    if (i != a.decision.action && a.actions[i].worth) others.push_back(&a.actions[i]);
+  }
+  std::ranges::stable_sort(others, [](const auto* x, const auto* y) { return *x->worth > *y->worth; });
+  others.resize(std::min(others.size(), kOthers));
+  const explain::ActionAccount& taken = a.actions[a.decision.action];
+  const bool is_best = others.empty() || *taken.worth >= *others.front()->worth;
+  std::string text = "By its belief's advice " + taken.name + " was worth " + (is_best ? "the most, " : "") + fixed(*taken.worth, 2) +
+                     " (of 1 for the best and 0 for the worst)";
+  const char* separator = is_best ? "; next came " : "; beside it ";
+  for (const explain::ActionAccount* other : others) {
+    text += separator + other->name + " with " + fixed(*other->worth, 2);
+    separator = " and ";
   }
   return text + ".";
 }
@@ -141,6 +152,17 @@ double largest_part(const std::vector<explain::ObservedAccount>& observed) {
 
 }  // namespace
 
+std::string because(const DecisionAccount& a) {
+  if (a.actions[a.decision.action].worth) return worth_sentence(a);
+  std::string text = "What weighed most:";
+  const char* separator = " ";
+  for (const explain::ObservedAccount& o : explain::weightiest(a, 3)) {
+    text += separator + o.name + " " + o.value + " (" + factor_to_string(o.part) + ")";
+    separator = ", ";
+  }
+  return text + ".";
+}
+
 std::vector<std::string> sentences(const DecisionAccount& a) {
   std::vector<std::string> all{heard_sentence(a), belief_sentence(a)};
   if (a.decision.found_probability) all.push_back(found_sentence(a));
@@ -148,7 +170,7 @@ std::vector<std::string> sentences(const DecisionAccount& a) {
     all.push_back(sweep_sentence(a));
     return all;  // what the policy would have done, nobody did
   }
-  for (std::string sentence : {choice_sentence(a), expectation_sentence(a), safety_sentence(a), because_sentence(a)})
+  for (std::string sentence : {choice_sentence(a), expectation_sentence(a), safety_sentence(a), because(a)})
     all.push_back(std::move(sentence));
   return all;
 }

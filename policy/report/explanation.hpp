@@ -13,6 +13,10 @@ namespace earshot::report {
 /// Sentences that a watch officer reads first: heard, believed, chosen, expected, safety, why.
 [[nodiscard]] std::vector<std::string> sentences(const explain::DecisionAccount& account);
 
+/// The last of them: what spoke for the action that was taken. Of a policy that goes by its belief's advice alone how much that made of it,
+/// and of the next best; of a trained one what it saw that weighed most.
+[[nodiscard]] std::string because(const explain::DecisionAccount& account);
+
 /// "a vehicle in the middle of the area that has heard nothing yet"
 [[nodiscard]] std::string to_string(explain::Baseline baseline);
 

@@ -11,6 +11,7 @@
 #include "earshot/decision_t.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/journal/journal_name.hpp"
+#include "firmware/host/journal/journal_parts.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/messages/health.hpp"
@@ -47,6 +48,7 @@ void check_summary(const std::filesystem::path& path, const nlohmann::json& summ
   require("seed", value("seed").is_number_unsigned(), "a whole number from 0");
   for (const char* key : {"reward", "distance_m", "sim_time_s", "wall_time_s", "detection_threshold_db"})
     require(key, is_number(value(key)), "a number");
+  if (summary.contains("battery_percent")) require("battery_percent", is_number(summary.at("battery_percent")), "a number");
   for (const char* key : {"end_reason", "environment", "mission"}) require(key, value(key).is_string(), "a text");
   for (const char* key : {"source", "start"}) require(key, is_place(value(key)), "a place: north_m, east_m");
   const nlohmann::json area = value("area");
@@ -229,6 +231,18 @@ std::string lack_of(const JournalledSearch& journal) {
   return lack;
 }
 
+std::vector<std::filesystem::path> files_of_flight(const std::filesystem::path& folder_or_journal) {
+  const bool is_folder = std::filesystem::is_directory(folder_or_journal);
+  const std::filesystem::path journal = is_folder ? folder_or_journal / kJournalName : folder_or_journal;
+  std::vector<std::filesystem::path> files{journal};
+  if (std::filesystem::exists(journal)) files = host::JournalParts(journal).files();
+  for (const char* extension : {".policy", ".tables"}) files.push_back(std::filesystem::path(journal).replace_extension(extension));
+  if (!is_folder) return files;
+  for (const char* name : {"summary.json", "track.csv", "snr.csv", kHearingName, kSpectrogramName})
+    files.push_back(folder_or_journal / name);
+  return files;
+}
+
 std::optional<std::filesystem::path> beside_journal(const std::filesystem::path& journal, const std::string& extension) {
   std::filesystem::path file = journal;
   file.replace_extension(extension);
@@ -252,7 +266,13 @@ Flight read_flight(const std::filesystem::path& folder_or_journal) {
     throw BadInput(folder.string() + ": holds no " + kJournalName + "; name one of its journals, such as " +
                    (folder / flight.others.back()).string());
   flight.journal = read_journal(folder / kJournalName);
-  if (!std::filesystem::exists(folder / "summary.json")) flight.sea = read_sea_flight(folder / kJournalName);
+  std::optional<SeaFlight> journalled = read_sea_flight(folder / kJournalName);
+  if (!std::filesystem::exists(folder / "summary.json")) {
+    flight.sea = std::move(journalled);
+  } else if (journalled) {
+    flight.events = std::move(journalled->events);
+    flight.ending_rule = std::move(journalled->ending_rule);
+  }
   if (flight.sea && flight.sea->is_dated()) return flight;
   const auto is_there = [&](const char* name) {
     if (std::filesystem::exists(folder / name)) return true;

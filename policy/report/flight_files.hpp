@@ -55,10 +55,12 @@ struct Flight {
   std::vector<TrackRow> track;
   JournalledSearch journal;
   std::vector<SnrRow> snr;
-  HeardSound sound;                  ///< of a flight that heard
-  std::optional<SeaFlight> sea;      ///< what the journal tells when there is no summary
-  std::vector<std::string> missing;  ///< names of files that a simulator should have left
-  std::vector<std::string> others;   ///< names of the folder's other journals, of which nothing is here
+  HeardSound sound;                        ///< of a flight that heard
+  std::optional<SeaFlight> sea;            ///< what the journal tells when there is no summary
+  std::vector<SeaFlight::Event> events;    ///< of a simulated flight, as its journal tells them
+  std::optional<std::string> ending_rule;  ///< of a simulated flight: the safety rule that ended it, in words with its evidence
+  std::vector<std::string> missing;        ///< names of files that a simulator should have left
+  std::vector<std::string> others;         ///< names of the folder's other journals, of which nothing is here
 
   [[nodiscard]] bool is_complete() const { return missing.empty(); }
 };
@@ -77,6 +79,10 @@ inline constexpr const char* kJournalName = "journal.lcmlog";  ///< in a flight'
 /// that it heard.
 /// @throws host::BadInput naming the journal when it is missing, or the file that cannot be read.
 [[nodiscard]] Flight read_flight(const std::filesystem::path& folder_or_journal);
+
+/// All that read_flight() may read, and what flew beside the journal: its parts, the policy, the tables, a simulator's files. Some may not
+/// be there. @throws host::BadInput naming the journal when it cannot be read.
+[[nodiscard]] std::vector<std::filesystem::path> files_of_flight(const std::filesystem::path& folder_or_journal);
 
 /// A place in a summary: {"north_m": ..., "east_m": ...}.
 [[nodiscard]] NorthEast place_in(const nlohmann::json& place);

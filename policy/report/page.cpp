@@ -30,6 +30,13 @@ std::string account_paragraph(const SearchAccount& account) {
   return said.empty() ? "" : "<p>" + escaped(said) + "</p>\n";
 }
 
+/// A rule or an order may end the mission within a step: its decision was taken, the step was not.
+std::string unfinished_step(const Flight& flight, std::size_t steps) {
+  const std::size_t decisions = flight.journal.decisions.size();
+  if (decisions != steps + 1) return "";
+  return "<p>The mission ended within the step of the last of " + std::to_string(decisions) + " decisions, which does not count.</p>\n";
+}
+
 /// The flight's summary counts a step that the source cut short as the others: one count, with a word about the last.
 std::string headline(const Flight& flight) {
   const nlohmann::json& s = flight.summary;
@@ -45,7 +52,9 @@ std::string headline(const Flight& flight) {
     text = "<h1 class=\"missed\">After " + count + " declared found" + declared_where(account) + "</h1>\n";
   else
     text = "<h1 class=\"missed\">Source not found in " + count +
-           "</h1>\n<p>The mission ended because: " + escaped(host::spelled_apart(s.at("end_reason"))) + "</p>\n";
+           "</h1>\n<p>The mission ended because: " + escaped(host::spelled_apart(s.at("end_reason"))) +
+           (flight.ending_rule ? ": " + escaped(*flight.ending_rule) : "") + "</p>\n";
+  text += unfinished_step(flight, static_cast<std::size_t>(steps));
   if (s.value("whole_steps", steps) < steps) text += "<p>The last step was cut short by the source.</p>\n";
   return text + account_paragraph(account) + "<p>Seed " + std::to_string(s.at("seed").get<std::uint64_t>()) + " &middot; mission " +
          escaped(s.at("mission").get<std::string>()) + " &middot; ocean " + escaped(s.at("environment").get<std::string>()) + "</p>\n";
@@ -67,9 +76,11 @@ std::string facts(const Flight& flight) {
   if (s.is_null()) return "";
   const double sim = s.at("sim_time_s");
   const double wall = s.at("wall_time_s");
+  const bool has_battery = s.contains("battery_percent");
   return "<dl>\n" + fact("reward", fixed(s.at("reward"), 1)) +
          fact("steps with a detection", std::to_string(s.at("detections").get<int>())) +
-         fact("distance", fixed(s.at("distance_m").get<double>() / 1e3, 1) + " km") + fact("time at sea", duration(sim)) +
+         fact("distance", fixed(s.at("distance_m").get<double>() / 1e3, 1) + " km") +
+         (has_battery ? fact("battery left", fixed(s.at("battery_percent"), 1) + " %") : "") + fact("time at sea", duration(sim)) +
          fact("time to simulate", fixed(wall, 2) + " s") + fact("times real time", wall > 0 ? fixed(sim / wall, 0) : "-") + "</dl>\n";
 }
 
@@ -155,7 +166,7 @@ std::string sound_to_string(const Flight& flight) {
 Pictures pictures_of(const Flight& flight) {
   if (flight.sea)
     return {.map = sea_map_svg(*flight.sea, flight.journal.decisions), .history = sea_history_svg(*flight.sea, flight.journal.decisions)};
-  if (!flight.is_complete()) return {};
+  if (!flight.is_complete() || flight.summary.is_null()) return {};  // a journal alone may not even begin with its mission
   Pictures pictures{.map = map_svg(flight), .history = history_svg(flight)};
   if (flight.sound.is_there()) {
     const Decibels threshold{flight.summary.at("detection_threshold_db").get<double>()};
@@ -180,7 +191,10 @@ FlightExplanation explain_flight(const std::filesystem::path& folder_or_journal)
 
 std::string page(const Flight& flight, const Pictures& pictures, const FlightExplanation& explanation) {
   std::string text = html_head("Earshot: one search") + headline(flight) + facts(flight) + shortcomings(flight);
-  if (flight.sea) text += "<h2>What happened</h2>\n" + sea_events(*flight.sea);
+  if (flight.sea)
+    text += "<h2>What happened</h2>\n" + sea_events(*flight.sea);
+  else if (!flight.events.empty())
+    text += "<h2>What happened</h2>\n" + events_table(flight.events);
   if (!pictures.map.empty())
     text += "<h2>Where it went</h2>\n<p>" + map_to_string(flight) + "</p>\n<div class=\"chart\">" + pictures.map + "</div>\n";
   if (!pictures.sound.empty())

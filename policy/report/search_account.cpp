@@ -61,6 +61,7 @@ SearchAccount account_in(const nlohmann::json& summary) {
     account.declared_step = declared.at("step").get<std::uint32_t>();
     account.declared_range_m = declared.at("range_m").get<double>();
   }
+  account.is_found_undeclared = account.believes && !account.declared_step && value_in(summary, "found") == true;
   return account;
 }
 
@@ -95,6 +96,8 @@ std::string to_string(const SearchAccount& account) {
         (account.swept_in_silence() ? " on: it had heard nothing for long, where its tables say that it should"
                                     : " on: what it heard fitted no ocean of its tables"));
   if (account.declared_step) say("Declared found at " + step_to_string(*account.declared_step) + declared_where(account));
+  if (account.is_found_undeclared)
+    say("Not declared found by the vehicle: the simulator ended the search within a step length of the source; at sea it would go on");
   return text;
 }
 

@@ -17,6 +17,7 @@ struct SearchAccount {
   std::optional<std::uint32_t> declared_step = std::nullopt;  ///< the first
   std::optional<double> declared_range_m = std::nullopt;      ///< to the source, where a simulator knows it
   std::optional<double> step_length_m = std::nullopt;
+  bool is_found_undeclared = false;  ///< a simulator ended the search near the source, which the vehicle had not declared found
 
   /// Whether it swept because it had heard nothing for long: nothing had surprised it by then.
   [[nodiscard]] bool swept_in_silence() const { return sweep_step && (!surprised_step || *surprised_step > *sweep_step); }

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "firmware/host/file/bad_input.hpp"
-#include "sim/search/scenario/file_kind.hpp"
 #include "sim/search/scenario/scenario_file.hpp"
 
 namespace earshot::tables {
@@ -46,7 +45,6 @@ std::vector<fs::path> environment_files(const std::vector<std::string>& named) {
 }
 
 std::vector<BelievedOcean> oceans_in(const fs::path& file) {
-  search::require_kind("ENVIRONMENT", file, search::FileKind::kEnvironment);
   search::Scenario scenario = search::load_scenario(file);
   const std::string name = scenario.environment.name;
   std::vector<BelievedOcean> oceans{

@@ -6,7 +6,6 @@
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/toml/table_reader.hpp"
-#include "policy/command_line/outputs.hpp"
 #include "policy/training/curve_files.hpp"
 
 namespace earshot::training {
@@ -80,20 +79,35 @@ TrainingJob job_from(const std::string& file, const TrainOptions& given) {
   return job;
 }
 
-void check_files(const std::vector<TrainingJob>& jobs, const TrainOptions& given) {
-  const std::string checkpoint = given.output || given.resume.empty() ? "--output" : "--resume";
-  const std::string curve = given.curve ? "--curve" : "the learning curve of " + checkpoint;
-  std::vector<command_line::Output> files;
-  for (const TrainingJob& job : jobs) {
-    files.push_back({checkpoint, job.output, kCheckpointOutput});
-    files.push_back({curve, job.curve, kCurveOutput});
-    files.push_back({"the losses beside " + curve, job.updates, kLossesOutput});
-  }
-  if (given.plot) files.push_back({"--plot", *given.plot, host::picture_kind(*given.plot)});
-  command_line::check_distinct(files);
+/// The checkpoint that is gone on from, and its curves; not where the training goes on in their place.
+void add_resumed(const TrainingJob& job, host::DistinctFiles& files) {
+  if (job.resumed_file.empty()) return;
+  const auto read = [&files](const char* name, const std::filesystem::path& path, const std::filesystem::path& goes_on_in) {
+    if (!host::are_one_file(path, goes_on_in)) files.read(name, path);
+  };
+  read("--resume", job.resumed_file, job.output);
+  read("the learning curve of --resume", job.earlier_curve, job.curve);
+  read("the losses of --resume", updates_of(job.earlier_curve), job.updates);
 }
 
 }  // namespace
+
+host::DistinctFiles files_of(const std::vector<TrainingJob>& jobs, const TrainOptions& given) {
+  const std::string checkpoint = given.output || given.resume.empty() ? "--output" : "--resume";
+  const std::string curve = given.curve ? "--curve" : "the learning curve of " + checkpoint;
+  host::DistinctFiles files;
+  for (const TrainingJob& job : jobs) {
+    files.write(checkpoint, job.output);
+    files.write(curve, job.curve);
+    files.write("the losses beside " + curve, job.updates);
+  }
+  if (given.plot) files.write("--plot", *given.plot);
+  for (const TrainingJob& job : jobs) {
+    if (job.options.run_file) files.read("RUN", *job.options.run_file);
+    add_resumed(job, files);
+  }
+  return files;
+}
 
 std::vector<TrainingJob> jobs_of(const TrainOptions& options, const std::vector<std::string>& arguments) {
   if (options.resume.size() > 1 && (options.output || options.curve))
@@ -103,7 +117,7 @@ std::vector<TrainingJob> jobs_of(const TrainOptions& options, const std::vector<
   std::vector<TrainingJob> jobs;
   if (options.resume.empty()) jobs = new_jobs(options, arguments);
   for (const std::string& file : options.resume) jobs.push_back(job_from(file, options));
-  check_files(jobs, options);
+  (void)files_of(jobs, options);
   return jobs;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/file/output_file.hpp"
 #include "policy/ppo/checkpoint/checkpoint.hpp"
 #include "policy/training/options.hpp"
@@ -27,6 +28,10 @@ struct TrainingJob {
   std::filesystem::path resumed_file = {};      ///< checkpoint that it goes on from
   std::optional<ppo::Checkpoint> resumed = {};  ///< its content, whose continuation is not empty
 };
+
+/// The files that jobs write: none may be another, nor a file that a job reads. Throws host::BadInput.
+/// @param given  the command line of all of them
+[[nodiscard]] host::DistinctFiles files_of(const std::vector<TrainingJob>& jobs, const TrainOptions& given);
 
 /// The jobs that a command line asks for. Throws host::BadInput, also when two of their files are one.
 /// @param arguments  the command line without the program's name

@@ -72,7 +72,8 @@ struct Training::Parts {
   TrainingWorlds drawn_from;  ///< empty: that one
   policy::ObservationModel model;
   policy::OceanTables tables;
-  std::uint32_t tables_crc32 = 0;  ///< 0: the environment's ocean
+  std::uint32_t tables_crc32 = 0;     ///< 0: the environment's ocean
+  std::filesystem::path tables_file;  ///< empty: likewise
   ppo::Trainer trainer;
   LearningCurve curve;
   std::uint32_t settings_crc32;
@@ -111,6 +112,7 @@ struct Training::Parts {
     const host::TablesFile file = host::tables_for(run.tables, sound, "--tables, tables: the training");
     tables = *file.tables;
     tables_crc32 = crc32(file.bytes);
+    tables_file = file.path;
     return tables;
   }
 
@@ -254,6 +256,12 @@ void Training::run(TrainingProgress& progress, std::size_t number, const std::at
       written_at = p.trainer.steps();
     }
   }
+}
+
+void Training::add_to(host::DistinctFiles& read) const {
+  read.read("a file of the environment", parts_->scenario.environment.files);
+  read.read("a file of a world", parts_->drawn_from.files);
+  if (!parts_->tables_file.empty()) read.read("ocean tables", parts_->tables_file);
 }
 
 const TrainingJob& Training::job() const {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "firmware/host/file/distinct_files.hpp"
 #include "policy/ppo/training_run.hpp"
 #include "policy/training/job.hpp"
 #include "policy/training/learning_curve.hpp"
@@ -25,6 +26,8 @@ class Training {
   /// Throws host::BadInput, on every rank, when training diverges; the files then stay as they were last written.
   void run(TrainingProgress& progress, std::size_t number, const std::atomic<bool>& interrupted);
 
+  /// The files that it has read: its environment, worlds and ocean tables.
+  void add_to(host::DistinctFiles& read) const;
   [[nodiscard]] const TrainingJob& job() const;
   [[nodiscard]] const ppo::TrainingRun& run_settings() const;
   [[nodiscard]] const LearningCurve& curve() const;

@@ -107,7 +107,11 @@ TrainingWorlds load_worlds(std::span<const fs::path> named, const search::Search
   const auto compute = [&](std::size_t i) { computed[i] = assembled(worlds[i], files[i], settings, listening); };
   const auto finished = [&](std::size_t i) { done(static_cast<double>(i + 1) / static_cast<double>(worlds.size())); };
   parallel::run_in_order({.groups = worlds.size(), .tasks_per_group = 1, .threads = threads, .window = worlds.size()}, compute, finished);
-  TrainingWorlds result{.crc32 = host::crc32_of(all.str())};
+  TrainingWorlds result{.crc32 = host::crc32_of(all.str()), .files = files};
+  for (const evaluate::WorldFile& world : worlds) {
+    const std::vector<fs::path>& named_there = world.scenario.environment.files;
+    result.files.insert(result.files.end(), named_there.begin(), named_there.end());
+  }
   for (std::optional<search::World>& world : computed) result.worlds.push_back(std::move(*world));
   return result;
 }

@@ -16,7 +16,8 @@ namespace earshot::training {
 /// The worlds that the episodes of a training are drawn from.
 struct TrainingWorlds {
   std::vector<search::World> worlds = {};
-  std::uint32_t crc32 = 0;  ///< of all that their files say, and of the files that those name
+  std::uint32_t crc32 = 0;                        ///< of all that their files say, and of the files that those name
+  std::vector<std::filesystem::path> files = {};  ///< their files, and those that these name
 };
 
 /// What is heard in every world of a training: a policy knows one depth and one frequency.

@@ -100,6 +100,14 @@ std::string one_cell(std::string text) {
   return text;
 }
 
+/// Without the blanks about it, and without the quotation marks that R puts about a whole cell.
+std::string bare(std::string_view cell) {
+  const std::size_t begin = std::min(cell.find_first_not_of(' '), cell.size());
+  cell = cell.substr(begin, cell.find_last_not_of(' ') + 1 - begin);
+  const bool is_quoted = cell.size() >= 2 && cell.front() == '"' && cell.back() == '"';
+  return std::string(is_quoted ? cell.substr(1, cell.size() - 2) : cell);
+}
+
 /// @param at  where the cells are parted; between quotation marks it parts nothing, but for tabs
 std::vector<std::string> split(std::string_view line, char at) {
   std::vector<std::string> cells(1);
@@ -108,7 +116,7 @@ std::vector<std::string> split(std::string_view line, char at) {
     const bool is_mark = line[i] == '"' && at != '\t';
     if (is_mark && is_quoted && line.substr(i + 1).starts_with('"')) {
       cells.back() += line[++i];
-    } else if (is_mark && (is_quoted || cells.back().empty())) {
+    } else if (is_mark && (is_quoted || cells.back().find_first_not_of(' ') == std::string::npos)) {
       is_quoted = !is_quoted;
     } else if (line[i] == at && !is_quoted) {
       cells.emplace_back();
@@ -116,11 +124,13 @@ std::vector<std::string> split(std::string_view line, char at) {
       cells.back() += line[i];
     }
   }
+  for (std::string& cell : cells) cell = bare(cell);
   return cells;
 }
 
 std::optional<double> number_of(std::string text, bool has_comma) {
   if (has_comma) std::ranges::replace(text, ',', '.');
+  if (text.starts_with('+') && !text.starts_with("+-")) text.erase(0, 1);
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   return error == std::errc{} && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
@@ -211,6 +221,12 @@ class TableParser {
     return 0.0;
   }
 
+  int channel() {
+    const double value = number(kChannel, 1024.0, 1.0);
+    if (value != std::floor(value)) note(kChannel, "must be a whole number");
+    return static_cast<int>(value);
+  }
+
   /// Audacity's second line of a label that has frequencies; it writes -1 for none.
   void read_frequencies(Selection& selection) const {
     const auto at = [this](std::size_t i) { return i < cells_.size() ? number_of(cells_[i], true).value_or(0.0) : 0.0; };
@@ -224,7 +240,7 @@ class TableParser {
                         .end_s = 0.0,
                         .low_hz = number(kLow, kHighest_hz, 0.0),
                         .high_hz = number(kHigh, kHighest_hz, 0.0),
-                        .channel = static_cast<int>(number(kChannel, 1024.0, 1.0)),
+                        .channel = channel(),
                         .begin_file = std::string(cell(kFile)),
                         .file_offset_s = number(kOffset, kLatest_s, 0.0),
                         .values = {},

@@ -7,21 +7,28 @@ constexpr std::chrono::milliseconds kLookUp{100};         ///< how often a waiti
 constexpr std::chrono::milliseconds kPortPatience{2000};  ///< for what was sent before its tick: on one host it is there already
 constexpr std::uint32_t kIssuer = 0x53494d;               ///< "SIM": of the simulator's orders
 
+/// The strongest that begins to act, of equals the first: the supervisor's own choice.
+std::optional<messages::SafetyEvent> ending_rule(const runtime::Outputs& outputs) {
+  std::optional<messages::SafetyEvent> ending;
+  for (const messages::SafetyEvent& event : outputs.safety_events) {
+    if (event.begins && event.response >= config::Response::kAbort && (!ending || event.response > ending->response)) ending = event;
+  }
+  return ending;
+}
+
 }  // namespace
 
 board::Clock::Wake LockStepClock::wait(const Awaited& awaited) {
-  if (!is_waiting_) return receive(awaited.bearings_taken);
+  if (!is_waiting_) return receive();
   const bool has_navigation = awaited.navigation_taken >= tick_.navigation_messages;
-  const bool has_bearings = awaited.bearings_taken >= tick_.bearing_messages;
   const bool has_sound = awaited.blocks_heard >= tick_.hydrophone_blocks;
-  if (has_navigation && has_bearings && has_sound) {
+  if (has_navigation && has_sound) {
     is_waiting_ = false;
     is_due_ = true;
     return Wake::kTurn;
   }
   if (steady_clock::now() >= deadline_) {
     lost_ = !has_navigation ? "the bus: navigation that the simulator sent did not arrive"
-            : !has_bearings ? "the bus: bearings that the simulator sent did not arrive"
                             : "the hydrophone's bus: sound that the simulator sent was not heard (earshotd listens to it with --hear)";
     return Wake::kLost;
   }
@@ -29,7 +36,7 @@ board::Clock::Wake LockStepClock::wait(const Awaited& awaited) {
   return Wake::kPorts;
 }
 
-board::Clock::Wake LockStepClock::receive(std::uint64_t bearings_taken) {
+board::Clock::Wake LockStepClock::receive() {
   Tick tick;
   const Delivery delivery = link_.receive(tick, kLookUp);
   if (delivery == Delivery::kLost) {
@@ -39,7 +46,6 @@ board::Clock::Wake LockStepClock::receive(std::uint64_t bearings_taken) {
   // What has come meanwhile belongs to the tick that follows it: it is read when that is here.
   if (delivery == Delivery::kNothing) return Wake::kNothing;
   tick_ = tick;
-  bearings_awaited_ = tick.bearing_messages > bearings_taken ? tick.bearing_messages - bearings_taken : 0;
   if (turns_made_ > 0 && tick.number == turns_made_) return Wake::kAgain;
   is_waiting_ = true;
   deadline_ = steady_clock::now() + kPortPatience;
@@ -49,12 +55,6 @@ board::Clock::Wake LockStepClock::receive(std::uint64_t bearings_taken) {
 void LockStepClock::go_on_after(const messages::Health& last) {
   turns_made_ = last.turn;
   link_.go_on_after(last.turn);
-}
-
-bool LockStepClock::takes_bearing(Time utc) {
-  if (utc != tick_.time || bearings_awaited_ == 0) return false;
-  --bearings_awaited_;
-  return true;
 }
 
 Time LockStepClock::time_heard(Time utc) {
@@ -77,7 +77,8 @@ bool LockStepClock::answered(const runtime::Outputs& outputs, std::uint64_t setp
               .believed_source = believed_source_,
               .surprise_bits = outputs.health.surprise_bits,
               .is_sweeping = outputs.health.is_sweeping,
-              .is_found = outputs.health.is_found});
+              .is_found = outputs.health.is_found,
+              .rule = ending_rule(outputs)});
   return outputs.health.state != messages::MissionState::kDone && outputs.health.state != messages::MissionState::kAbort;
 }
 
@@ -88,6 +89,7 @@ std::optional<Tick> LockStepClock::take_due() {
 }
 
 void give_inputs(const Tick& tick, std::uint8_t port, board::InputSink& sink) {
+  if (tick.bearing) sink.take(port, messages::BearingMeasurement{.time = tick.time, .bearing = *tick.bearing});
   if (tick.snr) sink.take(port, messages::SnrMeasurement{.time = tick.time, .snr = *tick.snr, .too_faint = tick.snr_too_faint});
   if (tick.battery_percent)
     sink.take(port,

@@ -11,8 +11,8 @@
 
 namespace earshot::link {
 
-/// A simulator's clock for the vehicle's loop: a turn is due for every tick, once the navigation and the bearings that the tick announces
-/// have come over the vehicle's ports and the sound that it announces has been heard. Time stands still between ticks. What is not dated
+/// A simulator's clock for the vehicle's loop: a turn is due for every tick, once the navigation that the tick announces has
+/// come over the vehicle's ports and the sound that it announces has been heard. Time stands still between ticks. What is not dated
 /// with its tick was meant for another flight and keeps no date; only what was heard is dated before it, when the sound ended by the dates
 /// of its blocks, which are simulation time. All that was heard is taken in the turn itself, so that it does not depend on how fast the
 /// ports are.
@@ -27,8 +27,6 @@ class LockStepClock final : public board::Clock {
 
   [[nodiscard]] Time now() override { return tick_.time; }
   [[nodiscard]] Time mission_time_of(Time utc) override { return utc == tick_.time ? utc : Time{-1}; }
-  /// Once for each bearing that the tick announces and nobody has brought yet.
-  [[nodiscard]] bool takes_bearing(Time utc) override;
   [[nodiscard]] Time arrival_of(Time /*utc*/) override { return tick_.time; }
   [[nodiscard]] Time time_heard(Time utc) override;
   [[nodiscard]] bool takes_sound_now() const override { return is_due_; }
@@ -43,7 +41,7 @@ class LockStepClock final : public board::Clock {
  private:
   using steady_clock = std::chrono::steady_clock;
 
-  [[nodiscard]] Wake receive(std::uint64_t bearings_taken);
+  [[nodiscard]] Wake receive();
 
   std::uint32_t domain_;
   RuntimeEnd link_;
@@ -51,17 +49,16 @@ class LockStepClock final : public board::Clock {
   Tick tick_;
   bool is_waiting_ = false;  ///< for the navigation and the sound that the tick announces
   bool is_due_ = false;
-  std::uint64_t bearings_awaited_ = 0;  ///< of this tick
-  std::uint64_t turns_made_ = 0;        ///< by a process before this one; its last tick may be asked for again
+  std::uint64_t turns_made_ = 0;  ///< by a process before this one; its last tick may be asked for again
   steady_clock::time_point deadline_;
   std::optional<NorthEast> believed_source_;  ///< as of the last decision
 };
 
-/// What a tick brings: the modelled SNR, the battery's charge, and an order. Nothing of it has been judged.
+/// What a tick brings: the modelled SNR, the bearing, the battery's charge, and an order. Nothing of it has been judged.
 /// @param port  that it came by
 void give_inputs(const Tick& tick, std::uint8_t port, board::InputSink& sink);
 
-/// What the tick brings, as a port: the modelled SNR, the battery's charge, and the orders of who runs the simulation.
+/// What the tick brings, as a port: the modelled SNR, the bearing, the battery's charge, and the orders of who runs the simulation.
 class LockStepPort final : public board::Port {
  public:
   LockStepPort(std::uint8_t index, LockStepClock& clock) : Port(index, {host::Role::kSnr, host::Role::kOperator}), clock_(clock) {}

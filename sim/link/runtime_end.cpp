@@ -8,19 +8,26 @@
 namespace earshot::link {
 namespace {
 
+messages::Bearing bearing_of(const earshot_sim_Tick& sample) {
+  return {.direction = Radians{sample.bearing_rad},
+          .deviation = Radians{sample.bearing_deviation_rad},
+          .mirror_axis = sample.bearing_ambiguous ? std::optional(Radians{sample.bearing_axis_rad}) : std::nullopt};
+}
+
 Tick from_wire(const earshot_sim_Tick& sample) {
   return {.number = sample.number,
           .time = {sample.time_us},
           .navigation_messages = sample.navigation_messages,
-          .bearing_messages = sample.bearing_messages,
           .hydrophone_blocks = sample.hydrophone_blocks,
           .snr = sample.snr_valid ? std::optional(Decibels{sample.snr_db}) : std::nullopt,
           .snr_too_faint = sample.snr_too_faint,
+          .bearing = sample.bearing_valid ? std::optional(bearing_of(sample)) : std::nullopt,
           .command = sample.command,
           .battery_percent = sample.battery_valid ? std::optional(sample.battery_percent) : std::nullopt};
 }
 
 earshot_sim_Answer to_wire(const Answer& answer, RunId run) {
+  const messages::SafetyEvent rule = answer.rule.value_or(messages::SafetyEvent{});
   return {.run = run,
           .number = answer.number,
           .turns_made = answer.turns_made,
@@ -33,7 +40,13 @@ earshot_sim_Answer to_wire(const Answer& answer, RunId run) {
           .source_east_m = answer.believed_source.value_or(NorthEast{}).east.value,
           .surprise_bits = answer.surprise_bits,
           .sweeping = answer.is_sweeping,
-          .found = answer.is_found};
+          .found = answer.is_found,
+          .rule_acted = answer.rule.has_value(),
+          .rule = rule.rule,
+          .rule_condition = static_cast<std::uint8_t>(rule.condition),
+          .rule_response = static_cast<std::uint8_t>(rule.response),
+          .rule_measure = rule.measure,
+          .rule_limit = rule.limit};
 }
 
 }  // namespace

@@ -6,6 +6,16 @@
 namespace earshot::link {
 namespace {
 
+/// What a rule of another version is called, whoever puts it into words says.
+messages::SafetyEvent rule_in(const earshot_sim_Answer& sample) {
+  return {.time = {},
+          .rule = sample.rule,
+          .condition = static_cast<config::Condition>(sample.rule_condition),
+          .response = static_cast<config::Response>(sample.rule_response),
+          .measure = sample.rule_measure,
+          .limit = sample.rule_limit};
+}
+
 Answer from_wire(const earshot_sim_Answer& sample) {
   return {.number = sample.number,
           .turns_made = sample.turns_made,
@@ -17,7 +27,8 @@ Answer from_wire(const earshot_sim_Answer& sample) {
               sample.source_believed ? std::optional(NorthEast{Meters{sample.source_north_m}, Meters{sample.source_east_m}}) : std::nullopt,
           .surprise_bits = sample.surprise_bits,
           .is_sweeping = sample.sweeping,
-          .is_found = sample.found};
+          .is_found = sample.found,
+          .rule = sample.rule_acted ? std::optional(rule_in(sample)) : std::nullopt};
 }
 
 }  // namespace
@@ -61,18 +72,23 @@ void SimulatorEnd::give_up_runtime() {
 }
 
 void SimulatorEnd::send(const Tick& tick) {
+  const messages::Bearing bearing = tick.bearing.value_or(messages::Bearing{});
   const earshot_sim_Tick sample{.run = entities_->delivering.run(),
                                 .number = tick.number,
                                 .time_us = tick.time.us,
                                 .navigation_messages = tick.navigation_messages,
-                                .bearing_messages = tick.bearing_messages,
                                 .hydrophone_blocks = tick.hydrophone_blocks,
                                 .snr_valid = tick.snr.has_value(),
                                 .command = tick.command,
                                 .snr_db = tick.snr.value_or(Decibels{}).value,
                                 .snr_too_faint = tick.snr_too_faint,
                                 .battery_valid = tick.battery_percent.has_value(),
-                                .battery_percent = tick.battery_percent.value_or(0.0)};
+                                .bearing_valid = tick.bearing.has_value(),
+                                .bearing_ambiguous = bearing.mirror_axis.has_value(),
+                                .battery_percent = tick.battery_percent.value_or(0.0),
+                                .bearing_rad = bearing.direction.value,
+                                .bearing_deviation_rad = bearing.deviation.value,
+                                .bearing_axis_rad = bearing.mirror_axis.value_or(Radians{}).value};
   write(entities_->ticks, &sample, "a tick");
 }
 

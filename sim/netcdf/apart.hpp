@@ -14,8 +14,8 @@ struct ApartLimits {
 
 /// Does work in a child process, which may crash, run for ever or ask for all the memory there is: HDF5 does so with some damaged files.
 ///
-/// The child is a copy of this process at this moment (fork): what ends well there ends well here too when it is done again. Nothing
-/// that it changes is seen here but what it writes into SharedBytes.
+/// The child is a copy of this process at this moment (fork). Nothing that it changes is seen here but what it writes into SharedBytes:
+/// take the results from there and do not repeat the work, for what a damaged file overwrites in memory is another thing each time.
 /// @return nothing when the work was done, else how the child ended: "signal 11 (Segmentation fault)"
 /// Oracle: NetcdfApart.*
 [[nodiscard]] std::optional<std::string> run_apart(const ApartLimits& limits, const std::function<void()>& work);

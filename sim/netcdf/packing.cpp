@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "sim/netcdf/text_attribute.hpp"
 
 namespace earshot::netcdf {
 namespace {
+
+constexpr std::size_t kAny = 0;  // of how many numbers an attribute has
 
 bool is_floating(nc_type type) {
   return type == NC_FLOAT || type == NC_DOUBLE;
@@ -26,19 +29,50 @@ bool is_unsigned(nc_type type) {
   return type == NC_UBYTE || type == NC_USHORT || type == NC_UINT;
 }
 
+/// What the library writes where nobody has written, of a variable without _FillValue. A byte has none: each of its values may be meant.
+std::optional<double> default_fill(nc_type type) {
+  switch (type) {
+    case NC_SHORT:
+      return NC_FILL_SHORT;
+    case NC_USHORT:
+      return NC_FILL_USHORT;
+    case NC_INT:
+      return NC_FILL_INT;
+    case NC_UINT:
+      return NC_FILL_UINT;
+    case NC_INT64:
+      return static_cast<double>(NC_FILL_INT64);
+    case NC_UINT64:
+      return static_cast<double>(NC_FILL_UINT64);
+    case NC_FLOAT:
+      return static_cast<double>(NC_FILL_FLOAT);
+    case NC_DOUBLE:
+      return NC_FILL_DOUBLE;
+    default:
+      return std::nullopt;
+  }
+}
+
+std::string lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return text;
+}
+
 }  // namespace
 
 Packing::Packing(int file, int variable) : file_(file), variable_(variable) {
   (void)nc_inq_vartype(file, variable, &type_);
-  const std::string said = text_attribute(file, variable, "_Unsigned").value_or("");
+  const std::string said = lower_case(text_attribute(file, variable, "_Unsigned").value_or(""));
   meant_unsigned_ = said == "true";
   if (said == (is_unsigned(type_) ? "false" : "true")) sign_modulus_ = modulus_of(type_);
-  if (const std::vector<double> scale = numbers("scale_factor"); scale.size() == 1) scale_ = scale.front();
-  if (const std::vector<double> offset = numbers("add_offset"); offset.size() == 1) offset_ = offset.front();
+  if (has("_Unsigned") && said != "true" && said != "false") fault_ = "_Unsigned: must be true or false";
+  if (const std::vector<double> scale = expect("scale_factor", 1, "one number"); !scale.empty()) scale_ = scale.front();
+  if (const std::vector<double> offset = expect("add_offset", 1, "one number"); !offset.empty()) offset_ = offset.front();
   is_packed_ = scale_ != 1.0 || offset_ != 0.0;
   for (const char* attribute : {"_FillValue", "missing_value"}) {
-    for (const double number : numbers(attribute)) missing_.push_back(as_stored(number));
+    for (const double number : expect(attribute, kAny, "a number or several")) missing_.push_back(as_stored(number));
   }
+  if (const std::optional<double> fill = default_fill(type_); fill && numbers("_FillValue").empty()) missing_.push_back(as_stored(*fill));
   limit("valid_range", true, true);
   limit("valid_min", true, false);
   limit("valid_max", false, true);
@@ -52,6 +86,18 @@ double Packing::as_stored(double number) const {
   return number >= 0.5 * sign_modulus_ ? number - sign_modulus_ : number;
 }
 
+bool Packing::has(const char* attribute) const {
+  return nc_inq_att(file_, variable_, attribute, nullptr, nullptr) == NC_NOERR;
+}
+
+std::vector<double> Packing::expect(const char* attribute, std::size_t count, const char* what) {
+  std::vector<double> found = numbers(attribute);
+  const bool is_such = count == kAny ? !found.empty() : found.size() == count;
+  if (is_such || !has(attribute)) return found;
+  fault_ = std::string(attribute) + ": must be " + what;
+  return {};
+}
+
 std::vector<double> Packing::numbers(const char* attribute) const {
   nc_type type = NC_NAT;
   std::size_t length = 0;
@@ -62,8 +108,8 @@ std::vector<double> Packing::numbers(const char* attribute) const {
 }
 
 void Packing::limit(const char* attribute, bool below, bool above) {
-  std::vector<double> ends = numbers(attribute);
-  if (ends.size() != static_cast<std::size_t>(below) + static_cast<std::size_t>(above)) return;
+  std::vector<double> ends = below && above ? expect(attribute, 2, "two numbers") : expect(attribute, 1, "one number");
+  if (ends.empty()) return;
   nc_type type = NC_NAT;
   (void)nc_inq_atttype(file_, variable_, attribute, &type);
   const bool is_of_values = is_packed_ && is_floating(type) && !is_floating(type_);

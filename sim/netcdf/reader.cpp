@@ -2,20 +2,19 @@
 
 #include <netcdf.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
+#include <new>
 #include <sstream>
 #include <utility>
 
 #include "firmware/host/file/input_file.hpp"
-#include "firmware/host/file/printable.hpp"
 #include "sim/netcdf/apart.hpp"
 #include "sim/netcdf/classic_size.hpp"
 #include "sim/netcdf/library_exit.hpp"
 #include "sim/netcdf/packing.hpp"
-#include "sim/netcdf/text_attribute.hpp"
 
 namespace earshot::netcdf {
 namespace {
@@ -32,33 +31,58 @@ bool is_classic(host::InputFile& file) {
   return file.read(magic) == magic.size() && magic == std::array<std::uint8_t, 3>{'C', 'D', 'F'};
 }
 
-/// What the library reads of a file when it is opened and asked for its variables and attributes; whether it succeeds is not told.
-void look_through(const std::filesystem::path& path) {
-  int file = -1;
-  if (nc_open(path.c_str(), NC_NOWRITE, &file) != NC_NOERR) return;
-  int variables = 0;
-  (void)nc_inq_nvars(file, &variables);
-  for (int id = 0; id < variables; ++id) {
-    int attributes = 0;
-    (void)nc_inq_varnatts(file, id, &attributes);
-    for (int i = 0; i < attributes; ++i) {
-      std::array<char, NC_MAX_NAME + 1> name{};
-      if (nc_inq_attname(file, id, i, name.data()) == NC_NOERR) (void)text_attribute(file, id, name.data());
-    }
-    (void)Packing(file, id);
-  }
-  (void)nc_close(file);
-}
-
 /// 10 million values a second are read from a compressed file that is not damaged; a loop without end is noticed in ten seconds.
 ApartLimits limits_for(std::size_t values) {
   return {.processor_time_s = static_cast<unsigned>(10 + values / 1'000'000)};
 }
 
+/// What a child tells of a file before the bytes of its header.
+struct Told {
+  int status = NC_NOERR;
+  std::size_t header_bytes = 0;
+};
+
+/// The largest header of a real file has some kilobytes.
+constexpr std::size_t kMostHeaderBytes = std::size_t{16} << 20U;
+
 }  // namespace
+
+/// An open file of the library; it is closed when this goes.
+class Reader::OpenFile {
+ public:
+  explicit OpenFile(const std::filesystem::path& path) : status_(nc_open(path.c_str(), NC_NOWRITE, &file_)) {}
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  ~OpenFile() {
+    if (status_ == NC_NOERR) (void)nc_close(file_);
+  }
+
+  [[nodiscard]] int status() const { return status_; }
+  [[nodiscard]] Header header() const { return read_header(file_); }
+
+  /// @return the library's status
+  [[nodiscard]] int read(const std::string& variable, const Block& block, std::span<double> values) const {
+    int id = -1;
+    if (status_ != NC_NOERR) return status_;
+    if (const int status = nc_inq_varid(file_, variable.c_str(), &id); status != NC_NOERR) return status;
+    if (const int status = nc_get_vara_double(file_, id, block.start.data(), block.count.data(), values.data()); status != NC_NOERR)
+      return status;
+    const Packing packing(file_, id);
+    for (double& x : values) x = packing.value_of(x);
+    return NC_NOERR;
+  }
+
+ private:
+  int file_ = -1;
+  int status_;
+};
 
 void Reader::require_sound(const std::optional<std::string>& end) const {
   if (end) throw error("", "is damaged: reading it ended with " + *end);
+}
+
+void Reader::require_open(int status) const {
+  if (status != NC_NOERR) throw error("", std::string("not a whole NetCDF file (") + nc_strerror(status) + ")");
 }
 
 FileError Reader::error(const std::string& variable, const std::string& what) const {
@@ -67,8 +91,8 @@ FileError Reader::error(const std::string& variable, const std::string& what) co
 
 Reader::Reader(std::filesystem::path path) : path_(std::move(path)) {
   host::InputFile input = opened(path_);
-  is_hdf5_ = !is_classic(input);
-  if (!is_hdf5_) {
+  const bool is_hdf5 = !is_classic(input);
+  if (!is_hdf5) {
     const std::optional<std::uint64_t> needed = classic_size(path_);
     const std::uint64_t bytes = input.size();
     if (!needed) throw error("", "its NetCDF header is damaged or truncated");
@@ -77,69 +101,72 @@ Reader::Reader(std::filesystem::path path) : path_(std::move(path)) {
     }
   }
   leave_hdf5_alone_at_exit();
-  if (is_hdf5_) require_sound(run_apart(limits_for(0), [this] { look_through(path_); }));
-  const int status = nc_open(path_.c_str(), NC_NOWRITE, &file_);
-  if (status != NC_NOERR) throw error("", std::string("not a whole NetCDF file (") + nc_strerror(status) + ")");
+  if (!is_hdf5) {
+    classic_ = std::make_unique<OpenFile>(path_);
+    require_open(classic_->status());
+  }
+  header_ = is_hdf5 ? header_apart() : classic_->header();
 }
 
-Reader::~Reader() {
-  (void)nc_close(file_);
+Reader::~Reader() = default;
+
+Header Reader::header_apart() const {
+  const SharedBytes shared(sizeof(Told) + kMostHeaderBytes);
+  if (shared.data() == nullptr) throw error("", "cannot be read: no memory for it");
+  auto* const told = new (shared.data()) Told;
+  char* const bytes = static_cast<char*>(shared.data()) + sizeof(Told);
+  require_sound(run_apart(limits_for(0), [&] {
+    const OpenFile file(path_);
+    told->status = file.status();
+    if (told->status != NC_NOERR) return;
+    const std::string header = to_bytes(file.header());
+    told->header_bytes = header.size();
+    if (header.size() <= kMostHeaderBytes) std::ranges::copy(header, bytes);
+  }));
+  require_open(told->status);
+  if (told->header_bytes > kMostHeaderBytes) throw error("", "is damaged: its names and texts are longer than 16 MiB");
+  std::optional<Header> header = header_from({bytes, told->header_bytes});
+  if (!header) throw error("", "is damaged: its header cannot be read");
+  return *std::move(header);
 }
 
-int Reader::variable_id(const std::string& variable) const {
-  int id = -1;
-  if (nc_inq_varid(file_, variable.c_str(), &id) != NC_NOERR) throw error(variable, "no such variable");
-  return id;
+const Variable& Reader::find(const std::string& variable) const {
+  const auto found = header_.find(variable);
+  if (found == header_.end()) throw error(variable, "no such variable");
+  return found->second;
 }
 
 bool Reader::has_variable(const std::string& variable) const {
-  int id = -1;
-  return nc_inq_varid(file_, variable.c_str(), &id) == NC_NOERR;
+  return header_.contains(variable);
 }
 
 std::vector<std::string> Reader::dimensions_of(const std::string& variable) const {
-  const int id = variable_id(variable);
-  int rank = 0;
-  std::vector<int> dimensions(NC_MAX_VAR_DIMS);
-  if (nc_inq_var(file_, id, nullptr, nullptr, &rank, dimensions.data(), nullptr) != NC_NOERR) throw error(variable, "cannot be read");
   std::vector<std::string> names;
-  for (int i = 0; i < rank; ++i) {
-    std::array<char, NC_MAX_NAME + 1> name{};
-    if (nc_inq_dimname(file_, dimensions[static_cast<std::size_t>(i)], name.data()) != NC_NOERR) throw error(variable, "cannot be read");
-    names.emplace_back(name.data());
-  }
+  for (const Dimension& dimension : find(variable).dimensions) names.push_back(dimension.name);
   return names;
 }
 
 std::vector<std::size_t> Reader::shape_of(const std::string& variable) const {
   std::vector<std::size_t> shape;
-  for (const std::string& name : dimensions_of(variable)) {
-    int id = -1;
-    std::size_t length = 0;
-    if (nc_inq_dimid(file_, name.c_str(), &id) != NC_NOERR || nc_inq_dimlen(file_, id, &length) != NC_NOERR) {
-      throw error(variable, "its dimension " + host::printable(name) + " cannot be read");
-    }
-    shape.push_back(length);
-  }
+  for (const Dimension& dimension : find(variable).dimensions) shape.push_back(dimension.length);
   return shape;
 }
 
 std::optional<std::string> Reader::text_attribute(const std::string& variable, const std::string& attribute) const {
-  return netcdf::text_attribute(file_, variable_id(variable), attribute.c_str());
+  const std::map<std::string, std::string>& texts = find(variable).texts;
+  const auto found = texts.find(attribute);
+  return found == texts.end() ? std::nullopt : std::optional(found->second);
 }
 
-int Reader::get(int variable_id, const Block& block, std::vector<double>& data) const {
-  const auto read_into = [&](double* values) {
-    return nc_get_vara_double(file_, variable_id, block.start.data(), block.count.data(), values);
-  };
-  if (!is_hdf5_) return read_into(data.data());
+int Reader::get(const std::string& variable, const Block& block, std::vector<double>& values) const {
+  if (classic_) return classic_->read(variable, block, values);
   const SharedBytes status(sizeof(int));
-  const SharedBytes values(data.size() * sizeof(double));
-  if (status.data() == nullptr || values.data() == nullptr) return NC_ENOMEM;
+  const SharedBytes shared(values.size() * sizeof(double));
+  if (status.data() == nullptr || shared.data() == nullptr) return NC_ENOMEM;
   auto* const read_status = static_cast<int*>(status.data());
-  const auto* const read_values = static_cast<const double*>(values.data());
-  require_sound(run_apart(limits_for(data.size()), [&] { *read_status = read_into(static_cast<double*>(values.data())); }));
-  data.assign(read_values, read_values + data.size());
+  const std::span read_values(static_cast<double*>(shared.data()), values.size());
+  require_sound(run_apart(limits_for(values.size()), [&] { *read_status = OpenFile(path_).read(variable, block, read_values); }));
+  values.assign(read_values.begin(), read_values.end());
   return *read_status;
 }
 
@@ -149,8 +176,8 @@ std::vector<double> Reader::read(const std::string& variable) const {
 }
 
 std::vector<double> Reader::read(const std::string& variable, const Block& block) const {
-  const int id = variable_id(variable);
   const std::vector<std::size_t> shape = shape_of(variable);
+  if (const std::string& fault = find(variable).packing_fault; !fault.empty()) throw error(variable, fault);
   std::size_t values = 1;
   if (block.start.size() != shape.size() || block.count.size() != shape.size()) throw error(variable, "has another number of dimensions");
   for (std::size_t i = 0; i < shape.size(); ++i) {
@@ -159,10 +186,8 @@ std::vector<double> Reader::read(const std::string& variable, const Block& block
     values *= block.count[i];
   }
   std::vector<double> data(values);
-  if (const int status = get(id, block, data); status != NC_NOERR)
+  if (const int status = get(variable, block, data); status != NC_NOERR)
     throw error(variable, std::string("cannot be read (") + nc_strerror(status) + ")");
-  const Packing packing(file_, id);
-  for (double& x : data) x = packing.value_of(x);
   return data;
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "firmware/host/toml/range.hpp"
 #include "sim/netcdf/file_error.hpp"
+#include "sim/netcdf/header.hpp"
 
 namespace earshot::netcdf {
 
@@ -21,14 +23,15 @@ struct Block {
 
 enum class Missing : std::uint8_t { kRefused, kAllowed };
 
-/// An open NetCDF file (classic or NetCDF-4). Whatever is missing, truncated or of another shape throws FileError, and so does a damaged
-/// NetCDF-4 file that crashes the library or keeps it busy without end: it is met in a child process (run_apart), which reads first.
+/// A NetCDF file (classic or NetCDF-4). Whatever is missing, truncated or of another shape throws FileError, and so does a damaged NetCDF-4
+/// file that crashes the library or keeps it busy without end: this process never opens one. A child (run_apart) does, anew for the header
+/// and for each block, and hands over what it has read.
 ///
 /// Not for two threads at once: the NetCDF library is not thread-safe, not even for different files.
 class Reader {
  public:
   explicit Reader(std::filesystem::path path);
-  ~Reader();
+  ~Reader();  // out of line: it knows what OpenFile is
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
@@ -58,15 +61,20 @@ class Reader {
   [[nodiscard]] FileError error(const std::string& variable, const std::string& what) const;
 
  private:
-  [[nodiscard]] int variable_id(const std::string& variable) const;
-  /// @return the library's status
-  [[nodiscard]] int get(int variable_id, const Block& block, std::vector<double>& data) const;
+  class OpenFile;
+
+  [[nodiscard]] const Variable& find(const std::string& variable) const;
+  /// Of a file that a child opens. Throws what is wrong with it.
+  [[nodiscard]] Header header_apart() const;
+  /// The values of a block that the variable holds. @return the library's status
+  [[nodiscard]] int get(const std::string& variable, const Block& block, std::vector<double>& values) const;
   /// Throws unless a child process came to an end of its own.
   void require_sound(const std::optional<std::string>& end) const;
+  void require_open(int status) const;
 
   std::filesystem::path path_;
-  bool is_hdf5_ = false;
-  int file_ = -1;
+  std::unique_ptr<OpenFile> classic_;  ///< null: NetCDF-4, which a child opens
+  Header header_;
 };
 
 }  // namespace earshot::netcdf

@@ -4,14 +4,28 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <utility>
 
 #include "sim/netcdf/library_exit.hpp"
 #include "sim/netcdf/library_type.hpp"
 
 namespace earshot::netcdf {
+namespace {
+
+/// The library says "Permission denied" of a file that it cannot begin and "HDF error" of one that it cannot go on with, whatever the disk
+/// did. @param cause  errno, as the call of the system left it that failed last; 0: none has
+std::string reason_of(int status, int cause) {
+  const bool is_of_the_disk = cause == ENOSPC || cause == EDQUOT || cause == EFBIG || cause == EIO || cause == EROFS;
+  return is_of_the_disk ? std::strerror(cause) : nc_strerror(status);
+}
+
+}  // namespace
+
 Writer::Writer(std::filesystem::path path) : path_(std::move(path)), whole_(path_) {
   leave_hdf5_alone_at_exit();
+  errno = 0;
   check(nc_create(whole_.partial().c_str(), NC_NETCDF4 | NC_CLOBBER, &file_), "");
 }
 
@@ -20,8 +34,10 @@ Writer::~Writer() {
 }
 
 void Writer::check(int status, const std::string& variable) const {
+  const int cause = std::exchange(errno, 0);
   if (status == NC_NOERR) return;
-  throw FileError(path_.string() + ": " + (variable.empty() ? "" : variable + ": ") + "cannot be written (" + nc_strerror(status) + ")");
+  throw FileError(path_.string() + ": " + (variable.empty() ? "" : variable + ": ") + "cannot be written (" + reason_of(status, cause) +
+                  ")");
 }
 
 int Writer::variable_id(const std::string& variable) const {

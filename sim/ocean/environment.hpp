@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -71,6 +72,7 @@ struct Environment {
   /// CRC-32 of the file this was read from and of all it names (data files, what was read of charts; of a scenario also its other oceans
   /// and its field library), for provenance; 0: none.
   std::uint32_t file_crc32 = 0;
+  std::vector<std::filesystem::path> files = {};  ///< the same ones, itself first; empty: none
 };
 
 }  // namespace earshot::ocean

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "sim/plot/depth_rows.hpp"
 #include "sim/plot/gnuplot.hpp"
 #include "sim/plot/snr_scale.hpp"
 #include "sim/sonar/horizontal_map.hpp"
@@ -28,18 +30,22 @@ std::string value(double x) {
   return text.str();
 }
 
+/// Rows of a picture: as many as its axis has pixels, so that each depth of the field begins where it should.
+constexpr std::size_t kRows = 500;
+
 std::string surface(const sonar::SonarField& field) {
-  const std::size_t range_stride = stride_of(field.range_m.size());
-  const std::size_t depth_stride = stride_of(field.depth_m.size());
+  const std::size_t stride = stride_of(field.range_m.size());
+  const DepthRows rows = depth_rows(field.depth_m, kRows);
   std::ostringstream data;
-  for (std::size_t i = 0; i < field.range_m.size(); i += range_stride) {
-    for (std::size_t j = 0; j < field.depth_m.size(); j += depth_stride) {
-      data << field.range_m[i] / 1000.0 << ' ' << field.depth_m[j] << ' ' << value(static_cast<double>(field.snr_db(i, j))) << '\n';
-    }
+  for (std::size_t i = 0; i < field.range_m.size(); i += stride) {
+    for (std::size_t row = 0; row < rows.depth_m.size(); ++row)
+      data << field.range_m[i] / 1000.0 << ' ' << rows.depth_m[row] << ' '
+           << value(static_cast<double>(snr_to_draw(field, i, rows.of_field[row]))) << '\n';
   }
   return data.str();
 }
 
+/// So many curves can be told apart; of more depths a picture shows rows.
 constexpr std::size_t kMostCurves = 8;
 
 /// A block for each depth: range, transmission loss, SNR.
@@ -94,19 +100,35 @@ std::string title(const std::string& first, const std::string& second) {
   return "set title " + quoted(first) + ".\"\\n\"." + quoted(second) + " noenhanced\n";
 }
 
-/// One range of detection per bearing as a closed line; between bearings the range is linear, so that a circle looks like one.
-std::string ring(const sonar::Fan& fan, const std::vector<sonar::DetectionRange>& ranges, double sonar::DetectionRange::*which) {
+/// A closed line around the source.
+struct Ring {
+  std::string data;
+  bool is_seen = false;  ///< some of it lies in the picture
+};
+
+/// One range of detection per bearing; between bearings the range is linear, so that a circle looks like one. Where the computation ends
+/// before the sound does there is no line: it may be heard further.
+Ring ring(const sonar::Fan& fan, const sonar::HorizontalMap& map, double sonar::DetectionRange::*which,
+          const std::vector<sonar::DetectionRange>& ranges) {
   constexpr std::size_t kParts = 16;
+  const auto at = [&](std::size_t j) {
+    const sonar::DetectionRange& range = ranges[j % fan.bearings];
+    return sonar::is_heard_to_the_end(fan, range.*which) ? std::numeric_limits<double>::quiet_NaN() : range.*which;
+  };
   std::ostringstream data;
+  bool is_seen = false;
   for (std::size_t part = 0; part <= fan.bearings * kParts; ++part) {
     const std::size_t j = part / kParts;
     const double fraction = static_cast<double>(part % kParts) / kParts;
     const double angle = sonar::bearing_of(part, fan.bearings * kParts).value;
-    const double range_m = sonar::between(ranges[j % fan.bearings].*which, ranges[(j + 1) % fan.bearings].*which, fraction);
-    data << value((fan.centre.east.value + range_m * std::sin(angle)) / 1000.0) << ' '
-         << value((fan.centre.north.value + range_m * std::cos(angle)) / 1000.0) << '\n';
+    const double range_m = sonar::between(at(j), at(j + 1), fraction);
+    const double east_m = fan.centre.east.value + range_m * std::sin(angle);
+    const double north_m = fan.centre.north.value + range_m * std::cos(angle);
+    is_seen = is_seen || (range_m > 0.0 && east_m >= map.east_m.front() && east_m <= map.east_m.back() && north_m >= map.north_m.front() &&
+                          north_m <= map.north_m.back());
+    data << value(east_m / 1000.0) << ' ' << value(north_m / 1000.0) << '\n';
   }
-  return data.str();
+  return {.data = data.str(), .is_seen = is_seen};
 }
 
 std::string plane(const sonar::HorizontalMap& map, const std::vector<float>& values) {
@@ -119,23 +141,42 @@ std::string plane(const sonar::HorizontalMap& map, const std::vector<float>& val
   return data.str();
 }
 
-std::string map_data(const sonar::HorizontalMap& map, const sonar::Fan& fan, const sonar::Detector& detector) {
+/// What a picture of a fan shows, as gnuplot's data blocks, and what is plotted of it over $snr or $probability.
+struct MapLayers {
+  std::string data;
+  std::string over;
+};
+
+/// A key to what no line says: that it is heard on every bearing as far as was computed, or on none.
+std::string key_without_line(const sonar::Fan& fan, const std::vector<sonar::DetectionRange>& ranges) {
+  std::ostringstream text;
+  if (std::ranges::all_of(ranges, [&](const sonar::DetectionRange& r) { return sonar::is_heard_to_the_end(fan, r.furthest_m); }))
+    text << ", NaN with points ps 0 title 'heard as far as computed, " << fan.max_range().value / 1000.0 << " km'";
+  else if (std::ranges::none_of(ranges, [](const sonar::DetectionRange& r) { return r.furthest_m > 0.0; }))
+    text << ", NaN with points ps 0 title 'heard nowhere'";
+  return text.str();
+}
+
+MapLayers map_layers(const sonar::HorizontalMap& map, const sonar::Fan& fan, const sonar::Detector& detector) {
   const std::vector<sonar::DetectionRange> ranges = sonar::detection_ranges(fan, 0, detector);
+  const Ring assured = ring(fan, map, &sonar::DetectionRange::assured_m, ranges);
+  const Ring furthest = ring(fan, map, &sonar::DetectionRange::furthest_m, ranges);
   std::ostringstream text;
   text << "$snr << EOD\n"
        << plane(map, map.snr_db) << "EOD\n$probability << EOD\n"
        << plane(map, map.detection_probability) << "EOD\n$assured << EOD\n"
-       << ring(fan, ranges, &sonar::DetectionRange::assured_m) << "EOD\n$furthest << EOD\n"
-       << ring(fan, ranges, &sonar::DetectionRange::furthest_m) << "EOD\n$source << EOD\n"
+       << assured.data << "EOD\n$furthest << EOD\n"
+       << furthest.data << "EOD\n$source << EOD\n"
        << fan.centre.east.value / 1000.0 << ' ' << fan.centre.north.value / 1000.0 << "\nEOD\n";
-  return text.str();
+  std::string over;
+  if (assured.is_seen) over += ", $assured with lines lc rgb 'black' lw 2 title 'heard at every range within'";
+  if (furthest.is_seen) over += ", $furthest with lines lc rgb 'black' lw 2 dt (6,4) title 'heard nowhere beyond'";
+  over += ", $source with points pt 3 ps 1.6 lw 2 lc rgb 'black' title 'source'" + key_without_line(fan, ranges);
+  return {.data = text.str(), .over = over};
 }
 
-std::string map_picture(const std::string& values) {
-  return "plot $" + values +
-         " with image notitle, $assured with lines lc rgb 'black' lw 2 title 'heard at every range within', "
-         "$furthest with lines lc rgb 'black' lw 2 dt (6,4) title 'heard nowhere beyond', "
-         "$source with points pt 3 ps 1.6 lw 2 lc rgb 'black' title 'source'\n";
+std::string map_picture(const std::string& values, const MapLayers& layers) {
+  return "plot $" + values + " with image notitle" + layers.over + "\n";
 }
 
 }  // namespace
@@ -148,7 +189,8 @@ void plot_curves(const std::filesystem::path& path, const sonar::SonarField& fie
   std::ostringstream text;
   text << "$curves << EOD\n"
        << curves(field) << "EOD\nset xlabel 'range (km)'\nset xrange [0:" << field.range_m.back() / 1000.0
-       << "]\nset tics out nomirror\nset grid lc rgb '#dddddd'\nset lmargin 10\nset key top right\nset multiplot layout 2,1\n"
+       << "]\nset tics out nomirror\nset grid lc rgb '#dddddd'\nset lmargin 10\nset rmargin 34\nset key outside right top Left reverse\n"
+       << "set offsets 0, 0, graph 0.05, graph 0.05\nset multiplot layout 2,1\n"
        << title(environment.name, subtitle.str()) << "set ylabel 'transmission loss (dB re 1 m)'\nset yrange [*:*] reverse\n"
        << curves_of(field, "2") << "\nset title ''\nset ylabel 'SNR (dB)'\nset yrange [*:*] noreverse\n"
        << curves_of(field, "3") << ", " << detection_threshold.value << " with lines lc rgb '#a63603' dt (6,4) title 'detection threshold, "
@@ -158,7 +200,7 @@ void plot_curves(const std::filesystem::path& path, const sonar::SonarField& fie
 
 void plot_field(const std::filesystem::path& path, const sonar::SonarField& field, const ocean::Environment& environment,
                 const ocean::Band& band, Radians bearing, Decibels detection_threshold) {
-  if (field.depth_m.size() == 1 || field.range_m.size() == 1)
+  if (field.depth_m.size() <= kMostCurves || field.range_m.size() == 1)
     return plot_curves(path, field, environment, band, bearing, detection_threshold);
   const float deepest_m = *std::max_element(field.sea_floor_depth_m.begin(), field.sea_floor_depth_m.end());
   const double bottom_m = std::max(1.03 * static_cast<double>(deepest_m), field.depth_m.back());
@@ -182,15 +224,20 @@ void plot_map(const std::filesystem::path& path, const sonar::Fan& fan, const oc
               Meters side, const sonar::Detector& detector) {
   const sonar::HorizontalMap map = sonar::make_map(fan, 0, {.side = side, .intervals = kMaxPoints}, detector);
   std::ostringstream subtitle;
-  subtitle << "threshold " << detector.detection_threshold.value << " dB, SNR fluctuates by " << detector.fluctuation.value
-           << " dB, hydrophone at " << fan.depth_m.front() << " m";
+  subtitle << "threshold " << detector.detection_threshold.value << " dB, SNR ";
+  if (detector.fluctuation.value > 0.0)
+    subtitle << "fluctuates by " << detector.fluctuation.value << " dB";
+  else
+    subtitle << "does not fluctuate";
+  subtitle << ", hydrophone at " << fan.depth_m.front() << " m";
+  const MapLayers layers = map_layers(map, fan, detector);
   std::ostringstream text;
-  text << map_data(map, fan, detector)
+  text << layers.data
        << "set xlabel 'east (km)'\nset ylabel 'north (km)' offset 1,0\nset size ratio -1\nset tics out nomirror\nset key below samplen 2\n"
        << "set xrange [" << map.east_m.front() / 1000.0 << ':' << map.east_m.back() / 1000.0 << "]\nset yrange ["
        << map.north_m.front() / 1000.0 << ':' << map.north_m.back() / 1000.0 << "]\nset multiplot layout 1,2\n"
-       << title(environment.name, sound_words(environment, band)) << snr_scale(detector.detection_threshold) << map_picture("snr")
-       << title("Detection", subtitle.str()) << kProbabilityColours << map_picture("probability") << "unset multiplot\n";
+       << title(environment.name, sound_words(environment, band)) << snr_scale(detector.detection_threshold) << map_picture("snr", layers)
+       << title("Detection", subtitle.str()) << kProbabilityColours << map_picture("probability", layers) << "unset multiplot\n";
   draw(path, {.title = "SNR and detection around the source: " + environment.name, .size = "1500,760", .commands = text.str()});
 }
 

@@ -46,24 +46,49 @@ std::string block(const char* name, const std::vector<Spot>& spots) {
   return data.str();
 }
 
-double extent(const std::vector<Spot>& spots, double Spot::*of) {
-  const auto [least, most] = std::ranges::minmax_element(spots, {}, of);
-  return std::max((*most).*of - (*least).*of, 1e-9);
+/// What a picture's axes show, in their units: logarithms where they are logarithmic.
+struct Frame {
+  double low_x = 0.0;
+  double high_x = 0.0;
+  double low_y = 0.0;
+  double high_y = 0.0;
+};
+
+/// From no false alarm to the most.
+Frame frame_of_recalls(const std::vector<Spot>& spots) {
+  return {.high_x = (*std::ranges::max_element(spots, {}, &Spot::x)).x, .high_y = 1.02};
 }
 
-/// Labels that lie on no other one: points of one place share theirs, and one that would lie on another's goes without.
+/// gnuplot's own choice: whole powers of ten.
+Frame frame_of_misses(const std::vector<Spot>& logarithms) {
+  const auto [least_x, most_x] = std::ranges::minmax_element(logarithms, {}, &Spot::x);
+  return {.low_x = std::floor(least_x->x),
+          .high_x = std::ceil(most_x->x),
+          .low_y = std::floor((*std::ranges::min_element(logarithms, {}, &Spot::y)).y)};
+}
+
+/// Data of a picture's labels, and what is plotted of them.
+struct Labels {
+  std::string data;
+  std::string plot;
+};
+
+/// Labels that lie on no other one: points of one place share theirs, and one that would lie on another's goes without. Those of points
+/// near the right end, beside which there is no room, are a block of their own.
 /// @param shown  the spots as they lie in the picture: logarithms where its axes are logarithmic
-std::string labels(const char* name, const std::vector<Spot>& spots, const std::vector<Spot>& shown) {
+Labels labels(const char* name, const std::vector<Spot>& spots, const std::vector<Spot>& shown, const Frame& frame) {
   struct Label {
     std::size_t at;
     double to_db;
   };
-  const double width = kLabelWidth * extent(shown, &Spot::x);
-  const double height = kLabelHeight * extent(shown, &Spot::y);
+  const double width = kLabelWidth * (frame.high_x - frame.low_x);
+  const double height = kLabelHeight * (frame.high_y - frame.low_y);
+  const auto is_at_end = [&](std::size_t i) { return frame.high_x - shown[i].x < width; };
   std::vector<Label> kept;
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const auto lies_on = [&](const Label& label) {
-      return std::abs(shown[i].x - shown[label.at].x) < width && std::abs(shown[i].y - shown[label.at].y) < height;
+      const double apart = is_at_end(i) == is_at_end(label.at) ? width : 2.0 * width;  // towards one another they need twice the room
+      return std::abs(shown[i].x - shown[label.at].x) < apart && std::abs(shown[i].y - shown[label.at].y) < height;
     };
     const bool is_same = i > 0 && shown[i].x == shown[i - 1].x && shown[i].y == shown[i - 1].y;
     if (is_same && kept.back().to_db == shown[i - 1].threshold_db)
@@ -71,16 +96,22 @@ std::string labels(const char* name, const std::vector<Spot>& spots, const std::
     else if (std::ranges::none_of(kept, lies_on))
       kept.push_back({.at = i, .to_db = shown[i].threshold_db});
   }
-  std::ostringstream data;
-  data << name << " << EOD\n";
+  std::ostringstream inner;
+  std::ostringstream outer;
   for (const Label& label : kept) {
     const Spot& spot = spots[label.at];
+    std::ostringstream& data = is_at_end(label.at) ? outer : inner;
     data << spot.x << ' ' << spot.y << " \"" << spot.threshold_db;
     if (label.to_db != spot.threshold_db) data << " to " << label.to_db;
     data << " dB\"\n";
   }
-  data << "EOD\n";
-  return data.str();
+  const auto block_of = [](const std::string& block, const std::string& rows, const char* place) {
+    if (rows.empty()) return Labels{};  // gnuplot refuses a block without a row
+    return Labels{block + " << EOD\n" + rows + "EOD\n", ", " + block + " using 1:2:3 with labels font ',9' offset " + place};
+  };
+  const Labels begin = block_of(name, inner.str(), "1.6,-0.6 left");
+  const Labels end = block_of(std::string(name) + "_at_end", outer.str(), "-1.6,-0.6 right");
+  return {begin.data + end.data, begin.plot + end.plot};
 }
 
 std::vector<Spot> logarithms(std::vector<Spot> spots) {
@@ -92,9 +123,8 @@ constexpr const char* kLook =
     "set tics out nomirror\nset grid lc rgb '#dddddd'\nset key off\n"
     "set xlabel 'false alarms per hour'\n";
 
-std::string curve(const std::string& points, const std::string& labels) {
-  return "plot " + points + " using 1:2 with linespoints lc rgb '#a63603' lw 2 pt 7 ps 0.6, " + labels +
-         " using 1:2:3 with labels font ',9' offset 1.6,-0.6 left\n";
+std::string curve(const std::string& points, const Labels& labels) {
+  return "plot " + points + " using 1:2 with linespoints lc rgb '#a63603' lw 2 pt 7 ps 0.6" + labels.plot + "\n";
 }
 
 }  // namespace
@@ -105,13 +135,15 @@ void plot_operating_curve(const std::filesystem::path& path, const std::vector<a
   std::ostringstream text;
   const std::vector<Spot> found = recalls(points);
   const std::vector<Spot> missed = misses(points);
-  text << block("$recalls", found) << labels("$recall_labels", found, found) << block("$misses", missed)
-       << labels("$miss_labels", missed, logarithms(missed)) << kLook << "set multiplot layout 1,2\n"
+  const std::vector<Spot> missed_logarithms = logarithms(missed);
+  const Labels of_found = labels("$recall_labels", found, found, frame_of_recalls(found));
+  const Labels of_missed = labels("$miss_labels", missed, missed_logarithms, frame_of_misses(missed_logarithms));
+  text << block("$recalls", found) << of_found.data << block("$misses", missed) << of_missed.data << kLook << "set multiplot layout 1,2\n"
        << head << "set ylabel 'recall'\nset yrange [0:1.02]\nset xrange [0:*]\n"
-       << curve("$recalls", "$recall_labels")
-       << "set title 'Misses against false alarms; one half stands for none'\nset ylabel 'share missed'\nset logscale xy\n"
+       << curve("$recalls", of_found)
+       << "set title 'Misses against false alarms (none is drawn as half of one)'\nset ylabel 'share missed'\nset logscale xy\n"
           "set xrange [*:*]\nset yrange [*:1]\n"
-       << curve("$misses", "$miss_labels") << "unset multiplot\n";
+       << curve("$misses", of_missed) << "unset multiplot\n";
   draw(path, {.title = title, .size = "1300,560", .commands = text.str()});
 }
 

@@ -56,16 +56,19 @@ std::optional<Duration> read_offset(TextScanner& text) {
   return Duration::seconds(60LL * all_minutes);
 }
 
-/// In a name "-1" or "-0017" behind a time may be a part's number: a zone has four digits there, and minutes that a zone has.
+/// In a name "-1", "-0017" or "-0015" behind a time may be a part's number: a zone has four digits there, minutes that a zone has, and an
+/// hour at least if it is west of UTC.
 bool is_zone_of_name(std::string_view zone) {
   if (zone == "Z" || zone == "z" || zone.starts_with("UTC") || zone.starts_with("GMT")) return true;
   const std::string_view digits = zone.substr(1);
   if (digits.size() == 2) return zone.front() == '+';
   const std::string_view minutes = digits.size() >= 4 ? digits.substr(digits.size() - 2) : std::string_view();
+  if (zone.front() == '-' && digits.starts_with("00")) return false;
   return minutes == "00" || minutes == "15" || minutes == "30" || minutes == "45";
 }
 
 ClockTime with_zone_of_name(Time clock, TextScanner text) {
+  if (text.comes_next("_+") || text.comes_next("_-")) text.word("_");
   const std::string_view before = text.rest();
   const std::optional<Duration> zone = read_zone(text);
   const bool is_zone = zone && is_zone_of_name(before.substr(0, before.size() - text.rest().size()));
@@ -82,7 +85,7 @@ std::optional<ClockTime> time_at_front(std::string_view name) {
   const std::optional<char> parts_date = one_of(text, "-_.");
   const std::string_view between = parts_date ? std::string_view(&name[4], 1) : std::string_view();
   text.digits(2, c.month).word(between).digits(2, c.day);
-  const std::optional<char> parts_time = one_of(text, "_Tt- .");
+  const std::optional<char> parts_time = one_of(text, "_Tt- .$");
   if (parts_date && !parts_time) return std::nullopt;
   text.digits(2, c.hour);
   const std::string_view before_minute = text.rest();
@@ -179,13 +182,14 @@ std::optional<ClockTime> read_iso(std::string_view iso) {
   TextScanner text(iso.substr(0, iso.find('\0')));
   text.blanks().digits(4, c.year);
   const std::string_view rest = text.rest();
-  const std::string_view between = one_of(text, "-/:") ? rest.substr(0, 1) : std::string_view("-");
+  const std::string_view between = one_of(text, "-/:") ? rest.substr(0, 1) : std::string_view();
   text.digits(2, c.month).word(between).digits(2, c.day);
   if (!one_of(text, "T ")) return std::nullopt;
-  text.digits(2, c.hour).word(":").digits(2, c.minute);
+  const std::string_view colon = between.empty() ? std::string_view() : std::string_view(":");  // the basic format has neither
+  text.digits(2, c.hour).word(colon).digits(2, c.minute);
   Duration fraction;
-  if (text.comes_next(":")) {
-    text.word(":").digits(2, c.second);
+  if (colon.empty() ? digits_ahead(text) == 2 : text.comes_next(colon)) {
+    text.word(colon).digits(2, c.second);
     if (one_of(text, ".,")) fraction = read_fraction(text);
   }
   const std::optional<Time> clock = text.is_ok() ? utc(c) : std::nullopt;

@@ -19,8 +19,8 @@ struct ClockTime {
 /// stands.
 [[nodiscard]] std::optional<Duration> read_zone(TextScanner& text);
 
-/// "2021-02-05T03:59:46.250+10:00": a blank in place of the T, / in place of -, fraction, seconds and zone may lack. Nothing where anything
-/// else stands behind: a zone that is not understood must not become UTC.
+/// "2021-02-05T03:59:46.250+10:00": a blank in place of the T, / in place of -, fraction, seconds and zone may lack; the basic format
+/// "20210205T035946Z" likewise. Nothing where anything else stands behind: a zone that is not understood must not become UTC.
 [[nodiscard]] std::optional<ClockTime> read_iso(std::string_view text);
 
 /// The first date in a file's name: "20210205_035946", "20210205T035946+1000", "20210205035946Z", "2021-02-05T03-59-46.250Z" and the like.

@@ -114,7 +114,7 @@ void read_soundtrap(const std::filesystem::path& path, RecorderNotes& notes) {
   notes.recorder = "SoundTrap";
   notes.start = named;
   notes.start_from = "its name, taken as UTC";
-  const std::filesystem::path log = path.parent_path() / (path.stem().string() + ".log.xml");
+  const std::filesystem::path log = log_beside(path);
   if (!std::filesystem::exists(log)) return;
   const std::string xml = host::read_text(log, kLogFile);
   if (const std::optional<ClockTime> start = read_iso(attribute(xml, "SamplingStartTimeUTC"))) {
@@ -167,6 +167,10 @@ void read_stated_time(const std::filesystem::path& path, const SoundTexts& texts
 }
 
 }  // namespace
+
+std::filesystem::path log_beside(const std::filesystem::path& recording) {
+  return std::filesystem::path(recording).replace_extension(".log.xml");
+}
 
 RecorderNotes notes_of(const std::filesystem::path& path, const SoundTexts& texts, const SoundFormat& format) {
   RecorderNotes notes;

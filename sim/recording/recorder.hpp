@@ -21,6 +21,9 @@ struct RecorderNotes {
   std::string gain;                        ///< in the recorder's own words: no calibration by itself
 };
 
+/// Where a SoundTrap's log of a recording stands, whether there is one or not.
+[[nodiscard]] std::filesystem::path log_beside(const std::filesystem::path& recording);
+
 /// Reads what the common recorders write. What is not as they write it is taken for nothing, never for a wrong number.
 ///
 /// - icListen (Ocean Sonics): INFO chunk; ICMT "3.000000 V pk, -177 dBV re 1uPa, ..., 8388608 = Max Count, ...", ICRD the start in UTC.

@@ -180,6 +180,7 @@ std::optional<RiffFile> read_riff(const std::filesystem::path& path) {
       bytes = file.data.there;
       has_data = true;
     } else {
+      if (chunk->name == "data") file.data.elsewhere += std::min(bytes, reader.size() - chunk->begin);
       if (chunk->name == "ds64" && reader.read(chunk->begin, 16)) long_size = reader.number(8, 8);
       if (chunk->name == "fmt ") file.format = format_of(reader, *chunk);
       file.chunks.push_back(*chunk);

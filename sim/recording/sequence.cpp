@@ -36,6 +36,7 @@ std::vector<Part> parts_of(const std::filesystem::path& path, const SoundFile& f
              .frames = file.frames(),
              .missing_frames = file.missing_frames(),
              .frames_behind = file.frames_behind(),
+             .frames_elsewhere = file.frames_elsewhere(),
              .told_length = file.told_length()};
   if (const std::optional<Time> start = stated_start(path, stated)) {
     whole.notes.start = start;
@@ -85,8 +86,20 @@ bool is_within_clock_step(Duration gap) {
   return gap <= Sequence::kClockStep && Duration{-gap.us} <= Sequence::kClockStep;
 }
 
+/// A link counts that leads nowhere, or in a circle.
+bool is_there(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::exists(std::filesystem::symlink_status(path, ignored));
+}
+
+/// "5.25 s"; "306.25 days" where nobody counts seconds.
 std::string seconds_text(Duration duration) {
+  constexpr double kDay_s = 86'400.0;
   std::ostringstream text;
+  if (duration.to_seconds() >= kDay_s) {
+    text << std::round(duration.to_seconds() / kDay_s * 100.0) / 100.0 << " days";
+    return text.str();
+  }
   text << std::round(duration.to_seconds() * 1000.0) / 1000.0 << " s";
   return text.str();
 }
@@ -98,7 +111,7 @@ void Sequence::add(const std::filesystem::path& path, const StatedTimes& stated)
   try {
     file = std::make_unique<SoundFile>(path);
   } catch (const host::BadInput& e) {
-    if (!std::filesystem::exists(path)) throw;
+    if (!is_there(path)) throw;
     unreadable_.emplace_back(e.what());
     return;
   }
@@ -138,7 +151,8 @@ Sequence::Place Sequence::place_of(Time in_sequence) const {
 }
 
 bool Sequence::is_whole() const {
-  return unreadable_.empty() && std::ranges::all_of(parts_, [](const Part& part) { return part.told_length == ToldLength::kRight; });
+  return unreadable_.empty() &&
+         std::ranges::all_of(parts_, [](const Part& part) { return part.told_length == ToldLength::kRight && part.frames_elsewhere == 0; });
 }
 
 std::vector<std::string> Sequence::remarks() const {
@@ -157,6 +171,9 @@ std::vector<std::string> Sequence::remarks() const {
       remarks.push_back(part.path.string() + ": its header does not tell its length: it is listened to up to its end, " +
                         seconds_text(duration_of(part.file_frames, part.format.sample_rate)) +
                         "; whether its recorder took more is not known");
+    if (part.first_frame == 0 && part.frames_elsewhere > 0)
+      remarks.push_back(part.path.string() + ": holds " + seconds_text(duration_of(part.frames_elsewhere, part.format.sample_rate)) +
+                        " in a second chunk of samples, where a WAV file has one: they are not listened to");
     if (i == 0) continue;
     const std::optional<Duration> gap = gap_between(parts_[i - 1], part);
     if (!gap) {

@@ -20,12 +20,13 @@ namespace earshot::recording {
 struct Part {
   std::filesystem::path path;
   SoundFormat format;
-  RecorderNotes notes;               ///< the start is that of this part
-  std::uint64_t file_frames = 0;     ///< of the file as a whole
-  std::uint64_t first_frame = 0;     ///< in the file
-  std::uint64_t frames = 0;          ///< of this part
-  std::uint64_t missing_frames = 0;  ///< that the header tells of, behind this part
-  std::uint64_t frames_behind = 0;   ///< of these that the header does not tell of
+  RecorderNotes notes;                 ///< the start is that of this part
+  std::uint64_t file_frames = 0;       ///< of the file as a whole
+  std::uint64_t first_frame = 0;       ///< in the file
+  std::uint64_t frames = 0;            ///< of this part
+  std::uint64_t missing_frames = 0;    ///< that the header tells of, behind this part
+  std::uint64_t frames_behind = 0;     ///< of these that the header does not tell of
+  std::uint64_t frames_elsewhere = 0;  ///< of the file, in further chunks of samples, which are not listened to
   ToldLength told_length = ToldLength::kRight;
   std::uint64_t begin = 0;  ///< frames of the sequence before it
   bool follows_on = false;  ///< the part before ends where this one begins, as the recorder's clock has it

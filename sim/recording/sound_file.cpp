@@ -220,6 +220,7 @@ void SoundFile::open_riff(const std::filesystem::path& path, const RiffFile& rif
   frames_ = static_cast<std::uint64_t>(std::max<sf_count_t>(info->frames, 0));
   const std::uint64_t frame_bytes =
       riff.format && riff.format->bytes_per_frame > 0 ? static_cast<std::uint64_t>(riff.format->bytes_per_frame) : 1;
+  frames_elsewhere_ = data.elsewhere / frame_bytes;
   if (!data.told) {
     told_length_ = ToldLength::kUnknown;
   } else if (*data.told > data.there && frames_ > 0) {

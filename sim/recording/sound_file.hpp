@@ -55,6 +55,8 @@ class SoundFile {
   [[nodiscard]] std::uint64_t missing_frames() const { return missing_frames_; }
   /// Samples of one channel behind the end that its header tells (WAV); frames() holds them.
   [[nodiscard]] std::uint64_t frames_behind() const { return frames_behind_; }
+  /// Samples of one channel in further chunks of its own, which are not read (WAV).
+  [[nodiscard]] std::uint64_t frames_elsewhere() const { return frames_elsewhere_; }
   [[nodiscard]] ToldLength told_length() const { return told_length_; }
   /// When which of its samples were taken, where the file has a table of that; else nothing.
   [[nodiscard]] const std::vector<ClockedRun>& runs() const { return runs_; }
@@ -78,6 +80,7 @@ class SoundFile {
   std::uint64_t frames_ = 0;
   std::uint64_t missing_frames_ = 0;
   std::uint64_t frames_behind_ = 0;
+  std::uint64_t frames_elsewhere_ = 0;
   ToldLength told_length_ = ToldLength::kRight;
   std::vector<ClockedRun> runs_;
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "firmware/host/file/bad_input.hpp"
 
@@ -21,17 +22,26 @@ bool is_named_as_sound(const std::filesystem::path& path) {
   return std::ranges::find(kEndings, ending) != kEndings.end();
 }
 
+/// What is_named_as_sound() in the folder, and folders within it that cannot be read. @return why the folder itself cannot be
+std::error_code collect(const std::filesystem::path& folder, std::vector<std::filesystem::path>& found) {
+  std::error_code error;
+  std::filesystem::directory_iterator entry(folder, error);
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    const std::filesystem::path& path = entry->path();
+    std::error_code ignored;
+    if (is_hidden(path)) continue;
+    if (std::filesystem::is_directory(entry->symlink_status(ignored))) {
+      if (collect(path, found)) found.push_back(path);
+    } else if (is_named_as_sound(path) && !entry->is_directory(ignored)) {
+      found.push_back(path);
+    }
+  }
+  return error;
+}
+
 std::vector<std::filesystem::path> recordings_of(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> found;
-  std::error_code error;
-  std::filesystem::recursive_directory_iterator entry(folder, error);
-  for (; !error && entry != std::filesystem::recursive_directory_iterator(); entry.increment(error)) {
-    if (is_hidden(entry->path()))
-      entry.disable_recursion_pending();
-    else if (is_named_as_sound(entry->path()) && !entry->is_directory())
-      found.push_back(entry->path());
-  }
-  if (error) throw host::BadInput(folder.string() + ": cannot be read: " + error.message());
+  if (const std::error_code error = collect(folder, found)) throw host::BadInput(folder.string() + ": cannot be read: " + error.message());
   std::ranges::sort(found);
   return found;
 }

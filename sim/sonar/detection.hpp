@@ -33,6 +33,11 @@ struct DetectionRange {
   double furthest_m;  ///< heard here and nowhere beyond; 0: nowhere. The last range with water where it is heard there: maybe further
 };
 
+/// Whether a range of detection is the last that was computed: the sound may be heard further.
+[[nodiscard]] inline bool is_heard_to_the_end(const Fan& fan, double range_m) {
+  return range_m > fan.max_range().value - 1e-6 * fan.range_step.value;
+}
+
 /// For every bearing of a fan; NaN where the radial's first range has no water at that depth. Beyond a bank that reaches up to the
 /// hydrophone's depth hearing may begin again: that ends `assured_m`, not `furthest_m`.
 /// Oracle: DetectionRange.*

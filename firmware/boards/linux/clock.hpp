@@ -48,8 +48,6 @@ class Clock {
   /// The other way: the wall clock's date of a moment of the mission, which is what a bus is told. A simulator's clock is the wall's to
   /// all.
   [[nodiscard]] virtual Time utc_of(Time mission_time) { return mission_time; }
-  /// Whether a bearing that a bus brings is one of those that whoever drives the clock has sent.
-  [[nodiscard]] virtual bool takes_bearing(Time /*utc*/) { return true; }
   /// Converts the end of something heard, as the hydrophone's blocks are dated, to the mission clock. It lies before what is newest: the
   /// detector's filters take their time.
   [[nodiscard]] virtual Time time_heard(Time utc) { return mission_time_of(utc); }
@@ -66,7 +64,6 @@ class Clock {
     std::span<const pollfd> ports;       ///< readable when a port has something to read
     Time next_turn;                      ///< when a turn is due by the mission's period
     std::uint64_t navigation_taken = 0;  ///< fixes that the ports have brought so far
-    std::uint64_t bearings_taken = 0;    ///< bearings, likewise
     std::uint64_t blocks_heard = 0;      ///< blocks of sound whose SNR, if they gave any, can be collected
   };
   /// Waits no longer than a tenth of a second of the host's time, so that a loop stops soon after it is told to.

@@ -60,21 +60,17 @@ void LcmPort::collect(Clock& clock, InputSink& sink) {
   clock_ = &clock;
   endpoint_.collect();
   for (wire::Lc02Message message; endpoint_.take(message) == Status::kOk;) {
-    if (snr_is_simulators_ && is_strangers(clock, message)) continue;
+    if (snr_is_simulators_ && is_strangers(message)) continue;
     ++(take(clock, message, sink) ? report_.received : report_.malformed);
   }
 }
 
-bool LcmPort::is_strangers(Clock& clock, const wire::Lc02Message& message) {
-  if (message.channel == wire::kSnrEstimateChannel) {
-    ++strangers_snr_;
-    return true;
-  }
-  bearing_t bearing{};
-  if (message.channel != wire::kBearingChannel || wire::decode(message.data, bearing) != Status::kOk) return false;
-  if (clock.takes_bearing(wire::from_message(bearing).time)) return false;
-  ++strangers_bearings_;
-  return true;
+bool LcmPort::is_strangers(const wire::Lc02Message& message) {
+  const bool is_snr = message.channel == wire::kSnrEstimateChannel;
+  const bool is_bearing = message.channel == wire::kBearingChannel;
+  strangers_snr_ += is_snr ? 1 : 0;
+  strangers_bearings_ += is_bearing ? 1 : 0;
+  return is_snr || is_bearing;
 }
 
 /// @return whether it is a whole message of that type

@@ -40,7 +40,7 @@ class LcmPort final : public Port {
   /// @return whether it is one that this port brings
   [[nodiscard]] bool take(Clock& clock, const wire::Lc02Message& message, InputSink& sink);
   /// @return whether it is none of this flight's: then it is counted here, and nowhere else, so that the flight stays what it is
-  [[nodiscard]] bool is_strangers(Clock& clock, const wire::Lc02Message& message);
+  [[nodiscard]] bool is_strangers(const wire::Lc02Message& message);
   template <class Message>
   [[nodiscard]] bool takes(Clock& clock, std::span<const std::uint8_t> data, InputSink& sink);
 

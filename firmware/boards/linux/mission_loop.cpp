@@ -26,11 +26,8 @@ void make_turn(MissionTurn& turn, LoopResult& result) {
 }
 
 Clock::Awaited awaited(PortSet& ports, Time next_turn, const MissionTurn& turn) {
-  return {.ports = ports.readable(),
-          .next_turn = next_turn,
-          .navigation_taken = turn.navigation_taken(),
-          .bearings_taken = turn.bearings_taken(),
-          .blocks_heard = ports.blocks_heard()};
+  return {
+      .ports = ports.readable(), .next_turn = next_turn, .navigation_taken = turn.navigation_taken(), .blocks_heard = ports.blocks_heard()};
 }
 
 /// Set-points that say stop and come up and that a loop that was told to stop sends before it ends: on a bus that loses messages one may

@@ -82,7 +82,6 @@ class MissionTurn final : public InputSink {
   [[nodiscard]] bool is_called() const { return is_called_; }
   /// Fixes taken so far, but for those without a date that the clock knows.
   [[nodiscard]] std::uint64_t navigation_taken() const { return memory_.navigation_taken; }
-  [[nodiscard]] std::uint64_t bearings_taken() const { return memory_.bearings_taken; }
   [[nodiscard]] std::uint64_t snr_taken() const { return memory_.snr_taken; }
   /// The time of the last turn or input.
   [[nodiscard]] Time last() const { return memory_.last; }

@@ -11,8 +11,6 @@ void TurnMemory::note(const messages::Input& input) {
     if (messages::is_usable(*navigation)) speed = navigation->speed;
     if (navigation->time >= Time{}) ++navigation_taken;
   }
-  const auto* bearing = std::get_if<messages::BearingMeasurement>(&input.value);
-  if (bearing != nullptr && bearing->time >= Time{}) ++bearings_taken;
   if (std::holds_alternative<messages::SnrMeasurement>(input.value)) ++snr_taken;
   const auto* report = std::get_if<messages::PortReport>(&input.value);
   if (report != nullptr && input.port < reports.size()) reports[input.port] = *report;

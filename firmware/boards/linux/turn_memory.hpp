@@ -20,7 +20,6 @@ struct TurnMemory {
   Time last;                           ///< the time of the last turn or input
   std::uint64_t inputs = 0;            ///< taken so far
   std::uint64_t navigation_taken = 0;  ///< of these, fixes, but for those without a date that the clock knows
-  std::uint64_t bearings_taken = 0;    ///< likewise bearings
   std::uint64_t snr_taken = 0;         ///< measurements
   std::optional<messages::MissionState> recorded_state;
   MetersPerSecond speed;            ///< through the water, by the last fix that could be one; NaN: it does not know

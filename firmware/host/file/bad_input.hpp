@@ -8,7 +8,8 @@ namespace earshot::host {
 /// Everything that is wrong with what a person gave, one line each: "FILE:LINE: KEY = VALUE: what is allowed". Programs print it and exit
 /// with status 2.
 ///
-/// Names and values in it are another's: its lines are made printable(), and a message of more than 16 KiB is shortened.
+/// Names and values in it are another's: its lines are made printable(), and one of more than 1000 bytes is shortened, and
+/// a message of more than 16 KiB.
 /// Oracle: BadInput.*
 class BadInput : public std::runtime_error {
  public:

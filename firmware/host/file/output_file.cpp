@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
+#include <cstddef>
 #include <cstring>
 #include <optional>
 #include <string>
@@ -61,7 +63,49 @@ bool bring_to_disk(const std::filesystem::path& folder) {
   return file.number() >= 0 && ::fsync(file.number()) == 0;
 }
 
+/// Files that one program has under way at once: a table, its picture, and some to spare.
+constexpr std::size_t kMost = 16;
+std::array<std::atomic<const char*>, kMost> names{};
+static_assert(std::atomic<const char*>::is_always_lock_free);
+// A signal handler reads it.
+std::atomic<pid_t> owner{0};
+static_assert(std::atomic<pid_t>::is_always_lock_free);
+
+/// The action is the default again by the time that this runs, and the signal not blocked.
+void remove_and_end(int number) {
+  if (::getpid() == owner) {
+    for (const std::atomic<const char*>& name : names) {
+      if (const char* const path = name) (void)::unlink(path);
+    }
+  }
+  (void)::raise(number);
+}
+
 }  // namespace
+
+UnfinishedName::UnfinishedName(const std::filesystem::path& path) : name_(path.string()) {
+  for (std::atomic<const char*>& name : names) {
+    const char* none = nullptr;
+    if (!name.compare_exchange_strong(none, name_.c_str())) continue;
+    slot_ = &name;
+    return;
+  }
+}
+
+UnfinishedName::~UnfinishedName() {
+  if (slot_ != nullptr) *slot_ = nullptr;
+}
+
+void remove_unfinished_on_signals() {
+  owner = ::getpid();
+  for (const int number : {SIGHUP, SIGINT, SIGQUIT, SIGTERM}) {
+    struct sigaction action {};
+    if (::sigaction(number, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) continue;
+    action.sa_handler = remove_and_end;
+    action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_NODEFER;
+    (void)::sigaction(number, &action, nullptr);
+  }
+}
 
 OutputKind picture_kind(const std::filesystem::path& path) {
   return path.extension() == ".png" ? kPngOutput : kSvgOutput;
@@ -112,20 +156,25 @@ bool OutputFile::open_without_name(mode_t mode) {
 }
 
 void OutputFile::open_partial(mode_t mode) {
+  name_.emplace(partial_);  // first, so that no signal comes in between
   file_ = FileDescriptor(::open(partial_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, mode));
-  has_name_ = file_.number() >= 0;
-  if (!has_name_) throw unwritable(path_, std::strerror(errno));
+  if (file_.number() >= 0) return;
+  const int cause = errno;
+  name_.reset();
+  throw unwritable(path_, std::strerror(cause));
 }
 
 OutputFile::~OutputFile() {
-  if (has_name_) ::unlink(partial_.c_str());
+  if (name_) ::unlink(partial_.c_str());
 }
 
 const std::filesystem::path& OutputFile::partial() {
-  if (!has_name_ && ::linkat(AT_FDCWD, open_file(file_).c_str(), AT_FDCWD, partial_.c_str(), AT_SYMLINK_FOLLOW) != 0)
-    throw unwritable(path_, std::strerror(errno));
-  has_name_ = true;
-  return partial_;
+  if (name_) return partial_;
+  name_.emplace(partial_);
+  if (::linkat(AT_FDCWD, open_file(file_).c_str(), AT_FDCWD, partial_.c_str(), AT_SYMLINK_FOLLOW) == 0) return partial_;
+  const int cause = errno;
+  name_.reset();
+  throw unwritable(path_, std::strerror(cause));
 }
 
 void OutputFile::write(std::string_view content) {
@@ -145,17 +194,17 @@ void OutputFile::commit(Survives survives) {
   if (survives == Survives::kPowerCut) bring_content_to_disk();
   require_regular(target_);
   if (::rename(partial().c_str(), target_.c_str()) != 0) throw unwritable(path_, std::strerror(errno));
-  has_name_ = false;
+  name_.reset();
   // Not every file system can; the file is there all the same.
   if (survives == Survives::kPowerCut) (void)bring_to_disk(target_.parent_path());
 }
 
 void OutputFile::commit_as_new() {
   bring_content_to_disk();
-  const bool is_named = has_name_ ? ::renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) == 0
-                                  : ::linkat(AT_FDCWD, open_file(file_).c_str(), AT_FDCWD, target_.c_str(), AT_SYMLINK_FOLLOW) == 0;
+  const bool is_named = name_ ? ::renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) == 0
+                              : ::linkat(AT_FDCWD, open_file(file_).c_str(), AT_FDCWD, target_.c_str(), AT_SYMLINK_FOLLOW) == 0;
   if (!is_named) throw unwritable(path_, std::strerror(errno));
-  has_name_ = false;
+  name_.reset();
   (void)bring_to_disk(target_.parent_path());
 }
 

@@ -3,8 +3,11 @@
 #include <sys/types.h>
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "firmware/host/file/file_descriptor.hpp"
@@ -50,8 +53,27 @@ enum class Access : std::uint8_t { kEveryone, kOwnerOnly };
 void require_writable(const std::filesystem::path& path, const OutputKind& kind, Replace replace,
                       std::string_view instead = "--force replaces it");
 
+/// The name of a file that is not whole yet: while this lives, a signal that ends the program takes the file with it
+/// (remove_unfinished_on_signals()).
+class UnfinishedName {
+ public:
+  explicit UnfinishedName(const std::filesystem::path& path);
+  ~UnfinishedName();
+  UnfinishedName(const UnfinishedName&) = delete;
+  UnfinishedName& operator=(const UnfinishedName&) = delete;
+
+ private:
+  std::string name_;
+  std::atomic<const char*>* slot_ = nullptr;  ///< where a signal handler finds it; null: all are taken, and a signal leaves it
+};
+
+/// From now on SIGHUP, SIGINT, SIGQUIT and SIGTERM, each where it would have ended this program, remove what has an UnfinishedName, and end
+/// the program as before. Processes that it forks remove nothing.
+void remove_unfinished_on_signals();
+
 /// A file that is either whole or what it was before. It is written beside its place, brought to the disk and renamed; until then it has no
-/// name, where the file system can do that, so that a program that is killed leaves nothing of it. A symbolic link stays and what it points
+/// name, where the file system can do that, so that a program that is killed leaves nothing of it; where it has one, only a kill or a power
+/// cut leaves it, and no signal that a program can handle. A symbolic link stays and what it points
 /// to is replaced; a pipe, a device, a socket or a folder is refused and stays.
 class OutputFile {
  public:
@@ -80,10 +102,10 @@ class OutputFile {
   void open_partial(mode_t mode);
   void bring_content_to_disk() const;
 
-  std::filesystem::path path_;     ///< as a person named it
-  std::filesystem::path target_;   ///< where its links end
-  std::filesystem::path partial_;  ///< what it is called, or would be, until it is whole
-  bool has_name_ = false;          ///< and something is there
+  std::filesystem::path path_;          ///< as a person named it
+  std::filesystem::path target_;        ///< where its links end
+  std::filesystem::path partial_;       ///< what it is called, or would be, until it is whole
+  std::optional<UnfinishedName> name_;  ///< that it has by now
   FileDescriptor file_;
 };
 

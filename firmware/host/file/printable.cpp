@@ -70,6 +70,16 @@ std::string printable(std::string_view text) {
   return shown;
 }
 
+std::string shortened(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return std::string(text);
+  const auto is_within_a_character = [text](std::size_t at) { return (byte_at(text, at) & 0xC0U) == 0x80U; };
+  std::size_t end = most - most / 3;
+  std::size_t begin = text.size() - most / 3;
+  while (end > 0 && is_within_a_character(end)) --end;
+  while (begin < text.size() && is_within_a_character(begin)) ++begin;
+  return std::string(text.substr(0, end)) + "... (" + std::to_string(begin - end) + " more bytes) ..." + std::string(text.substr(begin));
+}
+
 std::string spelled_apart(std::string word) {
   std::ranges::replace(word, '_', ' ');
   return word;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -15,6 +16,12 @@ namespace earshot::host {
 
 /// The same of text that has lines: they stay.
 [[nodiscard]] std::string printable_lines(std::string_view text);
+
+/// A text of no more than `most` bytes as it is; of a longer one two thirds of that from its begin and a third from its end, where what is
+/// said about a long name or value stands, and how much is left out between: "units are xxx... (999100 more bytes) ...xxx". No character of
+/// UTF-8 is cut.
+/// Oracle: Shortened.*
+[[nodiscard]] std::string shortened(std::string_view text, std::size_t most);
 
 /// A word of a file for a person, its underscores blanks: "left_area", "left area". Oracle: SpelledApart.*
 [[nodiscard]] std::string spelled_apart(std::string word);

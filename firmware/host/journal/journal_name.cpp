@@ -83,4 +83,12 @@ std::optional<std::filesystem::path> newest_journal(const std::filesystem::path&
   return newest > 0 ? std::optional(named(wanted, {.journal = newest})) : std::nullopt;
 }
 
+std::filesystem::path journal_in(const std::filesystem::path& folder_or_journal) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder_or_journal, error)) return folder_or_journal;
+  std::filesystem::path first = folder_or_journal / kFirstJournal;
+  if (std::filesystem::exists(first, error)) return first;
+  return newest_journal(first).value_or(first);
+}
+
 }  // namespace earshot::host

@@ -35,4 +35,11 @@ inline constexpr int kMostParts = 999'999;     ///< of one journal
 /// The first part of the newest of them; nothing when there is none of that name.
 [[nodiscard]] std::optional<std::filesystem::path> newest_journal(const std::filesystem::path& wanted);
 
+/// What a flight calls its journal in the folder that it is given.
+inline constexpr const char* kFirstJournal = "journal.lcmlog";
+
+/// The journal that somebody means who names its folder: kFirstJournal, or where that is gone the newest of its name. Any other path is
+/// itself.
+[[nodiscard]] std::filesystem::path journal_in(const std::filesystem::path& folder_or_journal);
+
 }  // namespace earshot::host

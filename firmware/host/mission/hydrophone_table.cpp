@@ -10,6 +10,7 @@
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/detector/hydrophone/listening_plan.hpp"
+#include "firmware/host/mission/hydrophone_chain.hpp"
 #include "firmware/host/mission/rule_words.hpp"
 
 namespace earshot::host {
@@ -159,9 +160,16 @@ void require_open_gate(TableReader& hydrophone, const TableReader& search, Meter
                                           said_in(search, kSpeed, speed.value));
 }
 
+/// What can be known before a block has come with its own gain and sample rate.
+void require_chain(TableReader& hydrophone, const SoundSettings& settings) {
+  const std::string reason = reason_for_deafness(settings);
+  if (!reason.empty()) hydrophone.problem(hydrophone.has(kExpectedNoise) ? kExpectedNoise : kSensitivity, reason);
+}
+
 /// Of settings that no detector refuses: whether they hear what the mission searches for.
 void require_hearing(TableReader& hydrophone, const TableReader& search, const SoundSettings& settings, const config::Mission& mission) {
   if (!search.is_noted(kFrequency)) require_band_of_source(hydrophone, search, settings.band, mission.source_frequency);
+  require_chain(hydrophone, settings);
   if (!search.is_noted(kSpeed)) require_open_gate(hydrophone, search, settings.gate.speed, mission.search_speed);
 }
 

@@ -9,7 +9,7 @@ namespace earshot::host {
 
 /// Reads a mission's table `hydrophone`: the chain from water to numbers, and what is listened for. What is wrong is noted, also what the
 /// detector's check() finds, and what could not hear what the mission searches for: a band without its frequency, a gate that is closed at
-/// its speed.
+/// its speed, a chain in which the sea clips or is less than the ADC's own noise.
 /// @param search   table with the mission's threshold, frequency and speed, where the threshold is complained of
 /// @param mission  its search as it was read: what counts as heard, at what frequency and speed, is said in one place
 [[nodiscard]] detector::SoundSettings read_hydrophone(TableReader hydrophone, TableReader search, const config::Mission& mission);

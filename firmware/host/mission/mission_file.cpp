@@ -25,8 +25,10 @@ namespace {
 constexpr const char* kCommandKeyFile = "key_file";
 constexpr double kFarthest_m = 1e6;    // of a local plane
 constexpr double kDeepest_m = 11'000;  // of any ocean
-constexpr double kLongest_s = 1e7;     // four months
-constexpr double kShortest_s = 1e-6;   // less would be rounded to nothing
+constexpr double kSlowest_mps = 0.01;  // less is a drift, and no search
+constexpr double kShortestStep_m = 1.0;
+constexpr double kLongest_s = 1e7;    // four months
+constexpr double kShortest_s = 1e-6;  // less would be rounded to nothing
 
 Duration seconds(double s) {
   return {std::llround(s * 1e6)};
@@ -42,8 +44,8 @@ void read_area(TableReader area, config::Mission& mission) {
 
 void read_search(TableReader search, config::Mission& mission) {
   mission.search_depth = Meters{search.number("depth_m", Range::above_up_to(0.0, kDeepest_m))};
-  mission.search_speed = MetersPerSecond{search.number("speed_mps", Range::above_up_to(0.0, 20.0))};
-  mission.step_length = Meters{search.number("step_length_m", Range::above_up_to(0.0, kFarthest_m))};
+  mission.search_speed = MetersPerSecond{search.number("speed_mps", Range::between(kSlowest_mps, 20.0))};
+  mission.step_length = Meters{search.number("step_length_m", Range::between(kShortestStep_m, kFarthest_m))};
   mission.max_steps = static_cast<std::uint32_t>(search.integer("max_steps", 1, 1'000'000));
   mission.ends_when_found = search.choice_or("on_found", 0, {"go_on", "end"}) == 1;
   mission.detection_threshold = Decibels{search.number("detection_threshold_db", Range::between(-200.0, 200.0))};
@@ -356,7 +358,7 @@ void leave_out_hydrophones(MissionFile& file) {
 void leave_snr_to_simulator(MissionFile& file) {
   for (PortSettings& port : file.ports) {
     if (port.kind == PortKind::kCan) port.roles.remove(Role::kSnr);
-    port.snr_is_simulators = port.kind == PortKind::kLcm;  // the role stays: bearings come by it
+    port.snr_is_simulators = port.kind == PortKind::kLcm;  // the role stays: a hydrophone's status comes by it
   }
 }
 

@@ -58,8 +58,8 @@ Polygon read_polygon(TableReader& table, const std::string& prefix) {
   return polygon;
 }
 
-std::vector<TableReader> tables_if_any(TableReader& root, const char* key) {
-  return root.has(key) ? root.tables(key) : std::vector<TableReader>();
+std::vector<TableReader> tables_if_any(TableReader& root, const char* key, std::size_t most) {
+  return root.has(key) ? root.tables(key, most) : std::vector<TableReader>();
 }
 
 std::vector<std::string> words_of_conditions() {
@@ -152,9 +152,9 @@ void complain_of_rule(TableReader rule, const SafetyComplaint& complaint, const 
 SafetyTables safety_tables(TableReader root) {
   return {.vehicle = root.optional_table("vehicle"),
           .fence = root.optional_table("fence"),
-          .no_surface = tables_if_any(root, "no_surface"),
+          .no_surface = tables_if_any(root, "no_surface", config::kMaxNoSurfaceZones),
           .safe_point = root.optional_table("safe_point"),
-          .rules = tables_if_any(root, "rule")};
+          .rules = tables_if_any(root, "rule", config::kMaxOwnRules)};
 }
 
 config::Safety read_safety(SafetyTables& tables) {
@@ -165,19 +165,13 @@ config::Safety read_safety(SafetyTables& tables) {
                                  .save = read_polygon(*tables.fence, "save_"),
                                  .halt = read_polygon(*tables.fence, "halt_")};
   }
-  for (TableReader& zone : tables.no_surface) {
-    if (safety.no_surface.push_back(read_polygon(zone, "")) == Status::kFull)
-      zone.problem("north_m", "is one zone too many: there is room for " + std::to_string(config::kMaxNoSurfaceZones));
-  }
+  for (TableReader& zone : tables.no_surface) (void)safety.no_surface.push_back(read_polygon(zone, ""));
   if (tables.safe_point) {
     const Range anywhere = Range::between(-kFarthest_m, kFarthest_m);
     const double north = tables.safe_point->number("north_m", anywhere);
     safety.safe_point = NorthEast{.north = Meters{north}, .east = Meters{tables.safe_point->number("east_m", anywhere)}};
   }
-  for (TableReader& rule : tables.rules) {
-    if (safety.rules.push_back(read_rule(rule)) == Status::kFull)
-      rule.problem("when", "is one rule too many: there is room for " + std::to_string(config::kMaxOwnRules));
-  }
+  for (TableReader& rule : tables.rules) (void)safety.rules.push_back(read_rule(rule));
   return safety;
 }
 

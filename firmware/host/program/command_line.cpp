@@ -35,9 +35,12 @@ std::optional<Value> whole_number_as(const std::string& text) {
   return value;
 }
 
+/// What a variable of a script that is not set becomes. An option that is left out says the same, and means it.
 template <class Value>
 void refuse_what_does_not_fit(CLI::Option& option, const Value*) {
-  if constexpr (std::is_unsigned_v<Value>) {
+  if constexpr (std::is_same_v<Value, std::string> || std::is_same_v<Value, std::filesystem::path>) {
+    option.check([](const std::string& text) { return std::string(text.empty() ? "must not be the empty word" : ""); });
+  } else if constexpr (std::is_unsigned_v<Value>) {
     option.check([](const std::string& text) {
       if (whole_number_as<Value>(text)) return std::string();
       return text + ": must be a whole number from 0 to " + std::to_string(std::numeric_limits<Value>::max());
@@ -47,6 +50,11 @@ void refuse_what_does_not_fit(CLI::Option& option, const Value*) {
 
 template <class Value>
 void refuse_what_does_not_fit(CLI::Option& option, const std::optional<Value>*) {
+  refuse_what_does_not_fit(option, static_cast<const Value*>(nullptr));
+}
+
+template <class Value>
+void refuse_what_does_not_fit(CLI::Option& option, const std::vector<Value>*) {
   refuse_what_does_not_fit(option, static_cast<const Value*>(nullptr));
 }
 

@@ -52,7 +52,7 @@ class Option {
   Option& takes(int least, int most);
   /// Several values, one each time that it is given: what follows that one is another's.
   Option& one_each_time();
-  /// Not the empty word. @param what  "a file"
+  /// Says what the word, which is never the empty one, names. @param what  "a file"
   Option& names(const std::string& what);
   Option& separated_by(char delimiter);
   Option& needs(const Option& other);
@@ -72,6 +72,7 @@ class CommandLine {
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
 
+  /// A text or a path is never the empty word.
   /// @param names  "--out", "-o,--output", or without a dash for a value that stands alone
   Option option(const std::string& names, Target target, const std::string& what);
   Option flag(const std::string& names, bool* target, const std::string& what);

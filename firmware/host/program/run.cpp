@@ -8,6 +8,7 @@
 #include <new>
 
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/output_file.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/program/standard_streams.hpp"
 #include "firmware/host/program/talk.hpp"
@@ -24,6 +25,7 @@ bool is_all_printed() {
 
 int run(CommandLine& line, int argc, char** argv, const std::function<int()>& work) {
   open_standard_streams();
+  host::remove_unfinished_on_signals();
   (void)std::signal(SIGXFSZ, SIG_IGN);  // a file over its limit is a full disk: write(2) says so, and nothing is ended in the middle
   try {
     if (const std::optional<std::string> answer = line.read(argc, argv)) {
@@ -42,7 +44,8 @@ int run(CommandLine& line, int argc, char** argv, const std::function<int()>& wo
   } catch (const host::BadInput& e) {
     std::cerr << host::printable_lines(e.what()) << "\n";
   } catch (const std::filesystem::filesystem_error& e) {
-    std::cerr << host::printable(e.path1().string()) << ": cannot be read or written: " << e.code().message() << "\n";
+    const std::string path = e.path1().empty() ? std::string("a file or folder without a name") : host::printable(e.path1().string());
+    std::cerr << path << ": cannot be read or written: " << e.code().message() << "\n";
   } catch (const std::bad_alloc&) {
     std::cerr << line.name() << ": not enough memory for what was asked\n";
   } catch (const std::exception& e) {

@@ -34,8 +34,8 @@ std::string shortest(double number) {
 }  // namespace
 
 struct Problems {
-  static constexpr std::size_t kMostLines = 20;         // a screen
-  static constexpr std::size_t kLongestProblem = 1000;  // bytes: our own words are shorter, and a name may have as many as the file
+  static constexpr std::size_t kMostLines = 20;        // a screen
+  static constexpr std::size_t kLongestProblem = 700;  // bytes: our own words are shorter, and a name may have as many as the file
 
   std::filesystem::path path;
   std::vector<std::string> lines;
@@ -48,8 +48,8 @@ struct Problems {
     }
     std::string text = host::printable(path.string());
     if (line > 0) text.append(":").append(std::to_string(line));
-    text.append(": ").append(host::printable(std::string_view(what).substr(0, kLongestProblem)));
-    lines.push_back(what.size() > kLongestProblem ? text + "..." : text);
+    text.append(": ").append(host::printable(shortened(what, kLongestProblem)));
+    lines.push_back(text);
   }
 
   [[nodiscard]] std::string told() const {

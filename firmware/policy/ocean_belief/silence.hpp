@@ -28,7 +28,8 @@ inline constexpr float kLongAgainstTables_bits = 8.0F;
 /// place s_j uniform in the area, at rest, ocean k, level m_j and share of pauses q_j from the prior, but the rare as often as the
 /// frequent, which the weights w_j make up for. A look is silent where nothing reaches h, 3 dB (the sound is twice the noise) or the
 /// detection threshold if that is less, and where it is too faint to measure, h being what could have been measured if that is more. A look
-/// in between, or with a bearing, is neither silence nor a detection. Oracle: Silence.*
+/// in between, or with a bearing, is neither silence nor a detection, so that the second is a score and no probability (README.md).
+/// Oracle: Silence.*
 class Silence {
  public:
   static constexpr std::size_t kSources = config::kSilentSources;

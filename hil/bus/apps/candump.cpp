@@ -11,11 +11,15 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
-#include <system_error>
+#include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/program/run.hpp"
@@ -45,15 +49,47 @@ struct Settings {
 
 constexpr std::uint64_t kMostComplaints = 100;  ///< a file that is none of candump's has a million lines; all are counted
 
-/// The lines of a file that are damaged.
+/// The lines of a file that are damaged. They are told of one that is a log, once the first of its lines was read.
 struct Damage {
   std::string file;
   std::uint64_t line = 0;  ///< that was read last
   std::uint64_t damaged = 0;
+  bool is_of_log = false;
+  std::string untold = {};
 
   void note(std::string_view why) {
-    if (++damaged <= kMostComplaints) std::cerr << host::printable(file) << ':' << line << ": " << why << "; passed over\n";
-    if (damaged == kMostComplaints) std::cerr << host::printable(file) << ": of more that is damaged only the number is told\n";
+    std::ostringstream text;
+    if (++damaged <= kMostComplaints) text << host::printable(file) << ':' << line << ": " << why << "; passed over\n";
+    if (damaged == kMostComplaints) text << host::printable(file) << ": of more that is damaged only the number is told\n";
+    untold += text.str();
+  }
+  void tell() {
+    if (!is_of_log) return;
+    std::cerr << untold;
+    untold.clear();
+  }
+  /// @throws host::BadInput of a file in which there is nothing else
+  void require_log() const {
+    if (is_of_log || damaged == 0) return;
+    throw host::BadInput(host::printable(file) + ": is no log that is read here: of its " + std::to_string(line) +
+                         (line == 1 ? " line" : " lines") + " none holds a frame or a message");
+  }
+  /// @return what the line says; nothing: it is empty or damaged
+  std::optional<std::variant<hil::LogEntry, hil::Remark>> read(const hil::TextLine& text, hil::LogReader& reader) {
+    ++line;
+    if (text.is_too_long) {
+      note("no line of a log is that long");
+      return std::nullopt;
+    }
+    if (text.text.find_first_not_of(" \t\r") == std::string_view::npos) return std::nullopt;
+    hil::LineOr said = reader.read(text.text);
+    if (const auto* const why = std::get_if<std::string_view>(&said)) {
+      note(*why);
+      return std::nullopt;
+    }
+    if (auto* const remark = std::get_if<hil::Remark>(&said)) return *remark;
+    is_of_log = true;
+    return std::move(std::get<hil::LogEntry>(said));
   }
 };
 
@@ -82,6 +118,7 @@ class Work {
       if (!flush()) return program::kLost;
       if (size == 0 || is_enough()) break;
     }
+    damage.require_log();
     return end(damage.damaged == 0 ? "" : std::to_string(damage.damaged) + (damage.damaged == 1 ? " damaged line, " : " damaged lines, "),
                damage.damaged == 0);
   }
@@ -128,16 +165,13 @@ class Work {
   }
 
   void take(const hil::TextLine& line, hil::LogReader& reader, Damage& damage) {
-    ++damage.line;
-    if (line.is_too_long) return damage.note("no line of a log is that long");
-    if (line.text.find_first_not_of(" \t\r") == std::string_view::npos) return;
-    const hil::LineOr read = reader.read(line.text);
-    if (const auto* const why = std::get_if<std::string_view>(&read)) return damage.note(*why);
-    if (const auto* const remark = std::get_if<hil::Remark>(&read)) {
-      lost_before_ += remark->lost_frames;
-      return;
+    if (const auto read = damage.read(line, reader)) {
+      if (const auto* const remark = std::get_if<hil::Remark>(&*read))
+        lost_before_ += remark->lost_frames;
+      else if (!dump_.take(std::get<hil::LogEntry>(*read)))
+        damage.note("more than 16 interfaces");
     }
-    if (!dump_.take(std::get<hil::LogEntry>(read))) damage.note("more than 16 interfaces");
+    damage.tell();
   }
 
   int end(const std::string& what_is_wrong, bool is_complete) {
@@ -155,7 +189,7 @@ class Work {
     std::cerr << "earshot candump: " << what_is_wrong << plural(counters.frames, " frame") << ", " << plural(counters.messages, " message")
               << " (" << counters.unknown << " unknown)";
     if (counters.other_frames > 0) std::cerr << ", " << plural(counters.other_frames, " frame") << " of another kind than NMEA 2000's";
-    if (counters.incomplete > 0) std::cerr << ", " << counters.incomplete << " pieces of fast packets that were not whole";
+    if (counters.incomplete > 0) std::cerr << ", " << plural(counters.incomplete, " piece") << " of fast packets that were not whole";
     if (lost_before_ > 0) std::cerr << ", " << plural(lost_before_, " frame") << " lost by who recorded (DROPCOUNT)";
     if (dump_.unrecorded() > 0) std::cerr << ", " << plural(dump_.unrecorded(), " message") << " too long for a recording";
     if (record_ != nullptr) std::cerr << "; " << plural(record_->frames(), " frame") << " recorded";
@@ -214,6 +248,19 @@ std::size_t read_standard_input(std::vector<std::uint8_t>& into) {
   }
 }
 
+/// Of a file that is read whole.
+void require_log(const Settings& settings, std::string_view text) {
+  Damage damage{.file = name_of(settings)};
+  hil::LineReader lines;
+  hil::LogReader reader;
+  lines.add(text);
+  lines.end();
+  for (hil::TextLine line; !damage.is_of_log && lines.next(line);) {
+    if (const auto read = damage.read(line, reader); read && std::holds_alternative<hil::LogEntry>(*read)) return;
+  }
+  damage.require_log();
+}
+
 /// Judges what it is before anything is printed or recorded.
 template <class Read>
 int read_log(const Settings& settings, Read read) {
@@ -222,16 +269,26 @@ int read_log(const Settings& settings, Read read) {
   const std::size_t size = read(piece);
   const std::string_view what = hil::unread_format({reinterpret_cast<const char*>(piece.data()), size});
   if (!what.empty()) throw host::BadInput(name_of(settings) + ": " + std::string(what));
+  if (settings.input != "-" && size < piece.size()) require_log(settings, {reinterpret_cast<const char*>(piece.data()), size});
   return Work(settings).read_lines(read, piece, size);
 }
 
+/// --replace would empty the log that is read.
+void require_not_recorded(const Settings& settings, const std::string& name, const std::filesystem::path& log) {
+  if (!settings.record) return;
+  host::DistinctFiles files;
+  files.read(name, log);
+  files.write("--record", *settings.record);
+}
+
 int work(const Settings& settings) {
-  if (settings.input == "-") return read_log(settings, read_standard_input);
+  if (settings.input == "-") {
+    require_not_recorded(settings, "standard input", "/dev/stdin");
+    return read_log(settings, read_standard_input);
+  }
   if (!is_interface(settings.input)) {
     host::InputFile file(settings.input, host::kAnySize);
-    std::error_code ignored;
-    if (settings.record && std::filesystem::equivalent(settings.input, *settings.record, ignored))
-      throw host::BadInput(settings.record->string() + ": cannot be read and written at once");
+    require_not_recorded(settings, "INPUT", settings.input);
     return read_log(settings, [&file](std::vector<std::uint8_t>& into) { return file.read(into); });
   }
   std::optional<host::CanSocket> socket;

@@ -12,7 +12,9 @@ namespace {
 constexpr std::size_t kFirstBytes = 6;  ///< of a message, in its first frame
 constexpr std::size_t kNextBytes = 7;
 constexpr unsigned kFrameNumber = 0x1F;  ///< the bits of byte 0 that hold it
-constexpr int kMostAhead = 2;            ///< frames that a gateway sends before the first one
+constexpr int kSwapped = 2;              ///< so many frames ahead of the first are its own, whatever their order
+/// Within a message frames come milliseconds apart; messages of one sequence are a tenth of a second or more.
+constexpr Duration kLatest = Duration::milliseconds(50);
 
 unsigned number_of(const n2k::Frame& frame) {
   return frame.data[0] & kFrameNumber;
@@ -46,6 +48,12 @@ std::optional<FastPackets::Whole> FastPackets::accept(const n2k::Identifier& ide
   if (number > 0 && is_in_time && frame == begun.last) return std::nullopt;
   if (!is_in_time) give_up(begun);
   make_way(begun, number, frame, now);
+  if (number == 0) {
+    begun.ahead = begun.held;
+    begun.first_came = now;
+  }
+  begun.is_in_order = begun.held == 0 || (begun.is_in_order && number > begun.last_number);
+  begun.last_number = number;
   begun.frames.at(number) = frame;
   begun.held |= 1U << number;
   begun.last = frame;
@@ -54,12 +62,20 @@ std::optional<FastPackets::Whole> FastPackets::accept(const n2k::Identifier& ide
   return (begun.held & 1U) != 0 && begun.held == all_of(begun.size) ? finish(begun) : std::nullopt;
 }
 
+bool FastPackets::is_of_the_one_before(const Begun& begun, std::optional<Time> now) {
+  if (std::popcount(begun.held) <= kSwapped) return false;
+  if (!begun.fed || !now || !lies_within(*begun.fed, *now, kLatest)) return true;
+  return begun.is_in_order && begun.last_number + 1 == frames_of(begun.size);
+}
+
 void FastPackets::make_way(Begun& begun, unsigned number, const n2k::Frame& frame, std::optional<Time> now) {
   const bool has_first = (begun.held & 1U) != 0;
-  if ((begun.held >> number & 1U) != 0 || (has_first && number >= frames_of(begun.size))) give_up(begun);
+  const std::uint32_t bit = std::uint32_t{1} << number;
+  if (has_first && (begun.ahead & bit) != 0) give_up_ahead(begun);
+  if ((begun.held & bit) != 0 || (has_first && number >= frames_of(begun.size))) give_up(begun);
   if (number == 0) {
     begun.size = frame.data[1];
-    if (std::popcount(begun.held) > kMostAhead || (begun.held & ~all_of(begun.size)) != 0) give_up(begun);
+    if ((begun.held & ~all_of(begun.size)) != 0 || is_of_the_one_before(begun, now)) give_up(begun);
   }
   if (begun.held == 0) begun.began = now;
 }
@@ -79,6 +95,13 @@ std::optional<FastPackets::Whole> FastPackets::finish(Begun& begun) {
   }
   begun.held = 0;
   return whole;
+}
+
+void FastPackets::give_up_ahead(Begun& begun) {
+  ++given_up_;
+  begun.held &= ~begun.ahead;
+  begun.ahead = 0;
+  begun.began = begun.first_came;
 }
 
 void FastPackets::give_up(Begun& begun) {

@@ -12,6 +12,8 @@
 
 #include "firmware/core/random.hpp"
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/distinct_files.hpp"
+#include "firmware/host/file/output_file.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/mission/mission_file.hpp"
@@ -97,7 +99,7 @@ hil::SnrOfRange snr_of(const ocean::Environment& environment, const config::Miss
   return [curve = sonar::compute_snr_curve(environment, mission.search_depth, furthest)](Meters range) { return curve.at(range); };
 }
 
-hil::VehicleSetup setup_of(const Options& o, const host::MissionFile& file) {
+hil::VehicleSetup setup_of(const Options& o, const host::MissionFile& file, const ocean::Environment& environment) {
   const config::Mission& mission = file.mission;
   Pcg32 random(o.seed);
   hil::VehicleSetup setup;
@@ -106,8 +108,6 @@ hil::VehicleSetup setup_of(const Options& o, const host::MissionFile& file) {
                  .depth = mission.search_depth,
                  .heading = Radians{0.0},
                  .speed = MetersPerSecond{0.0}};
-  const ocean::Environment environment =
-      ocean::load_environment(o.environment ? *o.environment : host::shipped("sim/ocean/environments/munk_flat.toml"));
   setup.source.snr = snr_of(environment, mission);
   setup.sea_floor.depth = environment.seabed.depth;
   setup.plane = file.plane;
@@ -137,10 +137,25 @@ void introduce(const std::string& interface, const hil::VehicleSetup& setup, con
       << std::flush;
 }
 
+constexpr host::OutputKind kTrackOutput{"a track of earshot emulate", {hil::kTrackHeader, {}}};
+
+/// A track goes on behind what its file holds.
+void require_track(const Options& o, const ocean::Environment& environment) {
+  if (!o.track) return;
+  host::DistinctFiles files;
+  files.read("--mission", o.mission);
+  files.read("a file of --environment", environment.files);
+  files.write("--track", *o.track);
+  host::require_writable(*o.track, kTrackOutput, host::Replace::kOwnKind, "name another file");
+}
+
 int emulate(const Options& o) {
   const host::MissionFile mission = host::load_mission(o.mission);
   const std::string interface = interface_of(o, mission);
-  const hil::VehicleSetup setup = setup_of(o, mission);
+  const ocean::Environment environment =
+      ocean::load_environment(o.environment ? *o.environment : host::shipped("sim/ocean/environments/munk_flat.toml"));
+  require_track(o, environment);
+  const hil::VehicleSetup setup = setup_of(o, mission, environment);
   hil::EmulatedVehicle vehicle(setup);
   const hil::ScaledClock clock(o.speed);
   hil::BusConnection bus(interface, vehicle, clock);

@@ -36,7 +36,6 @@ EARSHOT_LATE(nc_get_vara_double, (int file, int id, const size_t* start, const s
 EARSHOT_LATE(nc_inq_att, (int file, int id, const char* name, nc_type* type, size_t* length), (file, id, name, type, length))
 EARSHOT_LATE(nc_inq_attname, (int file, int id, int number, char* name), (file, id, number, name))
 EARSHOT_LATE(nc_inq_atttype, (int file, int id, const char* name, nc_type* type), (file, id, name, type))
-EARSHOT_LATE(nc_inq_dimid, (int file, const char* name, int* id), (file, name, id))
 EARSHOT_LATE(nc_inq_dimlen, (int file, int id, size_t* length), (file, id, length))
 EARSHOT_LATE(nc_inq_dimname, (int file, int id, char* name), (file, id, name))
 EARSHOT_LATE(nc_inq_nvars, (int file, int* count), (file, count))

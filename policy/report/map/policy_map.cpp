@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <utility>
 
+#include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/policy/tables_bytes.hpp"
 #include "firmware/host/policy/unverified_policy.hpp"
 #include "firmware/host/program/talk.hpp"
@@ -40,6 +42,9 @@ sonar::SnrCurve curve_of(const policy::FrozenPolicy& policy, const PolicyMapOpti
   }
   const std::filesystem::path& file = options.world ? *options.world : *options.environment;
   const ocean::Environment environment = (options.world ? evaluate::load_world(file).scenario : search::load_scenario(file)).environment;
+  host::DistinctFiles files;
+  files.read(options.world ? "a file of --world" : "a file of --environment", environment.files);
+  files.write("--output", options.output);
   const Meters depth{options.vehicle_depth_m};
   command_line::check_vehicle_depth(environment, file, depth);
   try {
@@ -110,20 +115,22 @@ void draw_for_flight(const policy::FrozenPolicy& policy, const PolicyMapOptions&
 }
 
 /// No file that is read may be the picture: --force would replace it.
-void require_none_is_read(const PolicyMapOptions& options) {
-  const std::array outputs{command_line::Output{"--output", options.output, {}}};
-  command_line::check_is_none_of(outputs, "POLICY", options.policy);
-  command_line::check_is_none_of(outputs, "--tables", options.tables);
-  if (options.environment) command_line::check_is_none_of(outputs, "--environment", *options.environment);
-  if (options.world) command_line::check_is_none_of(outputs, "--world", *options.world);
+void check_picture(const PolicyMapOptions& options) {
+  command_line::check_picture_name("-o", options.output);
+  host::DistinctFiles read;
+  read.read("POLICY", options.policy);
+  read.read("--tables", options.tables);
+  if (options.environment) read.read("--environment", *options.environment);
+  if (options.world) read.read("--world", *options.world);
+  if (options.flight) read.read("--flight", files_of_flight(*options.flight));
+  host::require_writable(std::move(read), std::array{host::Output{"--output", options.output, host::picture_kind(options.output)}},
+                         host::replaced_by(options.force));
 }
 
 }  // namespace
 
 void draw_policy_map(const PolicyMapOptions& options) {
-  command_line::check_picture_name("-o", options.output);
-  require_none_is_read(options);
-  host::require_writable(options.output, host::picture_kind(options.output), host::replaced_by(options.force));
+  check_picture(options);
   const std::unique_ptr<policy::FrozenPolicy> policy = host::load_unverified_policy(options.policy);
   if (options.source.has_value() == options.flight.has_value())
     throw BadInput("earshot explain map: one of --source NORTH_M,EAST_M and --flight DIR is needed");

@@ -19,6 +19,7 @@
 #include "earshot/safety_event_t.hpp"
 #include "firmware/config/safety.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/host/journal/rule_event_words.hpp"
 #include "firmware/messages/command_words.hpp"
 #include "firmware/messages/health_words.hpp"
 #include "firmware/messages/input.hpp"
@@ -82,25 +83,6 @@ void note_health(double time_s, const health_t& health, SeaFlight& flight) {
   if (before == MissionState::kSearch) flight.search_ended_s = time_s;
 }
 
-/// "rule 11, battery_percent: 14.9, below 15: return"
-std::string words_for(const messages::SafetyEvent& event) {
-  using config::ConditionTraits;
-  const auto condition = static_cast<std::size_t>(event.condition);
-  const auto response = static_cast<std::size_t>(event.response);
-  std::ostringstream text;
-  text << "rule " << event.rule + 1 << ", ";
-  if (condition >= config::kConditions || response >= config::kResponses) return text.str() + "which this program does not know";
-  const ConditionTraits& traits = config::kConditionTraits.at(condition);
-  text << traits.key << ": ";
-  if (!event.begins) return text.str() + "no longer";
-  if (traits.kind != ConditionTraits::Kind::kFlag) {
-    text << std::setprecision(4) << event.measure << (traits.kind == ConditionTraits::Kind::kAbove ? ", above " : ", below ")
-         << std::setprecision(6) << event.limit << ": ";
-  }
-  text << config::kResponseWords.at(response);
-  return text.str();
-}
-
 /// @param last_s  of the last record of the process before
 std::string words_for_resuming(double last_s, double time_s) {
   std::ostringstream text;
@@ -132,7 +114,10 @@ void note(const host::JournalRecord& record, SeaFlight& flight) {
   } else if (record.channel == wire::kDecisionChannel && wire::decode(record.data, decision) == Status::kOk) {
     flight.account.believes = decision.believes != 0;
   } else if (record.channel == wire::kSafetyEventChannel && wire::decode(record.data, event) == Status::kOk) {
-    flight.events.push_back({time_s, words_for(wire::from_message(event))});
+    const messages::SafetyEvent told = wire::from_message(event);
+    flight.events.push_back({time_s, host::to_string(told)});
+    if (flight.state == MissionState::kSearch && told.begins && told.response >= config::Response::kAbort)
+      flight.ending_rule = host::to_string(told);
   } else if (record.channel == wire::kJournalResumedChannel && wire::decode(record.data, resumed) == Status::kOk) {
     flight.events.push_back({time_s, words_for_resuming(last_s, time_s)});
   } else if (record.channel == wire::kAcknowledgementChannel && wire::decode(record.data, acknowledgement) == Status::kOk) {

@@ -45,7 +45,8 @@ struct SeaFlight {
   double ended_s = 0.0;                                             ///< of the last record
   messages::MissionState state = messages::MissionState::kStandby;  ///< the last
   messages::EndReason end_reason = messages::EndReason::kNone;
-  bool is_stopped = false;  ///< by a signal to its program, before it was over
+  std::optional<std::string> ending_rule;  ///< the safety rule that ended it, in words with its evidence
+  bool is_stopped = false;                 ///< by a signal to its program, before it was over
   std::uint32_t steps_taken = 0;
   messages::Counters counters;           ///< the last
   SearchAccount account;                 ///< of the last search

@@ -26,7 +26,7 @@ std::string ending_to_string(const SeaFlight& flight) {
   const bool is_found = flight.end_reason == messages::EndReason::kCompleted;
   const std::string what = flight.state == MissionState::kAbort ? "aborted" : "ended";
   return "<h1 class=\"" + std::string(is_found ? "found" : "missed") + "\">Search " + what + " after " + steps + ": " +
-         flight.why_it_ended() + "</h1>\n";
+         flight.why_it_ended() + (flight.ending_rule ? ": " + escaped(*flight.ending_rule) : "") + "</h1>\n";
 }
 
 std::string program_to_string(const JournalledSearch& journal) {
@@ -69,16 +69,17 @@ std::string sea_facts(const SeaFlight& flight, const JournalledSearch& journal) 
          "</dl>\n";
 }
 
+std::string events_table(std::span<const SeaFlight::Event> events) {
+  std::string text =
+      "<div class=\"table\"><table class=\"events\">\n<thead><tr><th>at</th><th class=\"left\">what</th></tr></thead>\n<tbody>\n";
+  for (const SeaFlight::Event& event : events)
+    text += "<tr><td>" + duration(event.time_s) + "</td><td class=\"left\">" + escaped(event.what) + "</td></tr>\n";
+  return text + "</tbody></table></div>\n";
+}
+
 std::string sea_events(const SeaFlight& flight) {
-  std::string text;
-  if (flight.events.empty()) {
-    text += "<p>No order came, and the mission stayed in STANDBY.</p>\n";
-  } else {
-    text += "<div class=\"table\"><table class=\"events\">\n<thead><tr><th>at</th><th class=\"left\">what</th></tr></thead>\n<tbody>\n";
-    for (const SeaFlight::Event& event : flight.events)
-      text += "<tr><td>" + duration(event.time_s) + "</td><td class=\"left\">" + escaped(event.what) + "</td></tr>\n";
-    text += "</tbody></table></div>\n";
-  }
+  const std::string text =
+      flight.events.empty() ? "<p>No order came, and the mission stayed in STANDBY.</p>\n" : events_table(flight.events);
   const messages::Counters& refused = flight.counters;
   return text + "<p>Refused as they came in: fixes " + std::to_string(refused.navigation_refused) + ", SNR " +
          std::to_string(refused.snr_refused) + ", bearings " + std::to_string(refused.bearings_refused) + " and " +

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "policy/report/flight_files.hpp"
@@ -14,7 +15,10 @@ namespace earshot::report {
 /// In numbers.
 [[nodiscard]] std::string sea_facts(const SeaFlight& flight, const JournalledSearch& journal);
 
-/// Orders and changes of state with their times; what was refused.
+/// Orders, rules that acted and changes of state, with their times.
+[[nodiscard]] std::string events_table(std::span<const SeaFlight::Event> events);
+
+/// The same; what was refused.
 [[nodiscard]] std::string sea_events(const SeaFlight& flight);
 
 }  // namespace earshot::report

@@ -111,7 +111,7 @@ set format x '%g'
 set ytics 10
 set colorbox user origin 0.855,0.12 size 0.018,0.30
 set cbtics 20
-set cblabel 'dB re 1 uPa^2/Hz' noenhanced offset -0.5,0
+set cblabel 'dB re 1 µPa²/Hz' noenhanced offset -0.5,0
 unset key
 )" + colours_of(sound.spectrogram) +
                        strip_plot(sound.spectrogram),

@@ -1,12 +1,14 @@
 #include "sim/apps/field/arguments.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
-#include "firmware/host/file/output_file.hpp"
+#include "firmware/host/file/distinct_files.hpp"
 #include "sim/plot/gnuplot.hpp"
 #include "sim/sonar/fan.hpp"
 
@@ -21,7 +23,9 @@ void describe_place(program::CommandLine& line, FieldArguments& a) {
   line.option("--max-range-km", &a.max_range_km, "how far from the source").between(0.001, 2000.0).shows_default();
   line.option("--depth,--receiver-depth-m", &a.depth_m, "receiver depths in m; default: every --depth-spacing down to the sea floor")
       .between(0.0, 12'000.0);
-  line.option("--depth-spacing", &a.depth_spacing_m, "m between receiver depths").between(0.1, 10000.0).shows_default();
+  line.option("--depth-spacing", &a.depth_spacing_m,
+              "m between receiver depths; default: 10, in water of less than 1000 m a hundredth of it or less")
+      .between(0.1, 10000.0);
   line.option("--bearing-deg", &a.bearing_deg, "of the radial, clockwise from north; matters where charts are used")
       .between(-360.0, 360.0)
       .shows_default();
@@ -88,8 +92,21 @@ ocean::Band band_of(const FieldArguments& arguments, const ocean::Environment& e
   return {Hertz{arguments.band_hz[0]}, Hertz{arguments.band_hz[1]}, arguments.frequencies};
 }
 
+/// 10 m; in water so shallow that it would have less than a hundred depths 5, 2, 1, 0.5, 0.2 or 0.1 m.
+double default_depth_spacing_m(Meters sea_floor) {
+  constexpr std::array<double, 6> kFiner_m{5.0, 2.0, 1.0, 0.5, 0.2, 0.1};
+  double spacing_m = 10.0;
+  for (const double finer_m : kFiner_m) {
+    if (100.0 * spacing_m > sea_floor.value) spacing_m = finer_m;
+  }
+  return spacing_m;
+}
+
 std::vector<double> receiver_depths(const FieldArguments& arguments, Meters sea_floor) {
   std::vector<double> depths = arguments.depth_m;
+  if (!depths.empty() && depths.front() == 0.0)
+    throw std::invalid_argument(
+        "--depth = 0: at the surface there is no sound, its pressure is released; a hydrophone hangs below it, say at 1 m");
   for (const double depth : depths) {
     if (depth <= sea_floor.value) continue;
     std::ostringstream text;
@@ -97,9 +114,10 @@ std::vector<double> receiver_depths(const FieldArguments& arguments, Meters sea_
     throw std::invalid_argument(text.str());
   }
   if (!depths.empty()) return depths;
+  const double spacing_m = arguments.depth_spacing_m.value_or(default_depth_spacing_m(sea_floor));
   // Multiples, less one that falls on the sea floor but for rounding: a sum of tenths of a metre would miss it by a nanometre.
-  const double spacings = std::max(1.0, std::ceil(sea_floor.value / arguments.depth_spacing_m - 1e-6));
-  for (std::size_t i = 1; i < static_cast<std::size_t>(spacings); ++i) depths.push_back(static_cast<double>(i) * arguments.depth_spacing_m);
+  const double spacings = std::max(1.0, std::ceil(sea_floor.value / spacing_m - 1e-6));
+  for (std::size_t i = 1; i < static_cast<std::size_t>(spacings); ++i) depths.push_back(static_cast<double>(i) * spacing_m);
   depths.push_back(sea_floor.value);
   return depths;
 }
@@ -115,7 +133,8 @@ void describe(program::CommandLine& line, FieldArguments& a) {
   line.option("ENVIRONMENT", &a.environment, "TOML file that describes the ocean and the source");
   line.option("--library", &a.library, "TOML file that names an environment and many positions; instead of ENVIRONMENT");
   line.option("-o,--output", &a.output, "NetCDF file to write").required();
-  line.option("--plot", &a.plot, "also draw the SNR, as .png or .svg").checked(picture_name);
+  line.option("--plot", &a.plot, "also draw the SNR, as .png or .svg; with --radials it draws the map, and needs --map")
+      .checked(picture_name);
   line.flag("--force", &a.force, "replace a file that is there already, of whatever kind it is");
   describe_place(line, a);
   describe_fan(line, a);
@@ -144,10 +163,14 @@ void require_consistent(const program::CommandLine& line, const FieldArguments& 
                 "--band-hz: the low frequency comes first, and must be less than the high one");
 }
 
-void require_writable(const FieldArguments& arguments) {
-  const host::Replace replace = host::replaced_by(arguments.force);
-  host::require_writable(arguments.output, host::kNetcdfOutput, replace);
-  if (!arguments.plot.empty()) host::require_writable(arguments.plot, host::picture_kind(arguments.plot), replace);
+void require_writable(const FieldArguments& arguments, const ocean::Environment& environment) {
+  host::DistinctFiles read;
+  if (!arguments.library.empty()) read.read("--library", arguments.library);
+  read.read("ENVIRONMENT", environment.files.front());
+  read.read("a file of ENVIRONMENT", environment.files);
+  std::vector<host::Output> outputs{{"--output", arguments.output, host::kNetcdfOutput}};
+  if (!arguments.plot.empty()) outputs.push_back({"--plot", arguments.plot, host::picture_kind(arguments.plot)});
+  host::require_writable(std::move(read), outputs, host::replaced_by(arguments.force));
 }
 
 sonar::RadialPlan plan_radial(const FieldArguments& arguments, const ocean::Environment& environment, double default_step_wavelengths,

@@ -22,7 +22,7 @@ struct FieldArguments {
   std::string history;  ///< the command itself
   double max_range_km = 25.0;
   std::vector<double> depth_m;
-  double depth_spacing_m = 10.0;
+  std::optional<double> depth_spacing_m;
   double bearing_deg = 0.0;
   std::size_t radials = 0;  ///< 0: one radial
   bool map = false;
@@ -49,8 +49,9 @@ void describe(program::CommandLine& line, FieldArguments& arguments);
 /// Throws std::invalid_argument for options that contradict each other, or would be ignored.
 void require_consistent(const program::CommandLine& line, const FieldArguments& arguments);
 
-/// Refuses files that cannot be written before the work, not after it. Throws host::BadInput.
-void require_writable(const FieldArguments& arguments);
+/// Refuses files that cannot be written before the work, not after it, and such as were read. Throws host::BadInput.
+/// @param environment  as it was read from its file
+void require_writable(const FieldArguments& arguments, const ocean::Environment& environment);
 
 /// @param default_step_wavelengths  between ranges written where the command line names none
 /// Throws std::invalid_argument naming a depth that no radial has water at, and for more values than kMostFanValues.

@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <numbers>
 #include <numeric>
 #include <optional>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "firmware/host/program/progress_bar.hpp"
@@ -31,20 +33,43 @@ std::optional<sonar::HorizontalMap> map_of(const FieldArguments& arguments, cons
   return sonar::make_map(fan, 0, {.side = map_side(arguments, fan), .intervals = arguments.map_intervals}, detector);
 }
 
+/// "25 km or further" where the computation ends there.
+std::string range_to_string(const sonar::Fan& fan, double range_m) {
+  std::ostringstream text;
+  text << std::setprecision(4) << range_m / 1000.0 << " km" << (sonar::is_heard_to_the_end(fan, range_m) ? " or further" : "");
+  return text.str();
+}
+
+/// Of the bearings where it is heard. @param furthest_m  one or more
+std::string last_heard(const sonar::Fan& fan, const std::vector<double>& furthest_m) {
+  const auto [nearest, furthest] = std::minmax_element(furthest_m.begin(), furthest_m.end());
+  if (*nearest == *furthest) return "last at " + range_to_string(fan, *furthest);
+  std::ostringstream text;
+  text << "last at " << range_to_string(fan, *nearest) << " to " << range_to_string(fan, *furthest) << ", by bearing";
+  if (sonar::is_heard_to_the_end(fan, *furthest)) return text.str();  // what is only a bound has no mean
+  const double mean_m = std::accumulate(furthest_m.begin(), furthest_m.end(), 0.0) / static_cast<double>(furthest_m.size());
+  text << "; mean " << range_to_string(fan, mean_m);
+  return text.str();
+}
+
 void print_detection(const sonar::Fan& fan, const sonar::Detector& detector) {
   for (std::size_t depth = 0; depth < fan.depth_m.size(); ++depth) {
-    std::vector<double> furthest_km;
+    std::vector<double> furthest_m;
     for (const auto& range : sonar::detection_ranges(fan, depth, detector)) {
-      if (!std::isnan(range.furthest_m)) furthest_km.push_back(range.furthest_m / 1000.0);
+      if (!std::isnan(range.furthest_m)) furthest_m.push_back(range.furthest_m);
     }
+    const std::size_t in_water = furthest_m.size();
+    std::erase(furthest_m, 0.0);
     program::say() << "heard:   at " << fan.depth_m[depth] << " m ";
-    if (furthest_km.empty()) {
+    if (in_water == 0)
       program::say() << "nowhere: there is no water at that depth beside the source\n";
-      continue;
-    }
-    const auto [nearest, furthest] = std::minmax_element(furthest_km.begin(), furthest_km.end());
-    program::say() << "last at " << *nearest << " to " << *furthest << " km, by bearing; mean "
-                   << std::accumulate(furthest_km.begin(), furthest_km.end(), 0.0) / static_cast<double>(furthest_km.size()) << " km\n";
+    else if (furthest_m.empty())
+      program::say() << "nowhere: the SNR stays below " << detector.detection_threshold.value << " dB at every range\n";
+    else if (furthest_m.size() < in_water)
+      program::say() << last_heard(fan, furthest_m) << "; on " << in_water - furthest_m.size() << " of " << in_water
+                     << " bearings nowhere\n";
+    else
+      program::say() << last_heard(fan, furthest_m) << '\n';
   }
 }
 
@@ -87,7 +112,7 @@ void require_water(const ocean::Environment& environment, const sonar::FanPlan& 
 
 void write_fan(const FieldArguments& arguments) {
   const auto environment = environment_in(arguments.environment);
-  require_writable(arguments);
+  require_writable(arguments, environment);
   const NorthEast source = environment.source.position;
   const Meters deepest = sonar::deepest_sea_floor(environment, source, arguments.radials, Meters{1000.0 * arguments.max_range_km});
   const sonar::FanPlan plan{.bearings = arguments.radials, .radial = plan_radial(arguments, environment, 1.0 / 3.0, deepest)};
@@ -103,7 +128,7 @@ void write_fan(const FieldArguments& arguments) {
   sonar::write_fan(arguments.output, fan, map, environment, plan.radial.band, detector, arguments.history);
   if (!arguments.plot.empty()) plot::plot_map(arguments.plot, fan, environment, plan.radial.band, map_side(arguments, fan), detector);
 
-  program::say() << "ocean:   " << environment.name << ", source at " << environment.source.depth.value << " m\n"
+  program::say() << "ocean:   " << ocean_to_string(environment, plan.radial.band) << '\n'
                  << "fan:     " << fan.bearings << " bearings x " << fan.ranges << " ranges to " << fan.max_range().value / 1000.0 << " km"
                  << (sonar::differs_with_place(environment) ? "" : ", one march for all: this ocean is the same on every bearing") << '\n';
   print_detection(fan, detector);

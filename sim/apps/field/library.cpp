@@ -31,7 +31,7 @@ void write_library(const FieldArguments& arguments, parallel::RankSession& sessi
   std::optional<field_library::LibraryPlan> plan;
   session.all_or_none<BadStart, std::exception>([&] {
     plan = field_library::load_library_plan(arguments.library, environment_in);
-    if (session.ranks().rank() == 0) require_writable(arguments);
+    if (session.ranks().rank() == 0) require_writable(arguments, plan->environment);
   });
 
   const std::size_t threads = arguments.threads.value_or(session.processors());

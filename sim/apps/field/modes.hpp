@@ -22,6 +22,9 @@ class BadStart : public std::runtime_error {
 /// in it is told by each.
 [[nodiscard]] ocean::Environment environment_in(const std::filesystem::path& path);
 
+/// "fin whale ocean, source of 20 Hz at 36 m"; "... of 15 to 30 Hz ..." where a band is computed.
+[[nodiscard]] std::string ocean_to_string(const ocean::Environment& environment, const ocean::Band& band);
+
 /// Says on standard error what the result leans on and does not hold; nothing where there is nothing to say.
 void warn(const std::optional<ocean::UnmeasuredWater>& water);
 void warn(const std::string& what);

@@ -45,7 +45,30 @@ void warn_of_land(const ocean::Environment& environment, Radians bearing, Meters
   warn(text.str());
 }
 
+std::string ranges_to_string(const sonar::SonarField& field) {
+  std::ostringstream text;
+  text << field.range_m.size() << (field.range_m.size() == 1 ? " range, " : " ranges to ") << field.range_m.back() / 1000.0 << " km";
+  return text.str();
+}
+
+std::string depths_to_string(const sonar::SonarField& field) {
+  std::ostringstream text;
+  if (field.depth_m.size() == 1)
+    text << "at a depth of " << field.depth_m.front() << " m";
+  else
+    text << field.depth_m.size() << " depths from " << field.depth_m.front() << " to " << field.depth_m.back() << " m";
+  return text.str();
+}
+
 }  // namespace
+
+std::string ocean_to_string(const ocean::Environment& environment, const ocean::Band& band) {
+  std::ostringstream text;
+  text << environment.name << ", source of " << band.low.value;
+  if (band.high > band.low) text << " to " << band.high.value;
+  text << " Hz at " << environment.source.depth.value << " m";
+  return text.str();
+}
 
 ocean::Environment environment_in(const std::filesystem::path& path) {
   return search::load_scenario(path).environment;
@@ -61,7 +84,7 @@ void warn(const std::optional<ocean::UnmeasuredWater>& water) {
 
 void write_radial(const FieldArguments& arguments) {
   const auto environment = environment_in(arguments.environment);
-  require_writable(arguments);
+  require_writable(arguments, environment);
   const Radians bearing{arguments.bearing_deg * std::numbers::pi / 180.0};
   const Meters deepest =
       sonar::deepest_sea_floor(environment, environment.source.position, bearing, Meters{1000.0 * arguments.max_range_km});
@@ -76,10 +99,8 @@ void write_radial(const FieldArguments& arguments) {
   if (!arguments.plot.empty())
     plot::plot_field(arguments.plot, field, environment, plan.band, bearing, Decibels{arguments.detection_threshold_db});
 
-  program::say() << "ocean:   " << environment.name << ", source of " << environment.source.frequency.value << " Hz at "
-                 << environment.source.depth.value << " m\n"
-                 << "field:   " << field.range_m.size() << " ranges to " << field.range_m.back() / 1000.0 << " km, " << field.depth_m.size()
-                 << " depths from " << field.depth_m.front() << " to " << field.depth_m.back() << " m\n"
+  program::say() << "ocean:   " << ocean_to_string(environment, plan.band) << '\n'
+                 << "field:   " << ranges_to_string(field) << ", " << depths_to_string(field) << '\n'
                  << "written: " << arguments.output << (arguments.plot.empty() ? "" : ", " + arguments.plot) << '\n';
   warn(sonar::unmeasured_water(environment, environment.source.position, bearing, Meters{field.range_m.back()}));
   warn_of_land(environment, bearing, Meters{field.range_m.back()});

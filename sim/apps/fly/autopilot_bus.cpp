@@ -2,13 +2,12 @@
 
 #include <poll.h>
 
-#include <array>
 #include <stdexcept>
-#include <string_view>
 
 #include "firmware/boards/linux/clock.hpp"
 #include "firmware/host/mission/port_settings.hpp"
 #include "firmware/host/transport/can_socket.hpp"
+#include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
@@ -92,23 +91,11 @@ std::unique_ptr<AutopilotPort> open_port(const host::PortSettings& port, const n
 
 }  // namespace
 
-bool brings_bearings(const host::PortSettings& port) {
-  return port.kind == host::PortKind::kLcm && port.roles.has(host::Role::kSnr);
-}
-
 AutopilotBus::AutopilotBus(const host::MissionFile& mission) {
   for (const host::PortSettings& port : mission.ports) {
     if (port.roles.has(host::Role::kNavigation)) sensors_.push_back(open_port(port, mission.plane));
     if (port.roles.has(host::Role::kAutopilot)) autopilots_.push_back(open_port(port, mission.plane));
-    if (brings_bearings(port) && array_ == nullptr)
-      array_ = std::make_unique<host::LcmEndpoint>(host::parse_lcm_url(port.address), std::vector<std::string_view>{});
   }
-}
-
-void AutopilotBus::publish(const messages::BearingMeasurement& bearing) {
-  if (array_ == nullptr || array_->publish(wire::kBearingChannel, wire::Encoded(wire::to_message(bearing)).bytes()) != Status::kOk)
-    throw std::runtime_error("a bearing cannot be put on the LCM bus");
-  ++bearing_messages_;
 }
 
 void AutopilotBus::publish(Time now, const vehicle::State& state) {

@@ -6,8 +6,6 @@
 
 #include "firmware/core/time.hpp"
 #include "firmware/host/mission/mission_file.hpp"
-#include "firmware/host/transport/lcm_endpoint.hpp"
-#include "firmware/messages/bearing_measurement.hpp"
 #include "sim/vehicle/vehicle.hpp"
 
 namespace earshot::fly {
@@ -29,9 +27,6 @@ class AutopilotPort {
   [[nodiscard]] virtual int file_descriptor() const = 0;
 };
 
-/// Whether a bearing may come by the port: CAN carries none.
-[[nodiscard]] bool brings_bearings(const host::PortSettings& port);
-
 /// The other side of all ports of a mission: navigation goes to every port that brings it, set-points come from every port that takes them.
 class AutopilotBus {
  public:
@@ -45,20 +40,13 @@ class AutopilotBus {
   /// Until collect() has something to take, but no longer than `most`.
   void wait(Duration most) const;
 
-  /// A bearing, to one port that brings an SNR: were it said to two, the vehicle would hear two arrays.
-  /// Throws std::runtime_error when the bus cannot carry it. One port of the mission brings_bearings().
-  void publish(const messages::BearingMeasurement& bearing);
-
   [[nodiscard]] std::uint64_t navigation_messages() const { return navigation_messages_; }
-  [[nodiscard]] std::uint64_t bearing_messages() const { return bearing_messages_; }
   [[nodiscard]] std::uint64_t setpoint_messages() const { return setpoint_messages_; }
 
  private:
   std::vector<std::unique_ptr<AutopilotPort>> sensors_;     ///< ports with the role navigation
   std::vector<std::unique_ptr<AutopilotPort>> autopilots_;  ///< ports with the role autopilot
-  std::unique_ptr<host::LcmEndpoint> array_;                ///< the first that brings_bearings(); null where none does
   std::uint64_t navigation_messages_ = 0;
-  std::uint64_t bearing_messages_ = 0;
   std::uint64_t setpoint_messages_ = 0;
 };
 

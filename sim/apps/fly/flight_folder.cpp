@@ -5,11 +5,14 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include "firmware/core/time.hpp"
+#include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/file/folder_lock.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
@@ -66,9 +69,33 @@ void require_for_flights(const fs::path& folder) {
   }
 }
 
+/// @return bytes that a user may still write there; nothing where that cannot be known
+std::optional<std::uintmax_t> room_in(const fs::path& folder) {
+  std::error_code unknown;
+  const fs::space_info space = fs::space(folder, unknown);
+  return unknown ? std::nullopt : std::optional(space.available);
+}
+
+/// Less than the shortest flight takes: without it the programs of the flight would one after the other say what they miss.
+/// @throws host::BadInput
+void require_room(const fs::path& folder, const fs::path& on_disk_of) {
+  constexpr std::uintmax_t kLeast = 1 << 20;
+  const std::optional<std::uintmax_t> room = room_in(on_disk_of);
+  if (room && *room < kLeast)
+    throw host::BadInput(host::printable(folder.string()) + ": the disk is full: " + std::to_string(*room / 1024) +
+                         " kB are left, and a flight takes some thousands: make room, or choose another folder with --out");
+}
+
 }  // namespace
 
+std::string place_of_rest(const fs::path& unfinished) {
+  constexpr std::uintmax_t kNextToNothing = 128 * 1024;  // of which the journal keeps half for orders
+  const bool is_full = room_in(unfinished).value_or(kNextToNothing) < kNextToNothing;
+  return "what there is of it is in " + host::printable(unfinished.string()) + (is_full ? ", and the disk is full" : "");
+}
+
 FlightFolder::FlightFolder(fs::path folder) : folder_(std::move(folder)), first_made_(topmost_missing(fs::absolute(folder_))) {
+  require_room(folder_, first_made_.empty() ? folder_ : first_made_.parent_path());
   fs::create_directories(folder_);
   lock_ = host::lock_folder(folder_);
   host::require_not_being_written(folder_ / kFiles.front());
@@ -104,6 +131,14 @@ void FlightFolder::move_up() {
   }
   fs::remove_all(finished);
   bring_to_disk(folder_);
+}
+
+void require_left_alone(const FlightPlan& plan, const fs::path& mission, const fs::path& recording, const fs::path& folder) {
+  host::DistinctFiles files;
+  files.read("--mission", mission);
+  files.read("a file of --environment", plan.scenario.environment.files);
+  if (!recording.empty()) files.read("--hear", recording);
+  for (const char* name : kFiles) files.write("a file of --out", folder / name);
 }
 
 }  // namespace earshot::fly

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "firmware/host/file/file_descriptor.hpp"
+#include "sim/apps/fly/flight_plan.hpp"
 
 namespace earshot::fly {
 
@@ -14,8 +16,8 @@ namespace earshot::fly {
 class FlightFolder {
  public:
   /// Makes the folder if it is missing.
-  /// @throws host::FolderInUse naming who writes there, host::BadInput naming a journal from sea, or a file that is no flight's where no
-  /// earlier flight lies, std::system_error
+  /// @throws host::FolderInUse naming who writes there, host::BadInput for a full disk, naming a journal from sea, or a file that is no
+  /// flight's where no earlier flight lies, std::system_error
   explicit FlightFolder(std::filesystem::path folder);
   /// What it made and nobody has written into is gone again.
   ~FlightFolder();
@@ -36,5 +38,14 @@ class FlightFolder {
   std::filesystem::path unfinished_;
   host::FileDescriptor lock_;
 };
+
+/// "what there is of it is in FOLDER", and that the disk is full where it has no room for a flight to go on.
+[[nodiscard]] std::string place_of_rest(const std::filesystem::path& unfinished);
+
+/// What a flight leaves in its folder takes the place of whatever bears that name there.
+/// @param recording  that is heard; empty: none
+/// @throws host::BadInput naming both when that is one of the files that the flight is made of
+void require_left_alone(const FlightPlan& plan, const std::filesystem::path& mission, const std::filesystem::path& recording,
+                        const std::filesystem::path& folder);
 
 }  // namespace earshot::fly

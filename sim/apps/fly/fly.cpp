@@ -185,15 +185,6 @@ void wait_for_both(ChildProcess& simulator, ChildProcess& runtime) {
   }
 }
 
-/// What a person should know of a flight that heard: its first minutes went by before the search.
-void print_hearing(const nlohmann::json& hearing) {
-  std::printf("  heard       %s: %llu SNRs measured, %llu of them too faint; the first %.0f s at rest, to learn the noise of the sea\n",
-              hearing.at("sound") == fly::kSynthetic ? "synthetic sound" : "recorded sound",
-              static_cast<unsigned long long>(hearing.at("looks").get<std::uint64_t>()),
-              static_cast<unsigned long long>(hearing.at("looks_too_faint").get<std::uint64_t>()),
-              hearing.at("search_began_s").get<double>());
-}
-
 void print_summary(const fs::path& out) {
   if (program::talk() == program::Talk::kQuiet) return;
   std::ifstream stream(out / "summary.json");
@@ -207,7 +198,6 @@ void print_summary(const fs::path& out) {
   std::printf("  time        %s at sea in %.2f s: %.0f times real time\n", fly::hours_and_minutes(at_sea).c_str(), wall_time_s,
               sim_time_s / std::max(wall_time_s, 1e-9));
   std::printf("%s", fly::account_lines(s).c_str());
-  if (s.contains("hearing")) print_hearing(s.at("hearing"));
 }
 
 bool writes_report(const fs::path& folder) {
@@ -332,6 +322,7 @@ void require_band_of_source(const Options& o, const fly::FlightPlan& plan, const
 /// Both processes would say the same about a bad file: say it once, before either starts.
 host::MissionFile checked_mission(const Options& o) {
   const fly::FlightPlan plan = fly::load_flight_plan(o.mission, o.environment, o.vehicle);
+  fly::require_left_alone(plan, o.mission, fly::recording_of(o.hear.value_or(fly::kSynthetic)), o.out);
   warn_of_another_frequency(o, plan);
   host::MissionFile mission = plan.mission;
   if (o.battery_percent) fly::require_known_consumption(mission.mission, o.mission);
@@ -382,7 +373,7 @@ int fly_search(Options o) {
   if (has_flown && conclude(o, folder, is_flown(simulator, runtime))) return status;
   if (stop_requested && !has_flown) std::cerr << "earshot fly: stopped before the flight began\n";
   if (fs::exists(folder.unfinished()))
-    std::cerr << "earshot fly: this flight is not whole; what there is of it is in " << folder.unfinished().string() << "\n";
+    std::cerr << "earshot fly: this flight is not whole; " << fly::place_of_rest(folder.unfinished()) << "\n";
   return status == program::kDone ? program::kLost : status;
 }
 

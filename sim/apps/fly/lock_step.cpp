@@ -110,14 +110,13 @@ class Stepper {
     const policy::Reception reception = listen();
     const bool reached = flight_.setup.may_be_found && range <= flight_.setup.found_within;
     flight_.bus.publish(now_, believed());
-    if (reception.bearing) flight_.bus.publish({.time = now_, .bearing = *reception.bearing});
     const link::Tick tick{.number = ++number_,
                           .time = now_,
                           .navigation_messages = flight_.bus.navigation_messages() - said_again_,
-                          .bearing_messages = flight_.bus.bearing_messages() - bearings_said_again_,
                           .hydrophone_blocks = sound_ ? sound_->blocks() : 0,
                           .snr = sound_ ? std::nullopt : std::optional(reception.snr),
                           .snr_too_faint = !sound_ && reception.too_faint,
+                          .bearing = reception.bearing,
                           .command = order(reached),
                           .battery_percent = result_.battery ? std::optional(result_.battery->percent) : std::nullopt};
     flight_.link.send(tick);
@@ -128,7 +127,7 @@ class Stepper {
                           .source = source_,
                           .range = range});
     link::Answer answer;
-    if (!receive(tick, reception, answer) || !collect(answer)) return;
+    if (!receive(tick, answer) || !collect(answer)) return;
     const TrackPoint point{.time = now_,
                            .vehicle = vehicle_,
                            .reception = reception,
@@ -136,7 +135,7 @@ class Stepper {
                            .state = static_cast<messages::MissionState>(answer.state),
                            .steps_taken = answer.steps_taken};
     result_.account.note(answer, range);
-    record(point, static_cast<messages::EndReason>(answer.end_reason));
+    record(point, answer);
     if (sound_) sound_->note_motion(vehicle_.speed);
     if (live_.is_due()) show(point, answer.believed_source);
   }
@@ -176,12 +175,12 @@ class Stepper {
     return reached ? static_cast<std::uint8_t>(messages::Order::kComplete) : std::uint8_t{0};
   }
 
-  [[nodiscard]] bool receive(const link::Tick& tick, const policy::Reception& reception, link::Answer& answer) {
+  [[nodiscard]] bool receive(const link::Tick& tick, link::Answer& answer) {
     for (;;) {
       const char* const lost = wait_for_answer(answer);
       if (lost == nullptr) return true;
       if (!has_returned()) return fail("earshotd_lost", std::string("lost earshotd (") + lost + ")");
-      if (!say_again(tick, reception)) return false;
+      if (!say_again(tick)) return false;
     }
   }
 
@@ -204,7 +203,7 @@ class Stepper {
   }
 
   /// To a runtime that goes on from its journal: that holds the tick's turn, whose answer may be lost, or all turns before it.
-  [[nodiscard]] bool say_again(const link::Tick& tick, const policy::Reception& reception) {
+  [[nodiscard]] bool say_again(const link::Tick& tick) {
     const std::uint64_t turns_made = flight_.link.turns_made();
     if (turns_made != number_ && turns_made + 1 != number_)
       return fail("earshotd_lost", "earshotd came back with " + std::to_string(turns_made) + " turns in its journal, and had made " +
@@ -215,10 +214,6 @@ class Stepper {
       const std::uint64_t before = flight_.bus.navigation_messages();
       flight_.bus.publish(now_, believed());
       said_again_ += flight_.bus.navigation_messages() - before;
-      if (reception.bearing) {
-        flight_.bus.publish({.time = now_, .bearing = *reception.bearing});
-        ++bearings_said_again_;
-      }
     }
     flight_.link.send(tick);
     return true;
@@ -242,16 +237,18 @@ class Stepper {
     return false;
   }
 
-  void record(const TrackPoint& point, messages::EndReason reason) {
+  void record(const TrackPoint& point, const link::Answer& answer) {
     flight_.track.add(point);
     flight_.score.add(point);
     if (state_ == messages::MissionState::kStandby) result_.search_began = point.time;
     state_ = point.state;
     over_ = point.state == messages::MissionState::kDone || point.state == messages::MissionState::kAbort;
     if (!over_) return fail_when_nothing_is_heard();
+    const auto reason = static_cast<messages::EndReason>(answer.end_reason);
     const bool is_declared = reason == messages::EndReason::kFound;
     result_.found = reason == messages::EndReason::kCompleted || (is_declared && point.range <= flight_.setup.found_within);
     result_.end_reason = word_for(reason);
+    if (reason != messages::EndReason::kOperatorAbort) result_.ending_rule = answer.rule;
   }
 
   void fail_when_nothing_is_heard() {
@@ -277,8 +274,7 @@ class Stepper {
   const std::atomic<bool>& stop_;
   Time now_;
   std::uint64_t number_ = 0;
-  std::uint64_t said_again_ = 0;  ///< fixes, to a runtime that had lost them
-  std::uint64_t bearings_said_again_ = 0;
+  std::uint64_t said_again_ = 0;        ///< fixes, to a runtime that had lost them
   std::uint64_t setpoints_before_ = 0;  ///< of runtimes before this one
   bool over_ = false;
   FlightResult result_;

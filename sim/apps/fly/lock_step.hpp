@@ -10,6 +10,7 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/host/mission/mission_file.hpp"
+#include "firmware/messages/safety_event.hpp"
 #include "sim/apps/fly/autopilot_bus.hpp"
 #include "sim/apps/fly/flight_record.hpp"
 #include "sim/apps/fly/hearing/sound.hpp"
@@ -41,8 +42,9 @@ struct FlightSetup {
 
 struct FlightResult {
   bool found = false;
-  std::string end_reason;  ///< one word of summary.json
-  std::string failure;     ///< what went wrong, in words; empty when nothing did
+  std::string end_reason;                            ///< one word of summary.json
+  std::optional<messages::SafetyEvent> ending_rule;  ///< of the safety supervisor, that ended it
+  std::string failure;                               ///< what went wrong, in words; empty when nothing did
   Time last_tick;
   double wall_time_s = 0.0;  ///< from the first tick to the last answer
   vehicle::State end;

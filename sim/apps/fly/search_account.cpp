@@ -3,8 +3,12 @@
 #include <array>
 #include <cstdio>
 
+#include "firmware/config/safety.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/journal/rule_event_words.hpp"
+#include "firmware/host/program/wrapped.hpp"
 #include "firmware/messages/health.hpp"
+#include "sim/apps/fly/hearing/hear_option.hpp"
 
 namespace earshot::fly {
 namespace {
@@ -35,6 +39,34 @@ bool swept_in_silence(const nlohmann::json& summary) {
   return !swept.is_null() && (surprised.is_null() || surprised.get<std::uint32_t>() > swept.get<std::uint32_t>());
 }
 
+/// A line of the console under its label.
+std::string entry(const std::string& label, const std::string& sentence) {
+  constexpr std::size_t kIndent = 14;
+  std::string text = "  " + label;
+  text.resize(kIndent, ' ');
+  return text + program::wrapped(sentence, kIndent, kIndent) + "\n";
+}
+
+/// A number of bits says nothing without the one from which it is a surprise.
+std::string surprise_of(const nlohmann::json& s) {
+  const std::string end = decimals(s.at("surprise_bits"), 1) + " bits at the end, a surprise from " +
+                          decimals(static_cast<double>(messages::kSurprising_bits), 2) + " on";
+  const std::string what =
+      value_in(s, "surprised_from_step").is_null()
+          ? (swept_in_silence(s) ? "none by what it heard, but it heard less than its tables say"
+                                 : "none: the oceans of its tables explain what it heard")
+          : "from " + step_in(s, "surprised_from_step") + " on what it heard was unlikely in every ocean of its tables";
+  return what + " (" + end + ")";
+}
+
+/// What a person should know of a flight that heard: its first minutes went by before the search.
+std::string hearing_of(const nlohmann::json& hearing) {
+  return std::string(hearing.at("sound") == kSynthetic ? "synthetic sound" : "recorded sound") + ": " +
+         std::to_string(hearing.at("looks").get<std::uint64_t>()) + " SNRs measured, " +
+         std::to_string(hearing.at("looks_too_faint").get<std::uint64_t>()) + " of them too faint; the first " +
+         decimals(hearing.at("search_began_s"), 0) + " s at rest, to learn the noise of the sea";
+}
+
 }  // namespace
 
 void SearchAccount::note(const link::Answer& answer, Meters range) {
@@ -55,6 +87,19 @@ nlohmann::ordered_json SearchAccount::to_json() const {
   return json;
 }
 
+nlohmann::ordered_json ending_rule_to_json(const std::optional<messages::SafetyEvent>& rule) {
+  if (!rule) return nullptr;
+  nlohmann::ordered_json json{{"what", host::to_string(*rule)}, {"rule", rule->rule + 1}};
+  const auto condition = static_cast<std::size_t>(rule->condition);
+  const auto response = static_cast<std::size_t>(rule->response);
+  if (condition >= config::kConditions || response >= config::kResponses) return json;
+  json["condition"] = config::kConditionTraits.at(condition).key;
+  json["value"] = rule->measure;
+  json["limit"] = rule->limit;
+  json["response"] = config::kResponseWords.at(response);
+  return json;
+}
+
 std::string outcome(const nlohmann::json& s) {
   if (s.at("found").get<bool>()) return "source found";
   const std::string reason = s.at("end_reason");
@@ -65,34 +110,30 @@ std::string outcome(const nlohmann::json& s) {
   if (reason == "steps_used_up") return "source not found: all " + std::to_string(s.at("steps").get<int>()) + " steps taken";
   if (const nlohmann::json declared = value_in(s, "declared_found"); reason == "declared_found" && !declared.is_null())
     return "declared found, wrongly: " + decimals(declared.at("range_m"), 0) + " m from the source";
-  return "source not found: " + host::spelled_apart(reason);
+  const nlohmann::json rule = value_in(s, "ended_by");
+  if (rule.is_null()) return "source not found: " + host::spelled_apart(reason);
+  const std::string what = "safety " + rule.at("what").get<std::string>();
+  return "source not found: " + (reason == "safety_rule" ? what : host::spelled_apart(reason) + ": " + what);
 }
 
 std::string account_lines(const nlohmann::json& s) {
   std::string text;
-  if (!value_in(s, "surprise_bits").is_null()) {
-    // A number of bits says nothing without the one from which it is a surprise.
-    const std::string end = decimals(s.at("surprise_bits"), 1) + " bits at the end, a surprise from " +
-                            decimals(static_cast<double>(messages::kSurprising_bits), 2) + " on";
-    text += "  surprise    ";
-    text += value_in(s, "surprised_from_step").is_null()
-                ? (swept_in_silence(s) ? "none by what it heard, but it heard less than its tables say"
-                                       : "none: the oceans of its tables explain what it heard")
-                : "from " + step_in(s, "surprised_from_step") + " on what it heard was unlikely in every ocean of its tables";
-    text += " (" + end + ")\n";
-  }
+  if (s.contains("battery_percent")) text += entry("battery", decimals(s.at("battery_percent"), 1) + " % left");
+  if (!value_in(s, "surprise_bits").is_null()) text += entry("surprise", surprise_of(s));
   if (!value_in(s, "swept_from_step").is_null())
-    text += "  swept       from " + step_in(s, "swept_from_step") + " of " + std::to_string(s.at("max_steps").get<int>()) +
-            (swept_in_silence(s) ? " on: it had heard nothing for long, where its tables say that it should\n"
-                                 : " on: what it heard fitted no ocean of its tables\n");
+    text += entry("swept", "from " + step_in(s, "swept_from_step") + " of " + std::to_string(s.at("max_steps").get<int>()) +
+                               (swept_in_silence(s) ? " on: it had heard nothing for long, where its tables say that it should"
+                                                    : " on: what it heard fitted no ocean of its tables"));
   if (const nlohmann::json declared = value_in(s, "declared_found"); !declared.is_null()) {
     const double range_m = declared.at("range_m");
     const bool is_wrong = range_m > s.at("step_length_m").get<double>();
-    text += "  declared    found at " + step_in(declared, "step") + (is_wrong ? ", wrongly: " : ": ") + decimals(range_m, 0) +
-            " m from the source\n";
+    text += entry("declared", "found at " + step_in(declared, "step") + (is_wrong ? ", wrongly: " : ": ") + decimals(range_m, 0) +
+                                  " m from the source");
   } else if (s.at("found").get<bool>() && !value_in(s, "surprise_bits").is_null()) {
-    text += "  declared    not by the vehicle: the simulator ended the search within a step length of the source; at sea it would go on\n";
+    text +=
+        entry("declared", "not by the vehicle: the simulator ended the search within a step length of the source; at sea it would go on");
   }
+  if (s.contains("hearing")) text += entry("heard", hearing_of(s.at("hearing")));
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "firmware/core/units.hpp"
+#include "firmware/messages/safety_event.hpp"
 #include "sim/link/messages.hpp"
 
 namespace earshot::fly {
@@ -31,10 +32,15 @@ class SearchAccount {
   std::optional<Declaration> declaration_;  ///< the first
 };
 
-/// How a flight ended, for a person; its summary holds the word.
+/// The rule that ended a flight: in words ("what"), its place among the mission's rules from 1, condition, value, limit and response. Null:
+/// none did.
+[[nodiscard]] nlohmann::ordered_json ending_rule_to_json(const std::optional<messages::SafetyEvent>& rule);
+
+/// How a flight ended, for a person; its summary holds the word, and the rule that ended it.
 [[nodiscard]] std::string outcome(const nlohmann::json& summary);
 
-/// What the vehicle said of its search, a line each; a summary of an earlier version says nothing of it.
+/// What the vehicle said of its battery and of its search, and what it heard, in lines of at most 100 columns; a summary of an earlier
+/// version says nothing of it.
 [[nodiscard]] std::string account_lines(const nlohmann::json& summary);
 
 }  // namespace earshot::fly

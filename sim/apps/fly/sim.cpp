@@ -23,6 +23,7 @@
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "sim/apps/fly/autopilot_bus.hpp"
+#include "sim/apps/fly/flight_folder.hpp"
 #include "sim/apps/fly/flight_plan.hpp"
 #include "sim/apps/fly/flight_record.hpp"
 #include "sim/apps/fly/hearing/hear_option.hpp"
@@ -190,6 +191,7 @@ nlohmann::ordered_json summary_of(const Options& o, const config::Mission& missi
                                  {"wall_time_s", result.wall_time_s},
                                  {"seed", o.seed},
                                  {"end_reason", result.end_reason},
+                                 {"ended_by", ending_rule_to_json(result.ending_rule)},
                                  {"environment", o.environment.string()},
                                  {"mission", o.mission.string()},
                                  {"source", place(source)},
@@ -225,14 +227,19 @@ std::optional<vehicle::Battery> battery_of(const Options& o, const config::Missi
   return vehicle::Battery{.percent = *o.battery_percent, .percent_per_km = mission.safety.vehicle.battery_percent_per_km};
 }
 
+bool brings_bearings_at_sea(const host::PortSettings& port) {
+  return port.kind == host::PortKind::kLcm && port.roles.has(host::Role::kSnr);
+}
+
 int simulate(const Options& o) {
   FlightPlan plan = load_flight_plan(o.mission, o.environment, o.vehicle);
+  require_left_alone(plan, o.mission, recording_of(o.hear.value_or(kSynthetic)), o.out);
   host::override_ports(plan.mission, o.ports);
   if (o.hear) host::require_hydrophone(plan.mission, o.mission);
-  if (plan.scenario.conditions.bearing && std::ranges::none_of(plan.mission.ports, brings_bearings))
+  if (plan.scenario.conditions.bearing && std::ranges::none_of(plan.mission.ports, brings_bearings_at_sea))
     throw host::BadInput(o.environment.string() +
-                         ": conditions.bearing_deg: a bearing goes over LCM, CAN carries none, and no LCM port of " + o.mission.string() +
-                         " has the role \"snr\"");
+                         ": conditions.bearing_deg: at sea a bearing comes over LCM, CAN carries none, and no LCM port of " +
+                         o.mission.string() + " has the role \"snr\"");
   if (o.hear && o.wait_for_runtime_s > 0)
     throw host::BadInput("--wait-for-runtime: not with --hear: what a detector has learnt of the noise is in no journal");
   plan.search.placement = search::placement_named(o.source).value_or(plan.search.placement);

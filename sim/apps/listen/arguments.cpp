@@ -2,13 +2,15 @@
 
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include "firmware/host/file/bad_input.hpp"
-#include "firmware/host/file/output_file.hpp"
+#include "firmware/host/file/distinct_files.hpp"
 #include "sim/annotation/selection_table.hpp"
 #include "sim/apps/listen/outputs.hpp"
 #include "sim/plot/gnuplot.hpp"
 #include "sim/recording/clock_text.hpp"
+#include "sim/recording/recorder.hpp"
 #include "sim/recording/sound_folder.hpp"
 
 namespace earshot::listen {
@@ -110,28 +112,24 @@ void open_folders(Arguments& a) {
 }
 
 void require_writable(const Arguments& a) {
-  struct Output {
-    const std::string& path;
-    host::OutputKind kind;
-  };
-  const std::array outputs{Output{a.csv, kCsvOutput},
-                           Output{a.raven, annotation::kSelectionOutput},
-                           Output{a.json, kJsonOutput},
-                           Output{a.spectrogram, host::picture_kind(a.spectrogram)},
-                           Output{a.levels, host::kNetcdfOutput},
-                           Output{a.roc, host::picture_kind(a.roc)}};
-  std::vector<std::filesystem::path> taken;
-  for (const std::string& file : a.files) taken.push_back(std::filesystem::weakly_canonical(file));
-  for (const std::string& file : {a.truth, a.calibration})
-    if (!file.empty()) taken.push_back(std::filesystem::weakly_canonical(file));
-  for (const Output& output : outputs) {
-    if (output.path.empty()) continue;
-    const std::filesystem::path target = std::filesystem::weakly_canonical(host::followed(output.path));
-    for (const std::filesystem::path& other : taken)
-      if (other == target) throw host::BadInput(output.path + ": cannot be written: the same file is read, or written already");
-    taken.push_back(target);
-    host::require_writable(output.path, output.kind, host::replaced_by(a.force));
+  host::DistinctFiles read;
+  for (const std::string& file : a.files) {
+    read.read("FILE", file);
+    read.read("the log beside FILE", recording::log_beside(file));
   }
+  if (!a.truth.empty()) read.read("--score", a.truth);
+  if (!a.calibration.empty()) read.read("--calibration", a.calibration);
+  std::vector<host::Output> outputs;
+  const auto add = [&outputs](const char* option, const std::string& path, const host::OutputKind& kind) {
+    if (!path.empty()) outputs.push_back({option, path, kind});
+  };
+  add("--csv", a.csv, kCsvOutput);
+  add("--raven", a.raven, annotation::kSelectionOutput);
+  add("--json", a.json, kJsonOutput);
+  add("--spectrogram", a.spectrogram, host::picture_kind(a.spectrogram));
+  add("--levels", a.levels, host::kNetcdfOutput);
+  add("--roc", a.roc, host::picture_kind(a.roc));
+  host::require_writable(std::move(read), outputs, host::replaced_by(a.force));
 }
 
 detector::SoundSettings settings_of(const Arguments& a) {

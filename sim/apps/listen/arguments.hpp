@@ -41,7 +41,7 @@ void describe(program::CommandLine& line, Arguments& arguments);
 /// In place of each folder its recordings. Throws host::BadInput.
 void open_folders(Arguments& arguments);
 
-/// Refuses outputs that cannot be written, are named twice or are one of the recordings, before the work and not after it. Throws
+/// Refuses outputs that cannot be written, are named twice or are one of the files that are read, before the work and not after it. Throws
 /// host::BadInput.
 void require_writable(const Arguments& arguments);
 

@@ -276,6 +276,25 @@ std::vector<Row> rows_of(const Ear& ear, const Plan& plan, Decibels correction) 
   return rows;
 }
 
+/// When it did not hear, and when what it heard was clipped; with what it heard as long as the recording is. To the detector a place where
+/// sound does not go on is one where samples are missing: of a recording none are, its filters begin anew there, and a share of the first
+/// quarter goes with them.
+std::vector<Heard::Obstacle> obstacles_of(const Ear& ear, const Sequence& sequence, std::uint64_t missing_frames) {
+  const double unread_s = static_cast<double>(missing_frames) / sequence.sample_rate().value;
+  double rest_s = sequence.duration().to_seconds() - ear.listened().to_seconds() - unread_s;
+  std::vector<Heard::Obstacle> obstacles;
+  for (std::size_t i = 1; i < detector::kHearings; ++i) {
+    const auto hearing = static_cast<Hearing>(i);
+    if (hearing == Hearing::kDropout || ear.time_of(hearing).us == 0) continue;
+    obstacles.push_back({detector::to_string(hearing), ear.time_of(hearing).to_seconds()});
+    if (hearing != Hearing::kClipped) rest_s -= obstacles.back().seconds;
+  }
+  if (missing_frames > 0) obstacles.push_back({"samples could not be read", unread_s});
+  if (ear.time_of(Hearing::kDropout).us > 0 && rest_s > 0.0)
+    obstacles.push_back({"the filters begin anew where sound does not go on", rest_s});
+  return obstacles;
+}
+
 void require_heard(const Ear& ear, const Plan& plan) {
   if (ear.listened().us > 0) return;
   const Hearing obstacle = ear.main_obstacle();
@@ -339,10 +358,7 @@ Heard listen_to(const Plan& plan, const Arguments& arguments) {
   heard.rows = rows_of(ear, plan, correction);
   heard.listened_s = ear.listened().to_seconds();
   heard.noise_db = (ear.mean_floor() + correction).value;
-  for (std::size_t i = 1; i < detector::kHearings; ++i) {
-    const auto hearing = static_cast<Hearing>(i);
-    if (ear.time_of(hearing).us > 0) heard.obstacles.push_back({detector::to_string(hearing), ear.time_of(hearing).to_seconds()});
-  }
+  heard.obstacles = obstacles_of(ear, plan.sequence, heard.missing_frames);
   for (const Ear& other : listeners.others())
     heard.curve.push_back({.threshold_db = other.settings().detection_threshold.value,
                            .score = score_of(rows_of(other, plan, correction), plan, arguments.tolerance_s, heard.listened_s)});

@@ -23,6 +23,20 @@ std::string settings_text(const Plan& plan, const Arguments& arguments) {
   return text.str();
 }
 
+/// "5 min listened to", "27.5 h listened to"
+std::string listened_text(double listened_s) {
+  std::ostringstream text;
+  text << std::setprecision(3);
+  if (listened_s < 60.0)
+    text << listened_s << " s";
+  else if (listened_s < 3600.0)
+    text << listened_s / 60.0 << " min";
+  else
+    text << listened_s / 3600.0 << " h";
+  text << " listened to";
+  return text.str();
+}
+
 }  // namespace
 
 void draw_spectrogram(const Result& result, const Arguments& arguments) {
@@ -42,7 +56,7 @@ void draw_spectrogram(const Result& result, const Arguments& arguments) {
 void draw_curve(const Result& result, const Arguments& arguments) {
   std::ostringstream subtitle;
   subtitle << settings_text(result.plan, arguments) << "; " << result.plan.truth.size() << " selections, tolerance "
-           << arguments.tolerance_s << " s, " << std::setprecision(3) << result.heard.listened_s / 3600.0 << " h";
+           << arguments.tolerance_s << " s, " << listened_text(result.heard.listened_s);
   plot::plot_operating_curve(arguments.roc, result.heard.curve, title_of(result.plan), subtitle.str());
 }
 

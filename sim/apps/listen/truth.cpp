@@ -154,6 +154,10 @@ Truth truth_of(const annotation::SelectionTable& table, const std::string& name,
     else
       truth.intervals.push_back({begins_s[i], begins_s[i] + s.end_s - s.begin_s});
   }
+  if (truth.intervals.empty() && !here.empty())
+    throw host::BadInput(name + ": no score: none of its selections is of what is listened to: " + std::to_string(of_other_channels) +
+                         " are of other channels than " + std::to_string(listened.channel) + ", " + std::to_string(outside_of_band) +
+                         " of frequencies outside of the band");
   remark(of_other_channels, "of other channels than " + std::to_string(listened.channel));
   remark(outside_of_band, "of frequencies outside of the band that is listened to");
   return truth;

@@ -30,7 +30,8 @@ struct Listened {
 /// sequence, as Raven has them, or from that of each file, as others do: whichever fits all lines. Selections of other files, of other
 /// channels and of frequencies outside of the band are not counted, and remarked on.
 /// @param name  what messages call the table
-/// Throws host::BadInput where the table is not of these files, or fits in both ways and they differ.   Oracle: Truth.*
+/// Throws host::BadInput where the table is not of these files, where none of its selections is listened to, or where it fits in both ways
+/// and they differ.   Oracle: Truth.*
 [[nodiscard]] Truth truth_of(const annotation::SelectionTable& table, const std::string& name, const Listened& listened);
 
 }  // namespace earshot::listen

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <sstream>
+#include <vector>
 
 namespace earshot::ocean {
 namespace {
@@ -31,11 +33,12 @@ bool is_usual_fill(double x) {
   return size == 9999.0 || size == 999.0;
 }
 
-/// Whether a node is so far from all about it that no sea floor leads there. Steeper than two in one over a whole cell is no slope that a
-/// chart shows; a usual fill value must be near a neighbour of another value.
+/// Steeper than two in one over a whole cell is no slope that a chart shows.
+constexpr double kRoughness_m = 200.0;
+constexpr double kSteepest = 2.0;
+
+/// Whether a node is so far from all about it that no sea floor leads there; a usual fill value must be near a neighbour of another value.
 bool is_stray(const Bathymetry& chart, std::size_t row, std::size_t column) {
-  constexpr double kRoughness_m = 200.0;
-  constexpr double kSteepest = 2.0;
   constexpr double kNearFill_m = 1000.0;
   const std::size_t columns = chart.axes.longitude_deg.size();
   const double here = chart.elevation_m[row * columns + column];
@@ -53,12 +56,67 @@ bool is_stray(const Bathymetry& chart, std::size_t row, std::size_t column) {
   return has_neighbour || is_usual_fill(here);
 }
 
+/// Nodes of one value that hang together, fewer than the others, and from which no sea floor leads to any of them: a hole in the survey
+/// that somebody filled.
+class FilledHoles {
+ public:
+  explicit FilledHoles(const Bathymetry& chart)
+      : chart_(chart),
+        columns_(chart.axes.longitude_deg.size()),
+        farthest_m_(std::min(kFarthest_m, kRoughness_m + kSteepest * spacing(chart.axes).value)),
+        was_seen_(chart.elevation_m.size()) {}
+
+  /// Whether `node` is the first of such nodes to be asked for.
+  bool begins_at(std::size_t node) {
+    if (was_seen_[node]) return false;
+    std::vector<std::size_t> next{node};
+    std::size_t nodes = 0;
+    bool has_neighbour = false;
+    bool is_reached = false;
+    was_seen_[node] = true;
+    for (; !next.empty(); ++nodes) {
+      const std::size_t here = next.back();
+      next.pop_back();
+      for_each_neighbour(here, [&](std::size_t there) {
+        const double step_m = std::abs(chart_.elevation_m[there] - chart_.elevation_m[here]);
+        if (std::isnan(step_m)) return;
+        if (step_m > 0.0) {
+          has_neighbour = true;
+          is_reached = is_reached || step_m <= farthest_m_;
+        } else if (!was_seen_[there]) {
+          was_seen_[there] = true;
+          next.push_back(there);
+        }
+      });
+    }
+    return nodes > 1 && nodes < chart_.elevation_m.size() / 2 && has_neighbour && !is_reached;
+  }
+
+ private:
+  /// In a coarse chart, too: two nodes of the very same depth with nothing but cliffs of this height about them are no sea floor.
+  static constexpr double kFarthest_m = 5000.0;
+
+  void for_each_neighbour(std::size_t node, const std::function<void(std::size_t)>& visit) const {
+    const std::size_t row = node / columns_;
+    const std::size_t column = node % columns_;
+    for (std::size_t i = row > 0 ? row - 1 : 0; i <= std::min(row + 1, chart_.axes.latitude_deg.size() - 1); ++i) {
+      for (std::size_t j = column > 0 ? column - 1 : 0; j <= std::min(column + 1, columns_ - 1); ++j) visit(i * columns_ + j);
+    }
+  }
+
+  const Bathymetry& chart_;
+  std::size_t columns_;
+  double farthest_m_;
+  std::vector<bool> was_seen_;
+};
+
 }  // namespace
 
 void require_no_stray_node(const Bathymetry& chart, const std::string& variable) {
   const std::size_t columns = chart.axes.longitude_deg.size();
+  FilledHoles holes(chart);
   for (std::size_t i = 0; i < chart.elevation_m.size(); ++i) {
-    if (std::isnan(chart.elevation_m[i]) || !is_stray(chart, i / columns, i % columns)) continue;
+    if (std::isnan(chart.elevation_m[i]) || (!is_stray(chart, i / columns, i % columns) && !holes.begins_at(i))) continue;
     std::ostringstream text;
     text << chart.file << ": " << variable << ": holds " << chart.elevation_m[i] << " at latitude " << chart.axes.latitude_deg[i / columns]
          << ", longitude " << chart.axes.longitude_deg[i % columns]

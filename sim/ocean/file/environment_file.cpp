@@ -29,7 +29,7 @@ std::uint32_t crc32_of(const GeoAxes& axes, std::uint32_t previous) {
   return crc32_of(axes.longitude_deg, crc32_of(axes.latitude_deg, previous));
 }
 
-/// The water, from wherever it comes; CRC of the data goes on from `crc`.
+/// The water, from wherever it comes; CRC of the data goes on from `crc`, and its files join those of the environment.
 void take_water(Environment& environment, Charts& charts, const EnvironmentKeys& keys, std::uint32_t& crc) {
   environment.water = keys.water.profile;
   environment.water_stations = keys.water.stations;
@@ -39,9 +39,12 @@ void take_water(Environment& environment, Charts& charts, const EnvironmentKeys&
     environment.water = stations.front().profile;
     if (stations.size() > 1) environment.water_stations = std::move(stations);
     crc = host::crc32_of_file(keys.water.csv, crc);
+    environment.files.push_back(keys.water.csv);
   } else if (keys.water.from == WaterSource::kAtlas) {
     charts.climatology = read_world_ocean_atlas(keys.water.atlas, *keys.origin, keys.water.reach);
     charts.formula = keys.water.formula;
+    environment.files.push_back(keys.water.atlas.temperature);
+    environment.files.push_back(keys.water.atlas.salinity);
     crc = crc32_of(charts.climatology->depth_m, crc32_of(charts.climatology->axes, crc));
     crc = crc32_of(charts.climatology->salinity_psu, crc32_of(charts.climatology->temperature_c, crc));
   }
@@ -50,6 +53,7 @@ void take_water(Environment& environment, Charts& charts, const EnvironmentKeys&
 void take_sea_floor(Environment& environment, Charts& charts, const EnvironmentKeys& keys, std::uint32_t& crc) {
   if (!keys.bathymetry) return;
   const BathymetryKeys& from = *keys.bathymetry;
+  environment.files.push_back(from.file);
   switch (from.layout) {
     case BathymetryLayout::kSectionCsv:
       environment.sea_floor_stations = read_section_csv(from.file);
@@ -106,7 +110,8 @@ Environment environment_of(const std::filesystem::path& path, const EnvironmentK
                           .source = keys.source,
                           .noise_level = keys.noise_level,
                           .absorption_db_per_km = keys.absorption_db_per_km,
-                          .sediment_stations = keys.seabed.stations};
+                          .sediment_stations = keys.seabed.stations,
+                          .files = {path}};
   auto charts = std::make_shared<Charts>(Charts{.grid = {keys.origin.value_or(GeoPosition{})}, .bathymetry = {}, .climatology = {}});
   take_water(environment, *charts, keys, crc);
   take_sea_floor(environment, *charts, keys, crc);

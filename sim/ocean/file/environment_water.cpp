@@ -44,7 +44,7 @@ TabulatedProfile read_table(TableReader& table) {
 
 std::vector<WaterStation> read_stations(TableReader& table) {
   std::vector<WaterStation> stations;
-  for (TableReader& station : table.tables("stations")) {
+  for (TableReader& station : table.tables("stations", kMostWaterStations)) {
     const Meters range{station.number("range_m", Range::at_least(0.0))};
     const bool follows = stations.empty() || range > stations.back().range;
     if (!follows && !station.is_noted("range_m")) station.problem("range_m", "must be more than the station's before");

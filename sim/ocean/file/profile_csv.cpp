@@ -1,6 +1,7 @@
 #include "sim/ocean/file/profile_csv.hpp"
 
 #include <cstddef>
+#include <string>
 #include <utility>
 
 #include "sim/ocean/file/csv_table.hpp"
@@ -39,6 +40,8 @@ std::vector<WaterStation> read_profile_csv(const std::filesystem::path& path, Ra
     if (profiles.empty() || range_m[row] != profiles.back().first) {
       if (!profiles.empty() && range_m[row] < profiles.back().first) throw table.error(row, "range_m", "must not decrease");
       if (depth_m[row] != 0.0) throw table.error(row, "depth_m", "a profile must begin at 0");
+      if (profiles.size() == kMostWaterStations)
+        throw table.error(row, "range_m", "is one profile too many, there is room for " + std::to_string(kMostWaterStations));
       profiles.emplace_back(range_m[row], TabulatedProfile{});
     }
     TabulatedProfile& profile = profiles.back().second;

@@ -36,7 +36,8 @@ FileKind kind_of(const std::filesystem::path& path) try {
 void require_kind(const std::string& option, const std::filesystem::path& path, FileKind wanted) {
   const FileKind kind = kind_of(path);
   if (kind == wanted || kind == FileKind::kOther) return;
-  throw host::BadInput(option + " " + path.string() + ": is " + std::string(to_string(kind)) + ", not " + std::string(to_string(wanted)));
+  throw host::BadInput(option + (option.empty() ? "" : " ") + path.string() + ": is " + std::string(to_string(kind)) + ", not " +
+                       std::string(to_string(wanted)));
 }
 
 }  // namespace earshot::search

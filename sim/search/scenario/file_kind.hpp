@@ -17,6 +17,7 @@ enum class FileKind : std::uint8_t {
 [[nodiscard]] FileKind kind_of(const std::filesystem::path& path);
 
 /// One kind of file given for another is said in one line, instead of by every key that the other has not.
+/// @param option  that named it; empty: nobody knows
 /// @throws BadInput where the file is of a kind that is known and is not `wanted`: "--world ocean.toml: is an environment ..., not a world
 /// ..." Oracle: FileKind.*
 void require_kind(const std::string& option, const std::filesystem::path& path, FileKind wanted);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,12 +15,15 @@
 #include "sim/ocean/file/environment_file.hpp"
 #include "sim/search/scenario/conditions_table.hpp"
 #include "sim/search/scenario/family.hpp"
+#include "sim/search/scenario/file_kind.hpp"
 
 namespace earshot::search {
 namespace {
 
 using host::BadInput;
 using host::TableReader;
+
+constexpr std::size_t kMostOceans = 1'000;  // as [family] may have members: a propagation model is solved in each
 
 /// Another environment that may be the true one, and where the file names it: "ocean.toml:31: oceans 1: environment".
 struct OtherOcean {
@@ -69,7 +73,7 @@ ScenarioKeys read_scenario_keys(const host::TomlFile& file, TableReader& root, c
   if (const auto conditions = root.optional_table("conditions")) keys.conditions = read_conditions(*conditions);
   if (const auto family = root.optional_table("family")) keys.family = read_own_family(*family, environment);
   if (root.has("oceans")) {
-    for (TableReader& ocean : root.tables("oceans"))
+    for (TableReader& ocean : root.tables("oceans", kMostOceans))
       keys.other_oceans.push_back({.place = ocean.place_of("environment"), .file = file.resolve(ocean.text("environment"))});
   }
   if (auto library = root.optional_table("field_library")) keys.field_library = file.resolve(library->text("file"));
@@ -102,19 +106,23 @@ ocean::Environment load_other_ocean(const OtherOcean& other) {
 }  // namespace
 
 Scenario load_scenario(const std::filesystem::path& path) {
+  require_kind("", path, FileKind::kEnvironment);
   const FileKeys keys = read_keys(path);
   Scenario scenario{.environment = ocean::environment_of(path, keys.environment),
                     .field_library = keys.scenario.field_library,
                     .conditions = keys.scenario.conditions};
   std::uint32_t& crc = scenario.environment.file_crc32;
+  std::vector<std::filesystem::path>& files = scenario.environment.files;
   if (keys.scenario.family) scenario.other_oceans = draw_family(scenario.environment, *keys.scenario.family);
   if (std::filesystem::exists(scenario.field_library)) {  // whoever needs it says when it is not there
     field_library::require_library(scenario.field_library);
     crc = host::crc32_of_file(scenario.field_library, crc);
+    files.push_back(scenario.field_library);
   }
   for (const OtherOcean& other : keys.scenario.other_oceans) {
     scenario.other_oceans.push_back(load_other_ocean(other));
     crc = crc32_of(scenario.other_oceans.back().file_crc32, crc);
+    files.insert(files.end(), scenario.other_oceans.back().files.begin(), scenario.other_oceans.back().files.end());
   }
   return scenario;
 }

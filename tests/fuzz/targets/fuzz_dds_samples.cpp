@@ -1,10 +1,12 @@
 // A simulator's samples, as the link hands them to a runtime.
 //
 // The input is a row of ticks, each: how much later it comes (1 byte, 100 ms each), what is spoilt (see spoil()) of the bytes of its
-// fields: number, date, counts, SNR (8 each), whether there is one, whether it is too faint, the order (1 each).
+// fields: number, date, counts, SNR (8 each), whether there is one, whether it is too faint, the order (1 each); of the
+// bearing its direction, deviation and axis (8 each), whether there is one, and whether it is ambiguous (1 each).
 
 #include <array>
 #include <bit>
+#include <optional>
 
 #include "sim/link/lock_step_clock.hpp"
 #include "tests/fuzz/targets/flown_runtime.hpp"
@@ -14,7 +16,7 @@ namespace {
 
 /// Of a good tick; numbers as they lie in memory.
 link::Tick tick_in(Input& input, std::uint64_t number, Time time) {
-  std::array<std::uint8_t, 43> bytes{};
+  std::array<std::uint8_t, 69> bytes{};
   bytes[41] = number == 1 ? 1 : 0;  // START
   spoil(bytes, input);
   const auto word = [&bytes](std::size_t at) {
@@ -30,6 +32,10 @@ link::Tick tick_in(Input& input, std::uint64_t number, Time time) {
   if (bytes[40] % 2 == 0) tick.snr = Decibels{std::bit_cast<double>(word(32))};
   tick.command = bytes[41];
   tick.snr_too_faint = bytes[42] % 2 == 1;
+  const auto angle = [&word](std::size_t at) { return Radians{std::bit_cast<double>(word(at))}; };
+  if (bytes[67] % 2 == 1)
+    tick.bearing = messages::Bearing{
+        .direction = angle(43), .deviation = angle(51), .mirror_axis = bytes[68] % 2 == 1 ? std::optional(angle(59)) : std::nullopt};
   return tick;
 }
 

@@ -86,6 +86,28 @@ TEST_F(Programs, EvaluateSearchesAsAMissionSays) {
   EXPECT_EQ(five["worlds"][0]["vehicle_depth_m"], 100.0);
 }
 
+TEST_F(Programs, EvaluateWarnsOfAMissionOfOnesOwnThatIsFlownInTheOceanThatShipsAndOfNoTrainingOfAPolicyThatHadNone) {
+  write_mission(folder / "own.toml", {{"depth_m = 300.0", "depth_m = 100.0"}});
+  const std::string doubt =
+      "warning: no --environment is given: own.toml is flown in the ocean of munk_flat.toml, whose sea floor lies at 3000 m";
+  ASSERT_EQ(run("evaluate --mission own.toml --episodes 3"), 0) << content(folder / "err");
+  EXPECT_NE(content(folder / "err").find(doubt + "\n"), std::string::npos) << content(folder / "err");
+  EXPECT_EQ(content(folder / "err").find("was trained"), std::string::npos) << content(folder / "err");
+  std::istringstream lines(content(folder / "out"));
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
+  std::ofstream(folder / "ocean.toml") << "# beside it\n";
+  ASSERT_EQ(run("evaluate --mission own.toml --episodes 3"), 0) << content(folder / "err");
+  EXPECT_NE(content(folder / "err").find(doubt + "; ocean.toml lies beside the mission\n"), std::string::npos) << content(folder / "err");
+  for (const std::string& ocean :
+       {"--environment " + kSource + "/sim/ocean/environments/munk_flat.toml", "--world " + kSource + "/policy/worlds/rock.toml"}) {
+    ASSERT_EQ(run("evaluate --mission own.toml --episodes 3 " + ocean), 0) << content(folder / "err");
+    EXPECT_EQ(content(folder / "err").find("no --environment"), std::string::npos) << content(folder / "err");
+  }
+  ASSERT_EQ(run("evaluate --episodes 3 --mission " + kSource + "/firmware/boards/linux/missions/search.toml"), 0)
+      << content(folder / "err");
+  EXPECT_EQ(content(folder / "err").find("no --environment"), std::string::npos) << "a mission that ships";
+}
+
 TEST_F(Programs, EvaluateRefusesAMissionThatIsNotThePolicysOrWouldBeDeafInTheWorld) {
   write_mission(folder / "small.toml", {{"north_m = 25000.0", "north_m = 20000.0"}});
   refuses("evaluate --mission small.toml --policies shipped",
@@ -217,6 +239,12 @@ TEST_F(Programs, EvaluateNamesTheShippedPolicyWhenItIsMissingRatherThanTakeAnoth
   EXPECT_NE(said.find("policy/frozen/shipped.policy: is neither installed beside"), std::string::npos) << said;
 }
 
+/// Without the breaks that keep a line within a terminal.
+std::string unwrapped(std::string text) {
+  for (std::size_t at = text.find("\n  "); at != std::string::npos; at = text.find("\n  ", at)) text.replace(at, 3, " ");
+  return text;
+}
+
 TEST_F(Programs, EvaluateSearchesForTheSourceThatAPolicyWasTrainedWith) {
   // Of a changing source it finds one in ten.
   ASSERT_EQ(run("evaluate " + kFixedSource + " --episodes 40 --json fixed.json"), 0) << content(folder / "err");
@@ -226,7 +254,7 @@ TEST_F(Programs, EvaluateSearchesForTheSourceThatAPolicyWasTrainedWith) {
   EXPECT_EQ(fixed["start"], "domain");
   EXPECT_EQ(fixed["trained_by"], kFixedSource);
   EXPECT_EQ(fixed["warnings"], nlohmann::json::array());
-  EXPECT_TRUE(content(folder / "out")
+  EXPECT_TRUE(unwrapped(content(folder / "out"))
                   .starts_with("source fixed at 10000 m north, 10000 m east (as " + kFixedSource + " was trained); starts domain (as " +
                                kFixedSource + " was trained); "));
   EXPECT_EQ(content(folder / "err"), "");

@@ -163,7 +163,7 @@ TEST_F(TablesForEvaluate, AndAllElseThatIsReadAreReplacedByNoOutput) {
   fs::create_directory(folder / "several");
   fs::copy_file(folder / "a.tables", folder / "several/b.tables");
   fs::copy_file(kFixedSource, folder / "p.policy");
-  fs::copy_file(kSource + "/sim/ocean/environments/munk_flat.toml", folder / "e.toml");
+  write_ocean_with_section(folder / "e.toml", folder / "section.csv");
   std::ofstream(folder / "w.toml") << "name = \"own\"\nwhat = \"b\"\nseed = 1\nenvironment = \"e.toml\"\n";
   const std::string brief = "evaluate --force --episodes 1 ";
   for (const std::string output : {"--csv", "--json", "--paths"}) {
@@ -175,6 +175,8 @@ TEST_F(TablesForEvaluate, AndAllElseThatIsReadAreReplacedByNoOutput) {
     refuses(brief + "--policies oracle --world w.toml " + output + " w.toml", {"--world w.toml, " + output + " w.toml"});
     refuses(brief + "--policies oracle --world w.toml " + output + " e.toml", {"environment of a world", "e.toml: the same file"});
     refuses(brief + "--policies oracle --environment e.toml " + output + " e.toml", {"--environment e.toml, " + output + " e.toml"});
+    refuses(brief + "--policies oracle --environment e.toml " + output + " section.csv", {"a file of the environment section.csv, "});
+    refuses(brief + "--policies oracle --world w.toml " + output + " section.csv", {"environment of a world section.csv, "});
   }
   EXPECT_EQ(content(folder / "p.policy"), content(kFixedSource));
 }

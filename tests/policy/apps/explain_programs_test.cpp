@@ -39,7 +39,7 @@ TEST_F(ExplainPrograms, SayWhichFileTheyWrote) {
   ASSERT_EQ(run("explain decision flight --step 2 -o decision.html"), 0) << content("err");
   EXPECT_NE(content("out").find("\ndecision.html: step 2 of flight/journal.lcmlog\n"), std::string::npos) << content("out");
   ASSERT_EQ(run("report flight"), 0) << content("err");
-  EXPECT_TRUE(content("out").starts_with("flight/report.html: 4 decisions\n")) << content("out");
+  EXPECT_TRUE(content("out").starts_with("flight/report.html: 4 steps, 4 decisions\n")) << content("out");
 }
 
 TEST_F(ExplainPrograms, ExplainReplacesNoFileThatItReads) {
@@ -49,6 +49,29 @@ TEST_F(ExplainPrograms, ExplainReplacesNoFileThatItReads) {
   refuses("explain map flight/journal.policy --tables tables.png --source 10000,10000 --force -o tables.png",
           {"--tables tables.png, --output"});
   refuses("explain decision flight --step 2 --force -o flight/summary.json", {"flight/summary.json", "the same file"});
+  for (const char* name : {"journal.lcmlog", "journal.policy", "journal.tables", "snr.csv"}) {
+    fs::create_hard_link(folder / "flight" / name, folder / "hard.md");
+    const std::string told = "FLIGHT flight/" + std::string(name) + ", --output hard.md: the same file";
+    refuses("explain decision flight --step 2 --force -o hard.md", {told});
+    fs::remove(folder / "hard.md");
+  }
+  fs::create_symlink("flight/journal.lcmlog", folder / "link.svg");
+  refuses("explain map flight/journal.policy --flight flight --force -o link.svg", {"flight/journal.lcmlog, --output link.svg: the same"});
+  write_ocean_with_section(folder / "e.toml", folder / "section.png");
+  refuses("explain map flight/journal.policy --source 10000,10000 --environment e.toml --force -o section.png", {"section.png: the same"});
+  EXPECT_TRUE(content("section.png").starts_with("range_m,depth_m"));
+}
+
+TEST_F(ExplainPrograms, ReportReplacesNoFileOfItsFlight) {
+  for (const char* name : {"journal.lcmlog", "journal.policy", "journal.tables", "summary.json", "track.csv", "snr.csv"}) {
+    const std::string before = content(std::string("flight/") + name);
+    fs::create_symlink(name, folder / "flight/report.html");
+    refuses("report flight --force", {"flight/" + std::string(name) + ", the page flight/report.html: the same file"});
+    fs::remove(folder / "flight/report.html");
+    EXPECT_EQ(content(std::string("flight/") + name), before);
+  }
+  fs::rename(folder / "flight/journal.lcmlog", folder / "flight/journal.html");
+  refuses("report flight/journal.html --force", {"flight/journal.html, the page flight/journal.html: the same file"});
 }
 
 TEST_F(ExplainPrograms, ExplainDrawsMapsForASourceAndAlongAFlight) {

@@ -42,6 +42,12 @@ TEST_F(Programs, FreezeRefusesToReplaceTheModelThatItReadsAlsoByALink) {
   EXPECT_EQ(content(folder / "a.policy"), model);
   fs::copy_file(kSource + "/tests/policy/freeze/models/memory.zip", folder / "a.zip");
   refuses("freeze a.zip -o a.zip --key a.key --force", {"MODEL a.zip", "--output a.zip", "the same file"});
+  fs::create_hard_link(folder / "a.zip", folder / "hard.policy");
+  refuses("freeze a.zip -o hard.policy --key a.key --force", {"MODEL a.zip", "--output hard.policy", "the same file"});
+  fs::copy_file(kSource + "/policy/ppo/runs/shipped.toml", folder / "run.toml");
+  refuses("freeze run.toml -o run.toml --key a.key --force", {"MODEL run.toml", "--output run.toml", "the same file"});
+  std::ofstream(folder / "search.json") << "{}";
+  refuses("freeze a.zip --search search.json -o search.json --key a.key --force", {"--search search.json", "the same file"});
 }
 
 TEST_F(Programs, FreezeMakesAPolicyAnewInItsPlaceWhenForced) {

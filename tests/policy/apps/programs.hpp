@@ -27,6 +27,15 @@ inline std::string content(const fs::path& path) {
   return support::read_text(path);
 }
 
+/// The paper's environment over a sea floor of two stations, in a file that it names; makes both.
+inline void write_ocean_with_section(const fs::path& environment, const fs::path& section) {
+  std::ofstream(section) << "range_m,depth_m\n0,3000\n100000,3000\n";
+  const std::string flat = "[seabed]\ndepth_m = 3000.0";
+  std::string text = content(kSource + "/sim/ocean/environments/munk_flat.toml");
+  const std::string own = "[bathymetry]\nlayout = \"section_csv\"\nfile = \"" + section.filename().string() + "\"\n[seabed]";
+  std::ofstream(environment) << text.replace(text.find(flat), flat.size(), own);
+}
+
 /// A folder of its own, in which a test runs the commands.
 class Programs : public testing::Test {
  protected:

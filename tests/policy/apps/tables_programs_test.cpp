@@ -50,6 +50,11 @@ TEST_F(Programs, TablesReplaceNoFileThatTheyRead) {
   fs::copy_file(kPapers, folder / "ocean.png");
   refuses("tables ocean.png -o a.tables --key a.key --new-key --plot ocean.png --force",
           {"ENVIRONMENT ocean.png, --plot ocean.png: the same"});
+  write_ocean_with_section(folder / "own.toml", folder / "section.csv");
+  for (const char* named : {"own.toml", "--expected own.toml"})
+    refuses("tables " + std::string(named) + " -o section.csv --key a.key --new-key --force",
+            {"a file of own.toml: section.csv, --output section.csv: the same file"});
+  EXPECT_TRUE(content(folder / "section.csv").starts_with("range_m,depth_m"));
 }
 
 TEST_F(Programs, TablesSayWhatIsGivenInAnothersPlace) {

@@ -12,12 +12,13 @@
 
 namespace earshot::evaluate {
 
-/// A learned candidate of the paper's area, step and threshold.
+/// A learned candidate with a network, of the paper's area, step and threshold.
 inline Candidate learned(const std::string& name, std::string_view provenance) {
   auto policy = std::make_unique<policy::FrozenPolicy>();
   policy->step_length = Meters{1'000.0};
   policy->area_size = {Meters{25'000.0}, Meters{25'000.0}};
   policy->detection_threshold = Decibels{10.0};
+  policy->network.hidden_sizes = {4, 4};
   for (const char letter : provenance) EXPECT_EQ(policy->provenance.push_back(letter), Status::kOk);
   return {name, std::move(policy)};
 }

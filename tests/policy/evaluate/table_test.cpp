@@ -226,6 +226,11 @@ TEST(TablePlot, IsNotRuledByAnOutlierWhichStandsAtItsEdgeWithItsNumber) {
   // The second of two policies, 0.35 apart from the first, in the fourth world: 3 + 0.35 / 2.
   EXPECT_NE(plot.find("set label '-2500.0' at first 3.175, graph 0.03"), std::string::npos) << plot;
   EXPECT_EQ(count(plot, "set label '"), 1U);
+  rows[0].intervals.mean_reward.low = -1'234.5;  // an interval that the axis cuts says how far it goes: 0 - 0.35 / 2
+  rows[2].intervals.mean_reward.low = -26.0;
+  const std::string cut = as_plot(rows, "six worlds");
+  EXPECT_NE(cut.find("set label 'to -1234.5' at first -0.175, graph 0.03"), std::string::npos) << cut;
+  EXPECT_EQ(count(cut, "set label 'to "), 1U);
   rows.erase(rows.begin() + 7);
   EXPECT_EQ(count(as_plot(rows, "none"), "set label '"), 0U);
 }

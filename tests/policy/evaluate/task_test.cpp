@@ -46,6 +46,20 @@ TEST_F(Task, SaysWhatIsTestedOtherwiseThanItWasTrained) {
                 "p was trained to search for 100 steps and is tested over 60", "p was trained 300 m deep and is tested 200 m deep"}));
 }
 
+TEST_F(Task, OfAPolicyWithoutANetworkIsTheKindOfItsSourceAlone) {
+  Candidate advised = learned("p", kFixed);
+  advised.learned->network.hidden_sizes = {};
+  settings.start_region = search::inside_border(settings);
+  settings.max_steps = 60;
+  depth = Meters{100.0};
+  EXPECT_EQ(differences(advised, {settings, depth, "01234567"}), std::vector<std::string>{}) << "its tables are of that depth";
+  settings.placement = search::SourcePlacement::kChanging;
+  EXPECT_EQ(
+      differences(advised, {settings, depth, "01234567"}),
+      (std::vector<std::string>{"p is made for searches with a fixed source and is tested with a changing one: another search than it "
+                                "is made for"}));
+}
+
 TEST_F(Task, SaysThatAFixedSourceStandsElsewhere) {
   settings.source = {Meters{3'000.0}, Meters{4'000.5}};
   EXPECT_EQ(of(kFixed + "source_north_m = 10000\nsource_east_m = 10000\n"),

@@ -7,6 +7,8 @@
 #include <functional>
 #include <memory>
 #include <numeric>
+#include <optional>
+#include <vector>
 
 #include "tests/policy/explain/flown_policy.hpp"
 
@@ -72,6 +74,31 @@ TEST(DecisionAccount, BlamesTheChoiceOfAPolicyWithoutANetworkOnItsPreferencesAlo
 }
 
 /// Its tables hold one ocean, where the source is as loud as they say.
+TEST(DecisionAccount, OfAPolicyWithoutANetworkTellsWhatEachActionIsWorthAndOfATrainedOneNot) {
+  const auto policy = advice_policy();
+  const std::vector<RecordedDecision> decisions = flown(*policy, 4, {});
+  const DecisionAccount account =
+      account_of({.policy = *policy, .belief = policy->observation.belief, .tables = falling_ocean(), .south_west = {}}, decisions);
+  double best = 0.0;
+  std::size_t preferences = 0;
+  for (std::size_t i = 0; i < policy->observation.spec.size(); ++i) {
+    const policy::ObservationElement& element = policy->observation.spec[i];
+    if (element.feature != policy::Feature::kPreference) continue;
+    ++preferences;
+    const std::optional<double> worth = account.actions.at(element.age).worth;
+    ASSERT_TRUE(worth);
+    EXPECT_NEAR(*worth, static_cast<double>(decisions.back().observation[i]) / 10.0, 1e-6) << "shown ten times as large";
+    best = std::max(best, *worth);
+  }
+  EXPECT_EQ(preferences, account.actions.size());
+  EXPECT_NEAR(best, 1.0, 1e-6);
+  const auto trained = belief_policy(1);
+  const std::vector<RecordedDecision> others = flown(*trained, 2, {});
+  EXPECT_FALSE(account_of({.policy = *trained, .belief = trained->observation.belief, .tables = falling_ocean(), .south_west = {}}, others)
+                   .actions[0]
+                   .worth);
+}
+
 TEST(DecisionAccount, NamesTheHypothesesThatAreLikelyTheLikeliestFirst) {
   const auto policy = belief_policy(1);
   const DecisionAccount a = account(*policy, flown(*policy, 5, kCorner), Baseline::kCentre);

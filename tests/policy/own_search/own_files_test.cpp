@@ -85,7 +85,8 @@ TEST_F(OwnFiles, MissionThatHearsListensAboutItsFrequencyAndIsToldNoSnr) {
 }
 
 TEST_F(OwnFiles, MissionHasTheFenceAndTheBatteryThatWereAskedFor) {
-  const OwnSearch search{.area_north_m = 20'000.0, .area_east_m = 18'000.0, .battery_percent = 25.0, .fence_m = 500.0};
+  const OwnSearch search{
+      .area_north_m = 20'000.0, .area_east_m = 18'000.0, .battery_percent = 25.0, .battery_percent_per_km = 1.25, .fence_m = 500.0};
   const config::Safety safety = host::load_mission(written(mission_text(search, FliesBy::kOwnPolicy))).mission.safety;
   ASSERT_TRUE(safety.fence);
   ASSERT_EQ(safety.fence->inside.size(), 4U);
@@ -95,10 +96,30 @@ TEST_F(OwnFiles, MissionHasTheFenceAndTheBatteryThatWereAskedFor) {
   ASSERT_EQ(safety.rules.size(), 2U);
   EXPECT_EQ(safety.rules[0].condition, config::Condition::kBattery);
   EXPECT_EQ(safety.rules[0].limit, 25.0);
-  EXPECT_EQ(safety.vehicle.battery_percent_per_km, 0.6);
+  EXPECT_EQ(safety.vehicle.battery_percent_per_km, 1.25);
   EXPECT_EQ(safety.rules[0].response, config::Response::kAbort);
   EXPECT_EQ(support::read_text(folder_.path() / "file.toml").find("# leaving it ends the mission"), std::string::npos);
   EXPECT_EQ(mission_text({}, FliesBy::kWhatShips).find("[fence]"), std::string::npos);
+}
+
+TEST_F(OwnFiles, MissionLeavesOpenWhatNobodySaidOfTheBattery) {
+  const std::string text = mission_text({.battery_percent = 25.0}, FliesBy::kWhatShips);
+  const config::Safety safety = host::load_mission(written(text)).mission.safety;
+  EXPECT_EQ(safety.rules[0].condition, config::Condition::kBattery);
+  EXPECT_EQ(safety.vehicle.battery_percent_per_km, 0.0) << "not known";
+  EXPECT_NE(text.find("\n# battery_percent_per_km =       # put your vehicle's value here"), std::string::npos) << text;
+}
+
+TEST_F(OwnFiles, ReadmeFliesWithTheBatteryThatItsMissionHasRulesAboutOrSaysWhatIsMissing) {
+  const std::string simulated =
+      readme_text({.hears = true, .battery_percent = 25.0, .battery_percent_per_km = 0.6}, FliesBy::kWhatShips, "/own");
+  EXPECT_NE(simulated.find(" --hear synthetic --battery-percent 100\n```\n"), std::string::npos) << simulated;
+  EXPECT_NE(simulated.find("The search ends when the battery is below 25.0 %."), std::string::npos) << simulated;
+  EXPECT_NE(simulated.find("without that option no battery is told, and the rule about `vehicle_status_age_s` warns"), std::string::npos);
+  const std::string open = readme_text({.battery_percent = 25.0}, FliesBy::kWhatShips, "/own");
+  EXPECT_EQ(open.find("/flight --battery-percent"), std::string::npos) << open;
+  EXPECT_NE(open.find("put there what a kilometre takes of your vehicle's (`battery_percent_per_km`)"), std::string::npos) << open;
+  EXPECT_EQ(readme_text({}, FliesBy::kWhatShips, "/own").find("battery"), std::string::npos);
 }
 
 TEST_F(OwnFiles, OceanIsReadBackAsWhatWasAskedFor) {

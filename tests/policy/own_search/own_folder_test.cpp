@@ -157,7 +157,25 @@ TEST_F(OwnFolder, LeavesNothingWhereAFileCannotBeWrittenWhole) {
 
 TEST_F(OwnFolder, LeavesNothingOfASearchThatWouldNotBeFlown) {
   refuses({.depth_m = 300.0, .sea_floor_m = 300.0}, Earlier::kStays, "--sea-floor-m");
-  refuses({.speed_mps = 1e-9}, Earlier::kStays, own_.string() + "/mission.toml");  // a speed that takes longer than a mission may
+  refuses({.speed_mps = 1e-9}, Earlier::kStays, "these options make a search that is refused: mission.toml:");
+  refuses({.speed_mps = 10.0, .fence_m = 10.0}, Earlier::kStays, "these options make a search that is refused: mission.toml:");
+}
+
+// The band with its flanks, which reach 35 % above the frequency, must lie below 1 kHz, and its upper end not below 10 Hz.
+TEST_F(OwnFolder, HearsEveryFrequencyThatItTakes) {
+  for (const double frequency_hz : {kHeard_hz.lowest, 9.123, 12.345, 99.99, 739.9, kHeard_hz.highest}) {
+    make_own_folder(own_, {.frequency_hz = frequency_hz, .hears = true}, Earlier::kStays);
+    EXPECT_TRUE(fs::exists(own_ / "mission.toml")) << frequency_hz;
+    fs::remove_all(own_);
+  }
+  const std::string range = "a hydrophone's detector is for 9.1 to 740.0 Hz";
+  for (const double frequency_hz : {2.0, 9.0, 741.0, 899.0, 900.0})
+    refuses({.frequency_hz = frequency_hz, .hears = true}, Earlier::kStays, range);
+}
+
+TEST_F(OwnFolder, HearsOnABusOfItsOwnWhateverTheVehiclesIs) {
+  for (const char* const url : {"udpm://239.255.76.68:7668?ttl=0", "udpm://239.255.76.68:7668", "udpm://239.255.76.69:7669?ttl=1"})
+    EXPECT_NO_THROW(make_own_folder(own_, {.lcm_url = url, .hears = true}, Earlier::kReplaced)) << url;
 }
 
 TEST_F(OwnFolder, IsRefusedInAFolderThatIsNotThereAndInPlaceOfAFile) {

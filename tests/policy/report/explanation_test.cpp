@@ -16,6 +16,20 @@ TEST(Explanation, WritesAFactorInDigitsAsFarAsTheyCanBeReadAndInPowersOfTenBeyon
   EXPECT_EQ(factor_to_string(std::log(3.2e-12)), "\u00D7 3.2\u00B710\u207B\u00B9\u00B2");
 }
 
+TEST(Explanation, OfAnAdvisedChoiceComparesItsWorthWithThatOfTheNextBest) {
+  explain::DecisionAccount account;
+  account.actions = {{.name = "S", .end = {}, .hear = {}, .approach = {}, .worth = 0.76},
+                     {.name = "W", .end = {}, .hear = {}, .approach = {}, .worth = 1.0},
+                     {.name = "SW", .end = {}, .hear = {}, .approach = {}, .worth = 0.931}};
+  account.decision.action = 1;
+  EXPECT_EQ(because(account),
+            "By its belief's advice W was worth the most, 1.00 (of 1 for the best and 0 for the worst); next came SW with 0.93 and S with "
+            "0.76.");
+  account.decision.action = 2;
+  EXPECT_EQ(because(account),
+            "By its belief's advice SW was worth 0.93 (of 1 for the best and 0 for the worst); beside it W with 1.00 and S with 0.76.");
+}
+
 TEST(Explanation, TellsALookTooFaintToMeasureFromAMeasuredOne) {
   EXPECT_EQ(to_string(policy::Reception{.snr = Decibels{9.46}, .too_faint = false}), "9.5 dB");
   EXPECT_EQ(to_string(policy::Reception{.snr = Decibels{5.0}, .too_faint = true}), "under 5.0 dB");

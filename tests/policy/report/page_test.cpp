@@ -8,6 +8,7 @@
 #include "tests/policy/explain/flown_policy.hpp"
 #include "tests/policy/report/flight_folder.hpp"
 #include "tests/policy/report/occurrences.hpp"
+#include "tests/policy/report/sea/sea_journal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::report {
@@ -57,6 +58,13 @@ TEST_F(PageTest, CountsStepsOnceAndSaysThatTheSourceCutTheLastOneShort) {
   EXPECT_EQ(count(page(flight, {}, {}), "cut short"), 0U);
 }
 
+TEST_F(PageTest, SaysThatTheMissionEndedWithinTheStepOfTheLastDecision) {
+  Flight flight = read_flight(folder_);
+  EXPECT_EQ(count(page(flight, {}, {}), "within the step"), 0U) << "3 steps, 3 decisions";
+  flight.summary["steps"] = 2;
+  EXPECT_EQ(count(page(flight, {}, {}), "<p>The mission ended within the step of the last of 3 decisions, which does not count.</p>"), 1U);
+}
+
 TEST_F(PageTest, SaysInItsHeadHowSurprisedTheVehicleWasThatItSweptAndThatItDeclaredWrongly) {
   Flight flight = read_flight(folder_);
   EXPECT_EQ(count(page(flight, {}, {}), "urprise"), 0U) << "a summary of an earlier version";
@@ -77,6 +85,35 @@ TEST_F(PageTest, SaysInItsHeadHowSurprisedTheVehicleWasThatItSweptAndThatItDecla
   const std::string declared = page(flight, {}, {});
   EXPECT_EQ(count(declared, "<h1 class=\"missed\">After 3 steps declared found, wrongly: 1021 m from the source</h1>"), 1U);
   EXPECT_EQ(count(declared, "The mission ended because"), 0U);
+}
+
+TEST_F(PageTest, SaysWhichRuleEndedASimulatedFlightWhatHappenedBeforeAndWhatIsLeftOfTheBattery) {
+  fs::remove(folder_ / "journal.lcmlog");
+  {
+    SeaJournal journal(folder_ / "journal.lcmlog");
+    journal.acknowledge(10, messages::Order::kStart, messages::CommandOutcome::kObeyed);
+    journal.state(10, messages::MissionState::kSearch, messages::EndReason::kNone, 0);
+    journal.rule(600, {.time = {},
+                       .rule = 9,
+                       .condition = config::Condition::kBattery,
+                       .response = config::Response::kAbort,
+                       .begins = true,
+                       .measure = 29.998,
+                       .limit = 30.0});
+    journal.state(600, messages::MissionState::kAbort, messages::EndReason::kSafetyRule, 3);
+    journal.end(wire::Ending::kMissionOver);
+  }
+  Flight flight = read_flight(folder_);
+  flight.summary["end_reason"] = "safety_rule";
+  EXPECT_EQ(count(page(flight, {}, {}), "battery left"), 0U);
+  flight.summary["battery_percent"] = 29.998;
+  const std::string text = page(flight, {}, {});
+  EXPECT_EQ(count(text, "<p>The mission ended because: safety rule: rule 10, battery_percent: 29.998, below 30.000: abort</p>"), 1U);
+  EXPECT_EQ(count(text, "<h2>What happened</h2>"), 1U);
+  EXPECT_EQ(count(text, "<td>10 min</td><td class=\"left\">rule 10, battery_percent: 29.998, below 30.000: abort</td>"), 1U);
+  EXPECT_EQ(count(text, "<td class=\"left\">order START, obeyed</td>"), 1U);
+  EXPECT_EQ(count(text, "<dt>battery left</dt><dd>30.0 %</dd>"), 1U);
+  EXPECT_EQ(count(text, "Refused as they came in"), 0U);
 }
 
 TEST_F(PageTest, OfAFlightWithoutItsPolicyStillListsEveryDecisionAndSaysWhatIsMissing) {

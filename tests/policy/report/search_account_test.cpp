@@ -33,6 +33,16 @@ TEST(SearchAccountInReport, SaysOfASweepBeforeAnySurpriseThatNothingHadBeenHeard
   EXPECT_FALSE(surprised.swept_in_silence());
 }
 
+TEST(SearchAccountInReport, SaysThatAVehicleWhichCameNearTheSourceHasNotDeclaredIt) {
+  const nlohmann::json summary{{"found", true}, {"surprise_bits", 1.0}, {"declared_found", nullptr}};
+  EXPECT_EQ(to_string(account_in(summary)),
+            "Nothing unexpected: the oceans of its tables explain what it heard (surprise 1.0 bits at the end, which would count from 6.75 "
+            "on). Not declared found by the vehicle: the simulator ended the search within a step length of the source; at sea it would go "
+            "on.");
+  EXPECT_FALSE(account_in({{"found", true}, {"surprise_bits", nullptr}}).is_found_undeclared)
+      << "a policy without a belief declares nothing";
+}
+
 TEST(SearchAccountInReport, CallsADeclarationWrongFromMoreThanAStepLengthOn) {
   EXPECT_EQ(declared_where({.declared_range_m = 1'000.0, .step_length_m = 1'000.0}), ": 1000 m from the source");
   EXPECT_EQ(declared_where({.declared_range_m = 1'001.0, .step_length_m = 1'000.0}), ", wrongly: 1001 m from the source");

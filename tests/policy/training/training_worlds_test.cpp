@@ -126,7 +126,7 @@ TEST_F(TrainingWorldsTest, AreRefusedAtAnotherDepthOrFrequencyThanThePolicyIsTra
 
 TEST_F(TrainingWorldsTest, AreRefusedWhereTheTrainingsDepthIsBelowTheSeaFloor) {
   const fs::path shallow = write("a.toml", "", 1, ocean_with("depth_m = 3000.0", "depth_m = 250.0"));
-  EXPECT_EQ(complaint_about(shallow), "--vehicle-depth-m: must be less than the depth of the sea floor in " + shallow.string());
+  EXPECT_EQ(complaint_about(shallow), "--vehicle-depth-m 300: must be less than 250 m, the depth of the sea floor in " + shallow.string());
 }
 
 TEST_F(TrainingWorldsTest, AreTheSameUnderAnotherNameToo) {

@@ -104,6 +104,22 @@ TEST(SelectionTable, IsReadFromPlainCsv) {
   EXPECT_EQ(refusal_of("start,end\n1,x\n"), "t.txt:2: end = x: must be a number from 0 to 1000000000");
 }
 
+TEST(SelectionTable, IsReadWithBlanksAboutItsCellsPlusSignsAndTheMarksOfR) {
+  const SelectionTable blanks = selection_table_from("start, end, file name\n 60, +61, \"a, b.wav\"\n", "t.csv");
+  ASSERT_EQ(blanks.selections.size(), 1U);
+  EXPECT_EQ(blanks.selections[0].begin_s, 60.0);
+  EXPECT_EQ(blanks.selections[0].end_s, 61.0);
+  EXPECT_EQ(blanks.selections[0].begin_file, "a, b.wav");
+  // write.table(x, sep = "\t", row.names = FALSE)
+  const SelectionTable of_r = selection_table_from("\"begin\"\t\"end\"\t\"Begin File\"\n3\t4.5\t\"a.wav\"\n", "t.txt");
+  ASSERT_EQ(of_r.selections.size(), 1U);
+  EXPECT_EQ(of_r.selections[0].begin_file, "a.wav");
+}
+
+TEST(SelectionTable, RefusesAHalfChannel) {
+  EXPECT_EQ(refusal_of("begin\tend\tChannel\n1\t2\t1.5\n"), "t.txt:2: Channel = 1.5: must be a whole number");
+}
+
 TEST(SelectionTable, KeepsSelectionsOfTheSameNumberAndTimesInTwoFiles) {
   EXPECT_EQ(selection_table_from("Selection\tBegin Time (s)\tEnd Time (s)\tBegin File\n1\t1\t2\ta.wav\n1\t1\t2\tb.wav\n", "t.txt")
                 .selections.size(),

@@ -8,6 +8,8 @@
 #include <csignal>
 #include <cstdlib>
 #include <thread>
+#include <variant>
+#include <vector>
 
 #include "sim/link/run_slot.hpp"
 #include "sim/link/simulator_end.hpp"
@@ -22,8 +24,8 @@ constexpr Time kFirstTick{7'000'000};
 constexpr auto kDelay = 400ms;  ///< of the first tick, four looks of the loop
 
 /// A simulator in a process of its own (Cyclone DDS does not survive a fork, so fork before any DDS): it announces one fix and so many
-/// blocks of sound and bearings with a tick that is late.
-pid_t simulate(std::uint32_t domain, RunId run, std::uint64_t hydrophone_blocks = 0, std::uint64_t bearings = 0) {
+/// blocks of sound with a tick that is late.
+pid_t simulate(std::uint32_t domain, RunId run, std::uint64_t hydrophone_blocks = 0) {
   const pid_t child = fork();
   if (child != 0) return child;
   try {
@@ -36,7 +38,6 @@ pid_t simulate(std::uint32_t domain, RunId run, std::uint64_t hydrophone_blocks 
     tick.time = kFirstTick;
     tick.navigation_messages = 1;
     tick.hydrophone_blocks = hydrophone_blocks;
-    tick.bearing_messages = bearings;
     simulator.send(tick);
     Answer answer;
     (void)simulator.receive(answer, 5000ms);
@@ -104,52 +105,32 @@ TEST(LockStepClock, MakesNoTurnBeforeTheFixAndEveryBlockOfSoundIsThereThatTheTic
   waitpid(simulator, nullptr, 0);
 }
 
-TEST(LockStepClock, MakesNoTurnBeforeEveryBearingIsThereAndSaysWhenTheyDoNotCome) {
-  const RunSlot slot;
-  const RunId run = new_run();
-  const pid_t simulator = simulate(slot.domain(), run, 0, 2);
-  LockStepClock clock(slot.domain(), run);
-  wait_for_tick(clock);
-  Clock::Awaited awaited = so_far(1, 0);
-  awaited.bearings_taken = 1;
-  while (clock.wait(awaited) == Clock::Wake::kPorts) {
+/// What a tick brings.
+class Taken final : public board::InputSink {
+ public:
+  explicit Taken(const Tick& tick) { give_inputs(tick, kPort, *this); }
+  void take(std::uint8_t port, const Value& value) override {
+    EXPECT_EQ(port, kPort);
+    if (const auto* bearing = std::get_if<messages::BearingMeasurement>(&value)) bearings.push_back(*bearing);
+    if (std::holds_alternative<messages::SnrMeasurement>(value)) ++snrs;
   }
-  EXPECT_EQ(clock.lost(), "the bus: bearings that the simulator sent did not arrive");
-  awaited.bearings_taken = 2;
-  EXPECT_EQ(clock.wait(awaited), Clock::Wake::kTurn);
-  kill(simulator, SIGKILL);
-  waitpid(simulator, nullptr, 0);
-}
+  std::vector<messages::BearingMeasurement> bearings;
+  int snrs = 0;
 
-TEST(LockStepClock, TakesAsManyBearingsOfItsTickAsThatAnnouncesAndNoMore) {
-  const RunSlot slot;
-  const RunId run = new_run();
-  const pid_t simulator = simulate(slot.domain(), run, 0, 2);
-  LockStepClock clock(slot.domain(), run);
-  wait_for_tick(clock);
-  EXPECT_FALSE(clock.takes_bearing(kFirstTick + Duration{1})) << "of another flight";
-  EXPECT_TRUE(clock.takes_bearing(kFirstTick));
-  EXPECT_TRUE(clock.takes_bearing(kFirstTick));
-  EXPECT_FALSE(clock.takes_bearing(kFirstTick)) << "the simulator sent two";
-  kill(simulator, SIGKILL);
-  waitpid(simulator, nullptr, 0);
-}
+ private:
+  static constexpr std::uint8_t kPort = 3;
+};
 
-TEST(LockStepClock, TakesNoneOfTheBearingsAgainThatWereTakenBeforeTheTickCame) {
-  const RunSlot slot;
-  const RunId run = new_run();
-  const pid_t simulator = simulate(slot.domain(), run, 0, 3);
-  LockStepClock clock(slot.domain(), run);
-  while (!clock.has_come(100ms)) {
-  }
-  Clock::Awaited awaited = so_far(0, 0);
-  awaited.bearings_taken = 2;
-  while (clock.wait(awaited) == Clock::Wake::kNothing) {
-  }
-  EXPECT_TRUE(clock.takes_bearing(kFirstTick));
-  EXPECT_FALSE(clock.takes_bearing(kFirstTick)) << "the third of three";
-  kill(simulator, SIGKILL);
-  waitpid(simulator, nullptr, 0);
+TEST(LockStepInputs, BringTheBearingOfTheTickDatedWithIt) {
+  Tick tick;
+  tick.time = kFirstTick;
+  EXPECT_TRUE(Taken(tick).bearings.empty()) << "of a vehicle that has no array";
+  tick.bearing = messages::Bearing{.direction = Radians{1.0}, .deviation = Radians{0.25}, .mirror_axis = Radians{2.0}};
+  tick.snr = Decibels{12.0};
+  const Taken taken(tick);
+  const messages::BearingMeasurement expected{.time = kFirstTick, .bearing = *tick.bearing};
+  EXPECT_EQ(taken.bearings, std::vector{expected});
+  EXPECT_EQ(taken.snrs, 1);
 }
 
 TEST(LockStepClock, MakesTheTurnOfTheLastTickOfAnEarlierProcessNoSecondTime) {

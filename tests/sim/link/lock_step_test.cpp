@@ -2,9 +2,11 @@
 #include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <optional>
 #include <thread>
 
 #include "sim/link/run_slot.hpp"
@@ -23,6 +25,12 @@ std::uint32_t own_domain() {
 }
 
 constexpr std::uint64_t kNever = ~0ULL;
+constexpr messages::SafetyEvent kRule{.time = {},
+                                      .rule = 9,
+                                      .condition = config::Condition::kBattery,
+                                      .response = config::Response::kRelease,
+                                      .measure = 29.998,
+                                      .limit = 30.0};
 
 Tick tick_number(std::uint64_t number) {
   Tick tick;
@@ -89,7 +97,8 @@ void answer_every_tick(std::uint64_t until) {
                .believed_source = tick.snr ? std::optional(NorthEast{Meters{1.5}, Meters{-tick.snr->value}}) : std::nullopt,
                .surprise_bits = 0.5F * static_cast<float>(tick.number),
                .is_sweeping = tick.number % 2 == 1,
-               .is_found = tick.number % 3 == 0});
+               .is_found = tick.number % 3 == 0,
+               .rule = tick.number % 5 == 0 ? std::optional(kRule) : std::nullopt});
   }
 }
 
@@ -123,6 +132,37 @@ TEST(LockStep, EveryTickIsAnsweredInOrderWithWhatItSaid) {
     EXPECT_EQ(answer.surprise_bits, 0.5F * static_cast<float>(n));
     EXPECT_EQ(answer.is_sweeping, n % 2 == 1);
     EXPECT_EQ(answer.is_found, n % 3 == 0);
+    EXPECT_EQ(answer.rule, n % 5 == 0 ? std::optional(kRule) : std::nullopt);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+}
+
+TEST(LockStep, ABearingArrivesWithItsTickAsItWasSent) {
+  const messages::Bearing sure{.direction = Radians{1.25}, .deviation = Radians{0.5}};
+  messages::Bearing ambiguous = sure;
+  ambiguous.mirror_axis = Radians{2.75};
+  const std::array<std::optional<messages::Bearing>, 3> sent{std::nullopt, sure, ambiguous};
+  const pid_t child = in_another_process([&sent] {
+    RuntimeEnd link(own_domain());
+    Tick tick;
+    for (std::uint64_t n = 1; n <= sent.size(); ++n) {
+      if (link.receive(tick, 10s) != Delivery::kArrived || tick.number != n) std::_Exit(1);
+      Answer answer = answer_to(n);
+      answer.is_found = tick.bearing == sent[n - 1];
+      link.send(answer);
+    }
+  });
+  SimulatorEnd link(own_domain());
+  ASSERT_TRUE(link.wait_for_runtime(10s));
+  for (std::uint64_t n = 1; n <= sent.size(); ++n) {
+    Tick tick = tick_number(n);
+    tick.bearing = sent[n - 1];
+    link.send(tick);
+    Answer answer;
+    ASSERT_EQ(receive_behind_knocks(link, answer), Delivery::kArrived) << "tick " << n;
+    EXPECT_TRUE(answer.is_found) << "tick " << n;
   }
   int status = 0;
   waitpid(child, &status, 0);

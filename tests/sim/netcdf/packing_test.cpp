@@ -77,11 +77,45 @@ TEST(NetcdfPacking, KnowsAMissingFloatByADouble) {
   EXPECT_EQ(read_back(NC_FLOAT, {1e20, 0.1, 3}, numbers("missing_value", NC_DOUBLE, {1e20, 0.1})), "- - 3");
 }
 
+TEST(NetcdfPacking, LeavesOutWhatNobodyWroteWhereNoFillValueIsDeclared) {
+  // The default fill values of the NetCDF User Guide.
+  const Defined packed = all_of({numbers("scale_factor", NC_DOUBLE, {0.5}), numbers("add_offset", NC_DOUBLE, {100})});
+  EXPECT_EQ(read_back(NC_SHORT, {-32767, 0, -32768}, packed), "- 100 -16284");
+  EXPECT_EQ(read_back(NC_USHORT, {65535, 0}, packed), "- 100");
+  EXPECT_EQ(read_back(NC_INT, {-2147483647, 0}, packed), "- 100");
+  EXPECT_EQ(read_back(NC_UINT, {4294967295.0, 0}, packed), "- 100");
+  EXPECT_EQ(read_back(NC_FLOAT, {9.9692099683868690e+36, 0}, packed), "- 100");
+  EXPECT_EQ(read_back(NC_DOUBLE, {9.9692099683868690e+36, 0}, packed), "- 100");
+  EXPECT_EQ(read_back(NC_SHORT, {-32767, -1}, all_of({packed, numbers("_FillValue", NC_SHORT, {-1})})), "-16283.5 -");
+  EXPECT_EQ(read_back(NC_BYTE, {-127, 0}, packed), "36.5 100") << "each of a byte's values may be meant";
+}
+
+TEST(NetcdfPacking, RefusesAnAttributeOfAnotherKindThanItMustBe) {
+  const auto complaint = [](const Defined& attributes) {
+    try {
+      (void)read_back(NC_SHORT, {0, 1}, attributes);
+    } catch (const FileError& e) {
+      const std::string said = e.what();
+      return said.substr(said.find("v: "));
+    }
+    return std::string("nothing");
+  };
+  EXPECT_EQ(complaint(text("scale_factor", "2.0")), "v: scale_factor: must be one number");
+  EXPECT_EQ(complaint(numbers("scale_factor", NC_DOUBLE, {2, 3})), "v: scale_factor: must be one number");
+  EXPECT_EQ(complaint(text("add_offset", "-1000")), "v: add_offset: must be one number");
+  EXPECT_EQ(complaint(text("valid_range", "0 1")), "v: valid_range: must be two numbers");
+  EXPECT_EQ(complaint(numbers("valid_min", NC_SHORT, {0, 1})), "v: valid_min: must be one number");
+  EXPECT_EQ(complaint(text("missing_value", "-9999")), "v: missing_value: must be a number or several");
+  EXPECT_EQ(complaint(text("_Unsigned", "maybe")), "v: _Unsigned: must be true or false");
+  EXPECT_EQ(complaint(numbers("missing_value", NC_SHORT, {5, 6})), "nothing");
+}
+
 TEST(NetcdfPacking, TakesTheSignFromUnsigned) {
   // The bits of -1 and -56 are those of 255 and 200.
   const Defined is_unsigned = text("_Unsigned", "true");
   EXPECT_EQ(read_back(NC_BYTE, {-1, -56, 7}, all_of({is_unsigned, numbers("_FillValue", NC_BYTE, {-1})})), "- 200 7");
   EXPECT_EQ(read_back(NC_SHORT, {-1, -2, 7}, all_of({is_unsigned, numbers("valid_range", NC_SHORT, {0, -2})})), "- 65534 7");
+  EXPECT_EQ(read_back(NC_SHORT, {-2, 7}, text("_Unsigned", "True")), "65534 7");
   EXPECT_EQ(read_back(NC_UBYTE, {255, 200, 7}, text("_Unsigned", "false")), "-1 -56 7");
   EXPECT_EQ(read_back(NC_BYTE, {-1, -56, 7}, text("_Unsigned", "false")), "-1 -56 7");
 }

@@ -9,9 +9,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <random>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "sim/netcdf/library_exit.hpp"
@@ -127,6 +129,23 @@ const std::filesystem::path kStrings = std::filesystem::path(EARSHOT_SOURCE_DIR)
 
 TEST(NetcdfReader, ReadsATextThatIsAString) {
   EXPECT_EQ(Reader(kStrings).text_attribute("elevation", "long_name"), "elevation");
+}
+
+/// Damage that a child survives by chance may crash its parent: what a damaged file overwrites in memory is another thing each time.
+TEST(NetcdfReader, KeepsNoNetcdf4FileOpen) {
+  const auto is_open = [] {
+    for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+      std::error_code gone;
+      if (std::filesystem::read_symlink(entry.path(), gone) == std::filesystem::canonical(kStrings)) return true;
+    }
+    return false;
+  };
+  const Reader file(kStrings);
+  EXPECT_FALSE(is_open());
+  (void)file.read("elevation");
+  EXPECT_FALSE(is_open());
+  const std::ifstream opened(kStrings);
+  EXPECT_TRUE(is_open()) << "this test sees no open file";
 }
 
 TEST(NetcdfReader, SurvivesDamageOfAllKinds) {

@@ -83,17 +83,17 @@ TEST(NetcdfWriter, RefusesAFolderThatIsNotThereAndANumberOfValuesThatDoesNotFit)
   EXPECT_THROW(file.write("range", std::vector<double>(4)), FileError);
 }
 
-/// True when the file was written, false when that was refused.
-bool write_within(const std::filesystem::path& path, std::size_t values, rlim_t bytes) {
+/// @return what is complained of; empty when the file was written
+std::string complaint_within(const std::filesystem::path& path, std::size_t values, rlim_t bytes) {
   const support::FileSizeLimit limit(bytes);
   try {
     Writer file(path);
     fill(file, values);
     file.commit();
-  } catch (const FileError&) {
-    return false;
+  } catch (const FileError& e) {
+    return e.what();
   }
-  return true;
+  return {};
 }
 
 TEST(NetcdfWriter, SaysThatTheDiskIsFullAndLeavesNothingBehindWhereverItFills) {
@@ -102,12 +102,14 @@ TEST(NetcdfWriter, SaysThatTheDiskIsFullAndLeavesNothingBehindWhereverItFills) {
     int written = 0;
     int refused = 0;
     for (rlim_t bytes = 50; bytes < 20 * values + 20'000; bytes += 50 + 2 * values) {
-      if (write_within(folder / "f.nc", values, bytes)) {
+      const std::string complaint = complaint_within(folder / "f.nc", values, bytes);
+      if (complaint.empty()) {
         ++written;
         EXPECT_EQ(Reader(folder / "f.nc").read("tl"), std::vector<double>(values, 80.25)) << bytes;
         std::filesystem::remove(folder / "f.nc");
       } else {
         ++refused;
+        EXPECT_TRUE(complaint.ends_with("cannot be written (File too large)")) << bytes << ": " << complaint;
       }
       EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << bytes;
     }
@@ -121,7 +123,7 @@ TEST(NetcdfWriter, LetsAProgramEndInPeaceAfterAFullDisk) {
   testing::FLAGS_gtest_death_test_style = "threadsafe";  // a process of its own, in which the library has not been used yet
   EXPECT_EXIT(
       {
-        for (rlim_t bytes = 50; bytes < 20'000; bytes += 150) (void)write_within(folder / "f.nc", 10, bytes);
+        for (rlim_t bytes = 50; bytes < 20'000; bytes += 150) (void)complaint_within(folder / "f.nc", 10, bytes);
         std::exit(2);
       },
       testing::ExitedWithCode(2), "");

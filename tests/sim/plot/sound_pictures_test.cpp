@@ -56,6 +56,20 @@ TEST(OperatingCurvePlot, LaysNoLabelOnAnother) {
   EXPECT_EQ(occurrences(svg, ">8 dB<"), 0U);
 }
 
+TEST(OperatingCurvePlot, PutsLabelsOfItsRightEndToTheLeftOfTheirPointsWithinTheFrame) {
+  const support::TemporaryFolder folder;
+  const std::vector<annotation::OperatingPoint> points{{0.0, {.truths = 20, .detections = 120, .hits = 20, .hours = 1.0}},
+                                                       {10.0, {.truths = 20, .detections = 15, .hits = 14, .hours = 1.0}}};
+  plot_operating_curve(folder / "roc.svg", points, "song.wav", "fin");
+  const std::string svg = content_of(folder / "roc.svg");
+  const auto side_of = [&svg](const std::string& label) {
+    const std::size_t anchor = svg.rfind("text-anchor=\"", svg.find(">" + label + "<"));
+    return svg.substr(anchor + 13, svg.find('"', anchor + 13) - anchor - 13);
+  };
+  EXPECT_EQ(side_of("0 dB"), "end");
+  EXPECT_EQ(side_of("10 dB"), "start");
+}
+
 TEST(SpectrogramPlot, CoversNothingOfWhatItMarks) {
   const support::TemporaryFolder folder;
   spectrum::ShortTimeSpectrum windows(Hertz{100}, 2);

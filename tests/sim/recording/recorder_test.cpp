@@ -85,6 +85,10 @@ TEST(RecorderNotes, TakeTheZoneThatANameStates) {
   EXPECT_EQ(start("2021-02-05T03-59-46.250Z.wav"), "2021-02-05T03:59:46.250Z");
   EXPECT_EQ(start("20210205035946.wav"), "2021-02-05T03:59:46.000Z");
   EXPECT_EQ(start("20210205_035946-0017.wav"), "2021-02-05T03:59:46.000Z") << "a number of a part: no zone has 17 minutes";
+  EXPECT_EQ(start("20210205_035946-0015.wav"), "2021-02-05T03:59:46.000Z") << "no zone is a quarter of an hour west of UTC";
+  EXPECT_EQ(start("20210205T035946_+1000.wav"), "2021-02-04T17:59:46.000Z");
+  EXPECT_EQ(start("20210205T035946_-0400.wav"), "2021-02-05T07:59:46.000Z");
+  EXPECT_EQ(start("S4A04430_20210403$150100.wav"), "2021-04-03T15:01:00.000Z") << "Wildlife Acoustics, where a recording goes on";
   EXPECT_EQ(notes_of("20210205T035946+1000.wav", {}, kSixteenBits).start_from, "its name");
 }
 

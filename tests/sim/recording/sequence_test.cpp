@@ -1,9 +1,13 @@
 #include "sim/recording/sequence.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <array>
 #include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
 
 #include "firmware/host/file/bad_input.hpp"
 #include "sim/recording/harp.hpp"
@@ -63,6 +67,14 @@ TEST(Sequence, TellsGapsAndOverlaps) {
   ASSERT_EQ(remarks.size(), 2U);
   EXPECT_NE(remarks[0].find("begins 30 s after the end of a_20200912_000000.wav"), std::string::npos) << remarks[0];
   EXPECT_NE(remarks[1].find("begins 5 s before the end of b_20200912_000040.wav"), std::string::npos) << remarks[1];
+}
+
+TEST(Sequence, TellsAGapOfMonthsInDays) {
+  const TemporaryFolder folder;
+  const Sequence sequence({ten_seconds(folder / "a_20200101_000000.wav"), ten_seconds(folder / "b_20201102_060010.wav")});
+  ASSERT_EQ(sequence.remarks().size(), 1U);
+  EXPECT_NE(sequence.remarks()[0].find("begins 306.25 days after the end of a_20200101_000000.wav"), std::string::npos)
+      << sequence.remarks()[0];  // 306 days of a leap year from the first of January to the second of November, and a quarter
 }
 
 TEST(Sequence, CountsTimeThroughTheSoundAndDatesItByItsFile) {
@@ -168,6 +180,53 @@ TEST(SoundFolder, GivesAllRecordingsInTheOrderOfTheirNames) {
             (Paths{folder / "in/a.wav", folder / "in/b/x.flac", folder / "in/c.WAV", folder / "else.txt"}));
   std::filesystem::create_directories(folder / "empty");
   EXPECT_THROW((void)recordings_in({folder / "empty"}), host::BadInput);
+}
+
+TEST(SoundFolder, NamesALinkThatLeadsInACircleAndTheSequenceHearsTheOthers) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "in");
+  const std::filesystem::path sound = ten_seconds(folder / "in" / "a_20200912_000000.wav", 8192);
+  std::filesystem::create_symlink("x.wav", folder / "in" / "x.wav");
+  const Paths found = recordings_in({folder / "in"});
+  EXPECT_EQ(found, (Paths{sound, folder / "in" / "x.wav"}));
+  const Sequence sequence(found);
+  EXPECT_EQ(sequence.files(), 1U);
+  ASSERT_EQ(sequence.unreadable().size(), 1U);
+  EXPECT_NE(sequence.unreadable().front().find("x.wav: "), std::string::npos);
+  EXPECT_FALSE(sequence.is_whole());
+}
+
+TEST(SoundFolder, NamesAFolderWithinThatCannotBeReadAndGivesTheOthers) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "in" / "closed");
+  tests::write(folder / "in" / "a.wav", "");
+  std::filesystem::permissions(folder / "in" / "closed", std::filesystem::perms::none);
+  using std::filesystem::perms;
+  std::filesystem::permissions(folder / "", perms::group_all | perms::others_all, std::filesystem::perm_options::add);
+  constexpr uid_t kNobody = 65534;
+  const uid_t self = geteuid();
+  if (self == 0) {
+    ASSERT_EQ(seteuid(kNobody), 0) << "root may read every folder";
+  }
+  const Paths found = recordings_in({folder / "in"});
+  ASSERT_EQ(seteuid(self), 0);
+  EXPECT_EQ(found, (Paths{folder / "in/a.wav", folder / "in/closed"}));
+  std::filesystem::permissions(folder / "in" / "closed", std::filesystem::perms::owner_all);
+}
+
+TEST(Sequence, TellsOfSamplesInASecondChunkThatAreNotListenedTo) {
+  const TemporaryFolder folder;
+  const std::filesystem::path sound = ten_seconds(folder / "a_20200912_000000.wav", 8192);
+  EXPECT_TRUE(Sequence({sound}).is_whole());
+  const Sequence before({sound});
+  const auto rate = static_cast<std::size_t>(before.sample_rate().value);
+  std::ofstream(sound, std::ios::binary | std::ios::app) << tests::chunk("data", std::string(3 * 2 * rate, '\1'));
+  const Sequence sequence({sound});
+  EXPECT_FALSE(sequence.is_whole());
+  EXPECT_EQ(sequence.parts().front().frames, before.parts().front().frames);
+  ASSERT_EQ(sequence.remarks().size(), 1U);
+  EXPECT_EQ(sequence.remarks().front(),
+            sound.string() + ": holds 3 s in a second chunk of samples, where a WAV file has one: they are not listened to");
 }
 
 TEST(SequenceReader, GivesEverySampleOfOneChannelAndSaysWhereSoundDoesNotGoOn) {

@@ -13,6 +13,8 @@
 #include "firmware/config/capacities.hpp"
 #include "firmware/core/polygon.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/mission/hydrophone_chain.hpp"
+#include "firmware/messages/hydrophone_block.hpp"
 #include "firmware/policy/tables/ocean_tables.hpp"
 
 namespace earshot::board {
@@ -67,6 +69,9 @@ void doubt_battery(const config::Mission& mission, Doubts& doubts) {
   }
   const bool watches_way_home = has_rule_about(mission, config::Condition::kBatteryAtHome);
   doubt_if(!watches_way_home && !has_rule_about(mission, config::Condition::kBattery), doubts, "no rule watches the battery");
+  doubt_if(
+      !watches_way_home && has_rule_about(mission, config::Condition::kBattery) && mission.safety.vehicle.battery_percent_per_km == 0.0,
+      doubts, "vehicle.battery_percent_per_km is not given: whether the battery lasts for all steps is not known");
   doubt_if(watches_way_home && mission.safety.vehicle.battery_percent_per_km == 0.0, doubts,
            "vehicle.battery_percent_per_km is not given: battery_at_home_percent counts no way home");
 }
@@ -128,6 +133,52 @@ void doubt_ports(const host::MissionFile& file, Doubts& doubts) {
   }
 }
 
+/// Values that no hydrophone, amplifier or ADC of today has: of another unit, or of a typing error.
+void doubt_devices(const detector::Calibration& chain, Doubts& doubts) {
+  struct Usual {
+    const char* key;
+    double value;
+    double least;
+    double most;
+    const char* whose;
+  };
+  const std::array<Usual, 4> usual{{{"sensitivity_db_re_1v_per_upa", chain.sensitivity.value, -225.0, -120.0, "hydrophones"},
+                                    {"gain_db", chain.fixed_gain.value, -40.0, 120.0, "amplifiers"},
+                                    {"full_scale_v", chain.full_scale_volts, 0.01, 30.0, "ADCs"},
+                                    {"adc_bits", static_cast<double>(chain.adc_bits), 12.0, 32.0, "ADCs for sound"}}};
+  for (const Usual& u : usual)
+    doubt_if(u.value < u.least || u.value > u.most, doubts,
+             formatted("hydrophone.%s, %g: %s have %g to %g", u.key, u.value, u.whose, u.least, u.most));
+}
+
+/// By spherical spreading a source is so much louder at a tenth of the range at which it just reaches the threshold.
+constexpr Decibels kRoomForLoud{20.0};
+/// A recorder's own noise should lie 6 dB under the lowest that is to be measured (NPL Good Practice Guide 133), and the sea is at times
+/// 10 dB quieter than is expected.
+constexpr Decibels kRoomForQuiet{16.0};
+
+void doubt_chain(const detector::SoundSettings& hearing, Doubts& doubts) {
+  doubt_devices(hearing.calibration, doubts);
+  if (!is_finite(hearing.expected_noise.value)) {
+    doubts.emplace_back(
+        "hydrophone.expected_noise_db_re_1upa is left out: whether the chain is too loud or too faint for the sea cannot be judged before "
+        "the dive");
+    return;
+  }
+  const host::ChainRoom room = host::room_of(hearing);
+  doubt_if(
+      room.full_scale < room.least_full_scale + kRoomForLoud, doubts,
+      formatted("the hydrophone's chain clips at %.1f dB re 1 uPa, %.1f dB above hydrophone.expected_noise_db_re_1upa: a source that is "
+                "near is no look, with less gain_db it would be",
+                room.full_scale.value, (room.full_scale - hearing.expected_noise).value));
+  const Decibels most = hearing.expected_noise - kRoomForQuiet;
+  doubt_if(room.adc_noise_at_lowest_rate > most, doubts,
+           formatted("the ADC's own noise in the hydrophone's band is %.1f dB re 1 uPa where blocks come at %g Hz, and %.1f at %g Hz: more "
+                     "than %g, %g dB under hydrophone.expected_noise_db_re_1upa, hides a quiet sea; more gain_db or adc_bits make it less",
+                     room.adc_noise_at_lowest_rate.value, room.lowest_rate.value, room.adc_noise_at_highest_rate.value,
+                     messages::kHighestSampleRate.value, most.value, kRoomForQuiet.value));
+}
+
 /// What can be heard, but not well: a mission file in which nothing could be heard has been refused.
 void doubt_hearing(const host::MissionFile& file, Doubts& doubts) {
   if (!file.hearing) return;
@@ -161,6 +212,7 @@ void doubt_hearing(const host::MissionFile& file, Doubts& doubts) {
       formatted("hydrophone.self_noise_speed_mps, %g m/s, is less than search.speed_mps and vehicle.max_current_mps together: the vehicle "
                 "knows its speed over ground, and measures nothing where a current pushes it",
                 gate_mps));
+  doubt_chain(hearing, doubts);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/folder_lock.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/program/talk.hpp"
@@ -51,20 +52,26 @@ bool is_being_written(const fs::path& journal) try {
   return true;
 }
 
-std::optional<fs::path> journal_under_way(const fs::path& journal) {
+std::optional<fs::path> journal_under_way(const fs::path& folder_or_journal) {
+  const fs::path journal = host::journal_in(folder_or_journal);
+  if (journal != folder_or_journal) {  // of several missions at sea in one folder the last is the one that is under way
+    const std::optional<fs::path> newest = host::newest_journal(folder_or_journal / host::kFirstJournal);
+    if (newest && !is_empty_or_missing(*newest) && is_being_written(*newest)) return newest;
+  }
   if (std::optional<fs::path> flown = flight_under_way_beside(journal)) return flown;
   if (is_empty_or_missing(journal)) return std::nullopt;
   if (is_being_written(journal) || !is_of_simulation(journal)) return journal;
   return std::nullopt;
 }
 
-std::optional<fs::path> wait_for_journal(const fs::path& journal, std::chrono::seconds most) {
+std::optional<fs::path> wait_for_journal(const fs::path& folder_or_journal, std::chrono::seconds most) {
   using std::chrono::steady_clock;
   constexpr std::chrono::milliseconds kLook{100};
   const auto began = steady_clock::now();
   for (bool is_said = program::talk() == program::Talk::kQuiet;;) {
-    if (std::optional<fs::path> found = journal_under_way(journal)) return found;
+    if (std::optional<fs::path> found = journal_under_way(folder_or_journal)) return found;
     if (program::stop_requested) return std::nullopt;
+    const fs::path journal = host::journal_in(folder_or_journal);
     const bool is_there = fs::exists(journal);
     if (steady_clock::now() - began >= most)
       throw host::BadInput(host::printable(journal.string()) +

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "firmware/boards/linux/journal_view/wording.hpp"
-#include "firmware/config/safety.hpp"
 #include "firmware/core/geometry.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/messages/command_words.hpp"
@@ -116,21 +115,6 @@ std::string to_string(const decision_t& m) {
     text += "; says that the source is found: within a step with a probability of " + decimal(m.found_probability, 2) + ", at least " +
             decimal(m.found_least_snr_db, 1) + " dB expected there, the likeliest place " + decimal(m.closest_approach_m, 0) + " m away";
   return text;
-}
-
-std::string to_string(const messages::SafetyEvent& event) {
-  using config::ConditionTraits;
-  const auto condition = static_cast<std::size_t>(event.condition);
-  const auto response = static_cast<std::size_t>(event.response);
-  const std::string rule = "rule " + std::to_string(event.rule + 1) + ", ";
-  if (condition >= config::kConditions || response >= config::kResponses) return rule + "which this program does not know";
-  const ConditionTraits& traits = config::kConditionTraits.at(condition);
-  std::string text = rule + std::string(traits.key);
-  if (!event.begins) return text + ": no longer";
-  if (traits.kind != ConditionTraits::Kind::kFlag)
-    text += ": " + decimal(event.measure, 1) + (traits.kind == ConditionTraits::Kind::kAbove ? ", above " : ", below ") +
-            decimal(event.limit, 1);
-  return text + ": " + std::string(config::kResponseWords.at(response));
 }
 
 std::string to_string(const health_t& m, bool was_surprised, AbortedBy by) {

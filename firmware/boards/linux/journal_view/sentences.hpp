@@ -24,9 +24,6 @@ namespace earshot::journal_view {
 [[nodiscard]] std::string to_string(const messages::Bearing& bearing);
 [[nodiscard]] std::string to_string(const decision_t& decision);
 
-/// "rule 11, battery_percent: 14.9, below 15.0: return"; "rule 11, battery_percent: no longer"
-[[nodiscard]] std::string to_string(const messages::SafetyEvent& event);
-
 /// Whose order an ABORT was that no rule gave: a program that is told to stop gives one, too.
 enum class AbortedBy : std::uint8_t { kOperator, kProgram };
 

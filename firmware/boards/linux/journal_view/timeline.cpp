@@ -7,6 +7,7 @@
 #include "firmware/config/safety.hpp"
 #include "firmware/host/file/checksum_text.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/journal/rule_event_words.hpp"
 #include "firmware/messages/health_words.hpp"
 
 namespace earshot::journal_view {
@@ -129,7 +130,7 @@ void Timeline::note_content(const decision_t& decision, const Record& /*record*/
 
 void Timeline::note_content(const messages::SafetyEvent& event, const Record& /*record*/) {
   const bool ends_it = event.response >= config::Response::kAbort;
-  tell(!event.begins ? Severity::kInformation : ends_it ? Severity::kError : Severity::kWarning, to_string(event));
+  tell(!event.begins ? Severity::kInformation : ends_it ? Severity::kError : Severity::kWarning, host::to_string(event));
 }
 
 void Timeline::note_content(const command_acknowledgement_t& acknowledgement, const Record& /*record*/) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "firmware/boards/linux/journal_view/export/export.hpp"
@@ -19,6 +20,7 @@
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/journal/journal_parts.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/program/progress_bar.hpp"
@@ -63,11 +65,14 @@ host::BadInput no_record_in(const std::filesystem::path& journal) {
 /// The files that are asked for, all judged before the first is begun.
 class Exports {
  public:
-  explicit Exports(const ViewOptions& options) : options_(options) {
-    for (const std::filesystem::path& part : host::JournalParts(options.journal).files()) files_of_command_.read(part);
-    judge(options.csv, kTurnTableOutput);
-    judge(options.jsonl, kRecordLinesOutput);
-    judge(options.mcap, kMcapOutput);
+  explicit Exports(const ViewOptions& options) {
+    host::DistinctFiles read;
+    read.read("JOURNAL", host::JournalParts(options.journal).files());
+    std::vector<host::Output> outputs;
+    if (options.csv) outputs.push_back({"--csv", *options.csv, kTurnTableOutput});
+    if (options.jsonl) outputs.push_back({"--jsonl", *options.jsonl, kRecordLinesOutput});
+    if (options.mcap) outputs.push_back({"--mcap", *options.mcap, kMcapOutput});
+    host::require_writable(std::move(read), outputs, options.replace);
     if (options.csv) add(*options.csv, std::make_unique<TurnTable>(*options.csv, options.plane));
     if (options.jsonl) add(*options.jsonl, std::make_unique<RecordLines>(*options.jsonl));
     if (options.mcap) add(*options.mcap, std::make_unique<McapExport>(*options.mcap, options.plane));
@@ -90,15 +95,8 @@ class Exports {
     std::unique_ptr<Export> content;
   };
 
-  void judge(const std::optional<std::filesystem::path>& path, const host::OutputKind& kind) {
-    if (!path) return;
-    files_of_command_.write(*path);
-    host::require_writable(*path, kind, options_.replace);
-  }
   void add(const std::filesystem::path& path, std::unique_ptr<Export> content) { files_.push_back({path, std::move(content)}); }
 
-  const ViewOptions& options_;
-  host::DistinctFiles files_of_command_;
   std::vector<File> files_;
 };
 
@@ -170,16 +168,28 @@ class Viewer {
   std::optional<program::ProgressBar> bar_ = prints_ ? std::nullopt : std::optional<program::ProgressBar>(std::in_place, "journal");
 };
 
+/// Flights at sea may share a folder: what is read of it might be taken for the last one's.
+void tell_others(const std::filesystem::path& journal) {
+  const std::optional<std::filesystem::path> newest = host::newest_journal(journal);
+  if (newest && *newest != journal && program::talk() != program::Talk::kQuiet)
+    std::cerr << "earshot journal: reads " << host::printable(journal.string()) << "; the folder holds others, the newest "
+              << host::printable(newest->filename().string()) << ": name the one that you mean\n";
+}
+
 }  // namespace
 
-int view(const ViewOptions& options) {
-  if (!options.follow) return Viewer(options).run();
+int view(const ViewOptions& asked) {
+  ViewOptions options = asked;
+  options.journal = host::journal_in(asked.journal);
+  if (!options.follow) {
+    if (options.journal != asked.journal) tell_others(options.journal);
+    return Viewer(options).run();
+  }
   program::stop_on_signals();
-  const std::optional<std::filesystem::path> journal = wait_for_journal(options.journal, options.wait);
+  const std::optional<std::filesystem::path> journal = wait_for_journal(asked.journal, options.wait);
   if (!journal) return program::kStopped;
-  ViewOptions under_way = options;
-  under_way.journal = *journal;
-  return Viewer(under_way).run();
+  options.journal = *journal;
+  return Viewer(options).run();
 }
 
 }  // namespace earshot::journal_view

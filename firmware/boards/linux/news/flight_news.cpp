@@ -7,6 +7,7 @@
 #include "firmware/boards/linux/news/health_words.hpp"
 #include "firmware/boards/linux/news/text_line.hpp"
 #include "firmware/detector/bearing_listener.hpp"
+#include "firmware/host/journal/rule_event_words.hpp"
 #include "firmware/messages/health_words.hpp"
 
 namespace earshot::board {
@@ -111,9 +112,10 @@ void FlightNews::tell_rule(Time now, RuleNews& rule) {
     line << ": no longer";
   } else {
     if (traits.kind != config::ConditionTraits::Kind::kFlag) {
+      const int places = host::decimals_apart(event.measure, event.limit);
       line << ": ";
-      line.decimal(event.measure, 1) << (traits.kind == config::ConditionTraits::Kind::kAbove ? ", above " : ", below ");
-      line.decimal(event.limit, 1);
+      line.decimal(event.measure, places) << (traits.kind == config::ConditionTraits::Kind::kAbove ? ", above " : ", below ");
+      line.decimal(event.limit, places);
     }
     line << ": " << config::kResponseWords.at(static_cast<std::size_t>(event.response));
   }

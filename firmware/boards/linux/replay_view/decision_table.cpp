@@ -6,6 +6,7 @@
 #include "firmware/boards/linux/journal_view/sentences.hpp"
 #include "firmware/boards/linux/journal_view/wording.hpp"
 #include "firmware/core/geometry.hpp"
+#include "firmware/host/journal/rule_event_words.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/messages/health_words.hpp"
 
@@ -26,9 +27,9 @@ int degrees_towards(const decision_t& d) {
 }
 
 std::string half_row(const std::optional<decision_t>& decision, Time began) {
-  if (!decision) return formatted("%50s", "not decided");
+  if (!decision) return formatted("%41s", "not decided");
   const decision_t& d = *decision;
-  return formatted("%10.1f %s%6.1f %-6s  %03d %9.3f %9.3f", seconds_since(began, d.utime), d.too_faint != 0 ? "<" : " ", d.snr_db,
+  return formatted("%8.1f %s%5.1f %-5s %03d %7.3f %7.3f", seconds_since(began, d.utime), d.too_faint != 0 ? "<" : " ", d.snr_db,
                    d.detected != 0 ? "heard" : "", degrees_towards(d), d.waypoint_north_m * 1e-3, d.waypoint_east_m * 1e-3);
 }
 
@@ -40,7 +41,7 @@ std::string one_way(const std::optional<decision_t>& d, Time began) {
 
 std::string to_string(const Standing& standing, Time began) {
   const bool is_by_rule = standing.rule && standing.health.end_reason == static_cast<std::int8_t>(messages::EndReason::kSafetyRule);
-  const std::string rule = is_by_rule ? ", " + journal_view::to_string(*standing.rule) : "";
+  const std::string rule = is_by_rule ? ", " + host::to_string(*standing.rule) : "";
   const bool was_surprised = standing.health.surprise_bits >= messages::kSurprising_bits;
   return journal_view::to_string(standing.health, was_surprised) + formatted(" (since %.1f s", seconds_since(began, standing.since.us)) +
          rule + ")";
@@ -49,11 +50,11 @@ std::string to_string(const Standing& standing, Time began) {
 }  // namespace
 
 std::string decision_table(std::span<const StepPair> pairs, std::uint32_t from_step, Time began) {
-  const std::string head = formatted("%10s %7s %-6s  %3s %9s %9s", "time (s)", "SNR dB", "", "deg", "north km", "east km");
-  std::string text = formatted("%5s    %-47s   |   %s\n", "", "then, in the journal", "now") + " step " + head + "   |" + head + "\n";
+  const std::string head = formatted("%8s %6s %-5s %3s %7s %7s", "time (s)", "SNR", "", "deg", "north", "east");
+  std::string text = formatted("%5s  %-39s |  %s\n", "", "then (SNR in dB, places in km)", "now") + " step" + head + " |" + head + "\n";
   const StepPair* const parts = parting(pairs);
   for (const StepPair& pair : from(from_step, pairs)) {
-    text += formatted("%5d ", pair.step) + half_row(pair.then, began) + "   |" + half_row(pair.now, began);
+    text += formatted("%5d", pair.step) + half_row(pair.then, began) + " |" + half_row(pair.now, began);
     if (&pair == parts)
       text += "  parts";
     else if (!pair.is_same())
@@ -80,15 +81,14 @@ std::string what_it_means(const Counterfactual& told, std::span<const StepPair> 
     text += formatted("set-points differ from %.1f s on: ", seconds_since(told.began, told.steering->time.us)) +
             to_string(told.steering->fields) + "\n";
   if (told.steering) {
-    for (const messages::SafetyEvent& rule : told.steering->rules) text += "now steers there: " + journal_view::to_string(rule) + "\n";
+    for (const messages::SafetyEvent& rule : told.steering->rules) text += "now steers there: " + host::to_string(rule) + "\n";
   }
   const std::string where = told.gap ? "where record " + std::to_string(*told.gap) + " is missing" : "at the journal's end";
   text += where + ", then: " + to_string(told.then_ended, told.began) + "; now: " + to_string(told.now_ended, told.began) + "\n";
   if (told.steering || parting(pairs) != nullptr)
     text +=
         "What stands behind the first difference is no forecast: the fixes and SNRs are those of the vehicle that followed the journal. "
-        "One "
-        "that\nhad followed the other decisions would have been elsewhere, and would have heard something else.\n";
+        "One that had followed the other decisions would have been elsewhere, and would have heard something else.\n";
   return text;
 }
 

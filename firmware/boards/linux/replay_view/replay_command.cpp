@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +29,7 @@
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/program/wrapped.hpp"
 
 namespace earshot::replay_view {
 namespace {
@@ -38,18 +40,20 @@ std::string shown(const std::filesystem::path& path) {
   return host::printable(path.string());
 }
 
-void judge_outputs(const ReplayCommand& c) {
+/// @param mission  that --mission names; nothing: none is named
+void judge_outputs(const ReplayCommand& c, const std::optional<host::MissionFile>& mission) {
   const bool asks_what_if = c.policy || c.tables || c.mission;
   if (c.map && !asks_what_if) throw host::BadInput("--map: only with --policy, --tables or --mission");
-  host::DistinctFiles files;
-  for (const std::filesystem::path& part : host::JournalParts(c.journal).files()) files.read(part);
-  if (c.policy) files.read(*c.policy);
-  if (c.tables) files.read(*c.tables);
-  if (c.mission) files.read(*c.mission);
-  if (c.map) files.write(*c.map);
-  if (c.json) files.write(*c.json);
-  if (c.map) host::require_writable(*c.map, host::kSvgOutput, c.replace);
-  if (c.json) host::require_writable(*c.json, kReplayOutput, c.replace);
+  host::DistinctFiles read;
+  read.read("JOURNAL", host::JournalParts(c.journal).files());
+  if (c.policy) read.read("--policy", *c.policy);
+  if (c.tables) read.read("--tables", *c.tables);
+  if (c.mission) read.read("--mission", *c.mission);
+  if (mission && mission->command_key) read.read("the command key of --mission", mission->command_key_file);
+  std::vector<host::Output> outputs;
+  if (c.map) outputs.push_back({"--map", *c.map, host::kSvgOutput});
+  if (c.json) outputs.push_back({"--json", *c.json, kReplayOutput});
+  host::require_writable(std::move(read), outputs, c.replace);
 }
 
 /// What is asked about in place of what was flown.
@@ -59,14 +63,14 @@ struct Question {
 };
 
 /// @throws host::BadInput as earshotd would refuse to fly it.
-std::optional<Question> question_of(const ReplayCommand& c) {
+std::optional<Question> question_of(const ReplayCommand& c, const std::optional<host::MissionFile>& mission) {
   if (!c.policy && !c.tables && !c.mission) return std::nullopt;
   Question question{.plan = plan_of(c.journal), .words = {}};
   Plan& plan = question.plan;
-  if (c.mission) {
+  if (mission) {
     // Another draw of a policy's dice would be another flight: only what is asked about shall differ.
     const std::uint64_t seed = plan.mission.action_seed;
-    plan.mission = host::load_mission(*c.mission).mission;
+    plan.mission = mission->mission;
     plan.mission.action_seed = seed;
   }
   if (c.policy) plan.policy = host::load_unverified_policy(*c.policy);
@@ -117,9 +121,9 @@ Json tell_what_if(const ReplayCommand& c, const Question& question) {
   }
   const std::vector<StepPair> pairs = paired(told.then, told.now);
   program::say() << "\nthe same inputs, with " << question.words << ":\n"
-                 << where_they_part(pairs, c.from_step, told.began) << "\n\n"
+                 << program::wrapped_lines(where_they_part(pairs, c.from_step, told.began)) << "\n"
                  << decision_table(pairs, c.from_step, told.began) << "\n"
-                 << what_it_means(told, pairs);
+                 << program::wrapped_lines(what_it_means(told, pairs));
   if (c.map) {
     const std::string title = shown(c.journal.filename()) + ": decided then, and now";
     host::write_whole(*c.map, parting_map(told, pairs, c.from_step, question.plan.mission.operating_area, title));
@@ -134,8 +138,10 @@ Json tell_what_if(const ReplayCommand& c, const Question& question) {
 }  // namespace
 
 int replay(const ReplayCommand& c) {
-  judge_outputs(c);
-  const std::optional<Question> question = question_of(c);
+  std::optional<host::MissionFile> mission;
+  if (c.mission) mission = host::load_mission(*c.mission);
+  judge_outputs(c, mission);
+  const std::optional<Question> question = question_of(c, mission);
   const Timed timed = replay_once(c);
   const int status = tell(c, timed);
   Json what_if;

@@ -7,6 +7,7 @@
 #include "firmware/boards/linux/journal_view/export/fields.hpp"
 #include "firmware/boards/linux/journal_view/sentences.hpp"
 #include "firmware/boards/linux/replay_view/findings.hpp"
+#include "firmware/host/journal/rule_event_words.hpp"
 
 namespace earshot::replay_view {
 namespace {
@@ -39,7 +40,7 @@ Json standing_json(const Standing& standing, Time began) {
   Json json{{"since_s", seconds_since(began, standing.since)}};
   const Json health = journal_view::fields_of(standing.health);
   for (const char* key : {"state", "end_reason", "steps_taken"}) json[key] = health.at(key);
-  json["rule"] = standing.rule ? Json(journal_view::to_string(*standing.rule)) : Json();
+  json["rule"] = standing.rule ? Json(host::to_string(*standing.rule)) : Json();
   return json;
 }
 

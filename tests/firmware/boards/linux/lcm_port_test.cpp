@@ -39,16 +39,6 @@ class CountingSink final : public InputSink {
   int bearings = 0;
 };
 
-/// A simulator's, which has sent so many bearings.
-class BearingClock final : public SetClock {
- public:
-  explicit BearingClock(int sent) : left_(sent) {}
-  [[nodiscard]] bool takes_bearing(Time /*utc*/) override { return left_-- > 0; }
-
- private:
-  int left_;
-};
-
 class LcmPortTest : public testing::Test {
  protected:
   void SetUp() override { ENTER_PRIVATE_NETWORK_OR_SKIP(); }
@@ -66,16 +56,16 @@ class LcmPortTest : public testing::Test {
 
 TEST_F(LcmPortTest, GivenASimulatorThatTellsTheSnrIgnoresThatOfStrangersAndSaysSo) {
   LcmPort vehicle = port(true);
-  BearingClock clock(1);
+  SetClock clock;
   CountingSink sink;
   send();
   vehicle.collect(clock, sink);
   EXPECT_EQ(sink.snrs, 0);
-  EXPECT_EQ(sink.bearings, 1) << "the one that the simulator sent";
-  EXPECT_EQ(vehicle.report().received, 1U) << "what stands in the journal is the flight's alone";
+  EXPECT_EQ(sink.bearings, 0);
+  EXPECT_EQ(vehicle.report().received, 0U) << "what stands in the journal is the flight's alone";
   EXPECT_EQ(vehicle.report().malformed, 0U);
   EXPECT_EQ(vehicle.strangers(),
-            "vehicle, LCM udpm://239.255.76.67:7667?ttl=0: 2 SNRs and 2 bearings of somebody else on this bus were ignored: in simulation "
+            "vehicle, LCM udpm://239.255.76.67:7667?ttl=0: 2 SNRs and 3 bearings of somebody else on this bus were ignored: in simulation "
             "they come from the simulator alone");
 }
 
@@ -127,7 +117,7 @@ TEST_F(LcmPortTest, DatesAllThatItSaysByTheWallClock) {
 
 TEST_F(LcmPortTest, TakesEverySnrAndBearingWhereNoSimulatorTellsThem) {
   LcmPort vehicle = port(false);
-  BearingClock clock(0);
+  SetClock clock;
   CountingSink sink;
   send();
   vehicle.collect(clock, sink);

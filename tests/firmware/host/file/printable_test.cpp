@@ -70,5 +70,15 @@ TEST(SpelledApart, MakesBlanksOfAllUnderscores) {
   EXPECT_EQ(spelled_apart("found"), "found");
 }
 
+TEST(Shortened, LeavesOutOfTheMiddleWhatIsTooMuch) {
+  EXPECT_EQ(shortened("123456789", 9), "123456789");
+  EXPECT_EQ(shortened("1234567890", 9), "123456... (1 more bytes) ...890");
+}
+
+// Of two-byte characters, so that either cut would fall into one.
+TEST(Shortened, CutsNoCharacter) {
+  EXPECT_EQ(shortened("aéééééééé", 9), "aéé... (10 more bytes) ...é");
+}
+
 }  // namespace
 }  // namespace earshot::host

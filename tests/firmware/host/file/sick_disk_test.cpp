@@ -195,6 +195,21 @@ TEST_F(SickDiskTest, ThatKnowsNoFilesWithoutNamesHasANamedOneUntilItIsWholeOrLef
   EXPECT_EQ(content(), "newer");
 }
 
+TEST_F(SickDiskTest, ThatKnowsNoFilesWithoutNamesGivesANewOneItsNameOnce) {
+  sickness.knows_files_without_name = false;
+  {
+    OutputFile taken(path_);
+    EXPECT_EQ(refusal([&] { taken.commit_as_new(); }), path_.string() + ": cannot be written: File exists");
+  }
+  EXPECT_EQ(content(), "older");
+  std::filesystem::remove(path_);
+  OutputFile file(path_);
+  file.write("new");
+  file.commit_as_new();
+  EXPECT_EQ(content(), "new");
+  EXPECT_EQ(files(), 1);
+}
+
 TEST_F(SickDiskTest, ThatWasInterruptedLongAgoIsReadToItsEnd) {
   errno = EINTR;
   EXPECT_EQ(content(), "older");

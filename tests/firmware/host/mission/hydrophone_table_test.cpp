@@ -262,6 +262,21 @@ TEST(HydrophoneTable, RefusesAVehicleThatSearchesFasterThanItHears) {
   EXPECT_EQ(complaint_about("self_noise_speed_mps = 2.0"), "");
 }
 
+TEST(HydrophoneTable, RefusesAChainThatHearsNothingOfTheSeaThatIsExpected) {
+  const std::string clipping = complaint_about("expected_noise_db_re_1upa = 200.0");
+  EXPECT_EQ(
+      clipping.find("hydrophone.expected_noise_db_re_1upa = 200.0: the chain would clip all the time: a sample of full scale is 176 dB "
+                    "re 1 uPa, and the noise that is expected with a source at the detection threshold needs 213"),
+      0U)
+      << clipping;
+  const std::string any_sea = complaint_about("gain_db = 200.0");
+  EXPECT_EQ(
+      any_sea.find("hydrophone.sensitivity_db_re_1v_per_upa = -170.0: the chain would clip all the time: a sample of full scale is -24 "
+                   "dB re 1 uPa, and the noise of the quietest sea with a source at the detection threshold needs 33"),
+      0U)
+      << any_sea;
+}
+
 TEST(HydrophoneTable, ComplainsOfNoBandWhereTheFrequencyItselfIsWrong) {
   const std::string what = complaint_of(searching_at("0.5", mission_with(std::string(kPort) + kTable)));
   EXPECT_NE(what.find("search.source_frequency_hz"), std::string::npos) << what;

@@ -18,7 +18,9 @@ TEST(MissionFile, KeepsTheBoundsOfItsNumbers) {
     std::string refused;
   };
   for (const auto& [line, allowed, refused] :
-       {Bound{"speed_mps = 2.0", "speed_mps = 20.0", "speed_mps = 20.1"},
+       {Bound{"speed_mps = 2.0", "speed_mps = 20.0", "speed_mps = 20.1"}, Bound{"speed_mps = 2.0", "speed_mps = 0.01", "speed_mps = 0.009"},
+        Bound{"speed_mps = 2.0", "speed_mps = 0.01", "speed_mps = 1e-320"},
+        Bound{"step_length_m = 1000.0", "step_length_m = 1.0", "step_length_m = 0.9"},
         Bound{"latitude_deg = 38.5", "latitude_deg = 80.0", "latitude_deg = 80.1"},
         Bound{"latitude_deg = 38.5", "latitude_deg = -80.0", "latitude_deg = -80.1"},
         Bound{"longitude_deg = -28.0", "longitude_deg = 180.0", "longitude_deg = 180.1"},

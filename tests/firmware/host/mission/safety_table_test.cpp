@@ -166,7 +166,15 @@ TEST(SafetyTable, TakesABatteryThatLastsForEverForOneThatIsNotSpokenOf) {
 TEST(SafetyTable, HasRoomForFourZonesAndSaysSo) {
   std::string zones;
   for (int i = 0; i < 4; ++i) zones += "[[no_surface]]\nnorth_m = [5000, 6000, 6000]\neast_m = [5000, 5000, 6000]\n\n";
-  EXPECT_EQ(complaint("[[no_surface]]", zones + "[[no_surface]]"), "no_surface 5: north_m: is one zone too many: there is room for 4");
+  EXPECT_EQ(complaint("[[no_surface]]", zones + "[[no_surface]]"), "no_surface: has 5 tables, must have at most 4");
+}
+
+TEST(SafetyTable, HasRoomForTwentyFiveRulesAndSaysSoInOneLine) {
+  std::string rules;
+  for (int i = 0; i < 25'000; ++i) rules += "[[rule]]\nwhen = \"leak\"\nthen = \"release\"\n\n";
+  const std::string said = complaint("[[no_surface]]", rules + "[[no_surface]]");
+  EXPECT_NE(said.find("rule: has 25002 tables, must have at most 25"), std::string::npos) << said;
+  EXPECT_EQ(said.find("rule 26"), std::string::npos) << said;
 }
 
 TEST(SafetyTable, NamesTheMissionsOwnRuleThatLeavesAnotherNothingToDo) {

@@ -66,6 +66,24 @@ TEST(CommandLine, RefusesTheEmptyWordWhereAFileMustBeNamed) {
   EXPECT_EQ(e.complaint({"--policy", "a"}), "");
 }
 
+TEST(CommandLine, TakesNoEmptyWordForAnyTextOrPath) {
+  Example e;
+  std::string text;
+  std::filesystem::path path;
+  std::optional<std::string> perhaps_text;
+  std::optional<std::filesystem::path> perhaps_path;
+  std::vector<std::string> texts;
+  e.line.option("--text", &text, "text");
+  e.line.option("--path", &path, "path");
+  e.line.option("--perhaps-text", &perhaps_text, "text");
+  e.line.option("--perhaps-path", &perhaps_path, "path");
+  e.line.option("--texts", &texts, "texts");
+  for (const char* option : {"--text", "--path", "--perhaps-text", "--perhaps-path", "--texts"})
+    EXPECT_EQ(e.complaint({option, ""}),
+              "earshot try: " + std::string(option) + ": must not be the empty word (earshot try --help lists all)");
+  EXPECT_EQ(e.complaint({""}), "earshot try: FILE: must not be the empty word (earshot try --help lists all)");
+}
+
 TEST(CommandLine, PutsEveryValueWhereItBelongs) {
   Example e;
   EXPECT_EQ(e.line.read(Words{"a", "--seed", "7", "--depth-m=250.5", "-o", "out", "--band-hz", "10", "30", "--map", "--", "b"}),

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <iostream>
 #include <new>
@@ -13,7 +15,9 @@
 #include <vector>
 
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/output_file.hpp"
 #include "firmware/host/program/version.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::program {
 namespace {
@@ -50,6 +54,28 @@ TEST(Run, GivesTheStatusOfTheWork) {
   EXPECT_EQ(done.output, "flown\n");
   EXPECT_EQ(done.error, "");
   EXPECT_EQ(ran([] { return kIncomplete; }).status, kIncomplete);
+}
+
+TEST(Run, LeavesNothingOfAFileThatALibraryWritesWhenASignalEndsTheProgram) {
+  const support::TemporaryFolder folder;
+  const auto end_while_writing = [&folder] {
+    CommandLine line("earshot try", "Tries.");
+    std::string word = "earshot-try";
+    std::array<char*, 1> words{word.data()};
+    (void)run(line, 1, words.data(), [&folder]() -> int {
+      host::OutputFile file(folder / "f.nc");
+      std::ofstream(file.partial()) << "half";
+      return std::raise(SIGTERM);
+    });
+  };
+  EXPECT_EXIT(end_while_writing(), testing::KilledBySignal(SIGTERM), "");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(Run, SaysOfAPathThatIsEmptyThatItIs) {
+  const Ran refused = ran([]() -> int { throw std::filesystem::filesystem_error("", std::make_error_code(std::errc::invalid_argument)); });
+  EXPECT_EQ(refused.status, kBadInput);
+  EXPECT_EQ(refused.error, "a file or folder without a name: cannot be read or written: Invalid argument\n");
 }
 
 TEST(Run, AnswersAQuestionAndDoesNoWork) {

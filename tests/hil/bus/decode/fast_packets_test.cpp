@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
+#include <string>
 #include <string_view>
 
 #include "firmware/wire/n2k/fast_packet.hpp"
@@ -54,6 +56,79 @@ TEST(FastPackets, FindTheMessagesThatAGatewaySwappedAndLostFramesOf) {
   FastPackets packets;
   EXPECT_EQ(whole_of(packets, frames_of(bytes), bytes, "0123456 0123456 0263451 026345 2063451 123456 0123456"), 5);
   EXPECT_EQ(packets.incomplete(), 2U);
+}
+
+/// The same with frames a millisecond apart.
+int whole_in_time(FastPackets& packets, const std::vector<std::uint8_t>& bytes, std::string_view order, Time begin = {}) {
+  const auto frames = frames_of(bytes);
+  int whole = 0;
+  for (const char number : order) {
+    const auto taken = packets.accept(kGnss, frames[static_cast<std::size_t>(number - '0')], begin);
+    begin = begin + Duration::milliseconds(1);
+    if (!taken) continue;
+    EXPECT_EQ(taken->bytes, bytes);
+    ++whole;
+  }
+  return whole;
+}
+
+TEST(FastPackets, TakeAFirstFrameHoweverLateItComes) {
+  for (const char* order : {"1230456", "1234056", "1234506", "5640312", "6543210", "2134560", "6543012"}) {
+    FastPackets packets;
+    EXPECT_EQ(whole_in_time(packets, message(47), order), 1) << order;
+    EXPECT_EQ(packets.incomplete(), 0U) << order;
+  }
+}
+
+// Three or more frames in order up to the last and then a first one look as the end of one message and the begin of another do. Of 720
+// orders of 6 frames that are 17: of 5 and two others, or three, or four, before the first, and the rest behind it in any order: 6 x 2 + 4
+// + 1.
+TEST(FastPackets, TakeFramesInEveryOrderButThoseThatTwoMessagesMayHave) {
+  std::string order = "012345";
+  int taken = 0;
+  do {
+    FastPackets packets;
+    const std::string ahead = order.substr(0, order.find('0'));
+    const bool may_be_two = ahead.size() > 2 && std::ranges::is_sorted(ahead) && ahead.back() == '5';
+    const int whole = whole_in_time(packets, message(41), order);
+    EXPECT_EQ(whole, may_be_two ? 0 : 1) << order;
+    taken += whole;
+  } while (std::ranges::next_permutation(order).found);
+  EXPECT_EQ(taken, 720 - 17);
+}
+
+TEST(FastPackets, TakeNoLateFirstFrameThatMayBeAnothersByItsTime) {
+  const auto bytes = message(47);
+  const auto frames = frames_of(bytes);
+  const auto is_taken_after = [&frames](std::optional<Time> before, std::optional<Time> then) {
+    FastPackets packets;
+    for (const std::size_t i : {2U, 1U, 3U, 4U, 5U, 6U}) EXPECT_FALSE(packets.accept(kGnss, frames[i], before));
+    return packets.accept(kGnss, frames[0], then).has_value();
+  };
+  EXPECT_TRUE(is_taken_after(Time{}, Time{50'000}));
+  EXPECT_FALSE(is_taken_after(Time{}, Time{50'001}));
+  EXPECT_FALSE(is_taken_after(std::nullopt, std::nullopt)) << "nobody knows when they came";
+}
+
+// As in canboat's recombine-frames.in, where the second frame passes for the one before, which came again.
+TEST(FastPackets, DoNotMixTwoMessagesWhenTheFirstTwoFramesOfOneAreLost) {
+  FastPackets packets;
+  EXPECT_EQ(whole_in_time(packets, message(47, 100), "23456"), 0);
+  EXPECT_EQ(whole_in_time(packets, message(47), "0123456", Time{5'000}), 1);
+  EXPECT_EQ(packets.incomplete(), 1U);
+}
+
+// The first of the one is lost and its last frames, too: the next one's first, which comes before its others, is not given up with them.
+TEST(FastPackets, KeepAMessageBehindTheMiddleOfAnother) {
+  FastPackets packets;
+  EXPECT_EQ(whole_in_time(packets, message(47, 100), "123"), 0);
+  const auto frames = frames_of(message(47));
+  std::optional<FastPackets::Whole> whole;
+  for (std::int64_t i = 0; i < 7; ++i) whole = packets.accept(kGnss, frames[static_cast<std::size_t>(i)], Time{3'000 + 1'000 * i});
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(whole->bytes, message(47));
+  EXPECT_EQ(whole->began, Time{3'000});
+  EXPECT_EQ(packets.incomplete(), 1U);
 }
 
 // Of each of three messages of one sequence the first frame is lost: what is left must not go with the next one's first.

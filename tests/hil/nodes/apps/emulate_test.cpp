@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,25 @@ TEST_F(Emulate, RefusesPlacesOutsideTheMissionsArea) {
 TEST_F(Emulate, RefusesANameThatNoInterfaceCanHave) {
   expect_refused({"--mission", kMissions / "search_over_can.toml", "--interface", "a name that is far too long"},
                  "CAN interface a name that is far too long");
+}
+
+TEST_F(Emulate, AddsItsTrackToNoFileThatItReadsNorToOneThatIsNoTrack) {
+  const auto file = [this](const char* name) { return (folder_ / name).string(); };
+  std::filesystem::copy_file(kMissions / "search_over_can.toml", file("mission.toml"));
+  std::filesystem::copy_file(std::filesystem::path(EARSHOT_SOURCE_DIR) / "sim/ocean/environments/munk_flat.toml", file("ocean.toml"));
+  std::filesystem::create_hard_link(file("ocean.toml"), file("hard.csv"));
+  std::ofstream(file("notes.csv")) << "my own notes\n";
+  const std::vector<std::vector<std::string>> refused{
+      {"mission.toml", "--mission " + file("mission.toml") + ", --track ", "same file"},
+      {"hard.csv", "a file of --environment " + file("ocean.toml") + ", --track ", "same file"},
+      {"notes.csv", "is there already and is not a track of earshot emulate; name another file"}};
+  for (const std::vector<std::string>& each : refused) {
+    const std::string before = support::read_text(file(each.front().c_str()));
+    for (std::size_t i = 1; i < each.size(); ++i)
+      expect_refused({"--mission", file("mission.toml"), "--environment", file("ocean.toml"), "--track", file(each.front().c_str())},
+                     each[i]);
+    EXPECT_EQ(support::read_text(file(each.front().c_str())), before);
+  }
 }
 
 TEST_F(Emulate, RefusesADeviceThatItDoesNotHave) {

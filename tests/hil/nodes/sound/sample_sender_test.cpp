@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 
+#include <chrono>
 #include <cstdlib>
+#include <thread>
 #include <vector>
 
 #include "firmware/wire/lcm/channels.hpp"
@@ -62,6 +64,7 @@ TEST_F(SampleSenderTest, SendsNothingWhileItIsMute) {
   pollfd ready{ear.file_descriptor(), POLLIN, 0};
   std::int64_t last = 0;
   while (::poll(&ready, 1, 100) == 1) last = next_block(ear).first_sample;
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // five seconds of sound, also where the sender had no processor in the poll
   sender.disturb({});
   EXPECT_GT(next_block(ear).first_sample, last + 125) << "the ADC went on";
 }

@@ -107,11 +107,11 @@ TEST_F(SeaFlightTest, TellsWhichRulesActedAndOnWhatEvidence) {
   journal.end(wire::Ending::kStopped);
   const SeaFlight flight = read_sea_flight(path_).value();
   ASSERT_EQ(flight.events.size(), 4U);
-  EXPECT_EQ(flight.events[0].what, "rule 11, battery_percent: 14.94, below 15: return");
+  EXPECT_EQ(flight.events[0].what, "rule 11, battery_percent: 14.9, below 15.0: return");
   EXPECT_NEAR(flight.events[0].time_s, 20.0, 1e-5);
   EXPECT_EQ(flight.events[1].what, "rule 11, battery_percent: no longer");
   EXPECT_EQ(flight.events[2].what, "rule 13, leak: release");
-  EXPECT_EQ(flight.events[3].what, "rule 5, depth_m: 412.2, above 400: abort");
+  EXPECT_EQ(flight.events[3].what, "rule 5, depth_m: 412.2, above 400.0: abort");
 }
 
 TEST_F(SeaFlightTest, DrawsTheFixesWhoseSpeedNobodyKnew) {

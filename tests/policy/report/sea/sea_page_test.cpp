@@ -51,6 +51,36 @@ TEST_F(SeaPageTest, SaysHowAndWhyTheSearchEndedAndWhenTheFlightWas) {
   EXPECT_FALSE(has(text, "A flight without its end"));
 }
 
+TEST_F(SeaPageTest, SaysInItsHeadWhichRuleEndedTheSearchAndNoneOfThoseThatCameAfter) {
+  {
+    SeaJournal journal(folder_ / kJournalName);
+    journal.state(10, MissionState::kSearch, EndReason::kNone, 0);
+    messages::SafetyEvent rule{.time = {},
+                               .rule = 9,
+                               .condition = config::Condition::kBattery,
+                               .response = config::Response::kWarn,
+                               .begins = true,
+                               .measure = 39.9,
+                               .limit = 40.0};
+    journal.rule(500, rule);
+    rule = {.time = {},
+            .rule = 10,
+            .condition = config::Condition::kBattery,
+            .response = config::Response::kAbort,
+            .begins = true,
+            .measure = 14.9,
+            .limit = 15.0};
+    journal.rule(600, rule);
+    journal.state(600, MissionState::kAbort, EndReason::kSafetyRule, 3);
+    rule.response = config::Response::kRelease;
+    rule.rule = 11;
+    journal.rule(700, rule);
+    journal.end(wire::Ending::kMissionOver);
+  }
+  EXPECT_TRUE(
+      has(page_of_it(), "Search aborted after 3 steps: a safety rule ended it: rule 11, battery_percent: 14.9, below 15.0: abort</h1>"));
+}
+
 TEST_F(SeaPageTest, SaysHowSurprisedTheVehicleWasThatItSweptAndThatItDeclared) {
   {
     SeaJournal journal(folder_ / kJournalName);

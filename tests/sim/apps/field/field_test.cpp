@@ -6,6 +6,15 @@
 namespace earshot::tests {
 namespace {
 
+/// The ocean of a file with the water of woa.nc beside it.
+std::string with_atlas(const std::filesystem::path& ocean) {
+  std::string text = read(ocean);
+  const auto water = text.find("[water]");
+  text.replace(water, text.find("[bathymetry]") - water, "[water]\nprofile = \"woa\"\ntemperature_file = \"woa.nc\"\nreach_km = 60.0\n");
+  std::ofstream(ocean) << text;
+  return ocean.string();
+}
+
 TEST_F(FieldProgram, WritesAFieldAndNothingElse) {
   ASSERT_EQ(run(kMunk + " -o " + output() + " --max-range-km 1 --depth 100 300"), 0) << errors();
   EXPECT_EQ(errors(), "");  // no progress bar into a file
@@ -27,6 +36,33 @@ TEST_F(FieldProgram, DrawsCurvesOfLossAndSnrWhereThereIsOneDepth) {
   const std::string svg = read(picture);
   for (const char* words : {"transmission loss (dB re 1 m)", "SNR (dB)", "hydrophone at 300 m", "detection threshold, 10 dB"})
     EXPECT_NE(svg.find(words), std::string::npos) << words;
+}
+
+TEST_F(FieldProgram, DrawsACurveForEachOfFewDepthsThoughTheyLieUnequallyFarApart) {
+  const auto picture = folder_ / "out" / "field.svg";
+  ASSERT_EQ(run(kMunk + " -o " + output() + " --max-range-km 2 --depth 20 100 2900 --plot " + picture.string()), 0) << errors();
+  const std::string svg = read(picture);
+  for (const char* words : {"transmission loss (dB re 1 m)", "hydrophone at 20 m", "hydrophone at 100 m", "hydrophone at 2900 m"})
+    EXPECT_NE(svg.find(words), std::string::npos) << words;
+}
+
+TEST_F(FieldProgram, TakesFinerDepthsInShallowWaterAndTenMetresElsewhere) {
+  const std::string near = " -o " + output() + " --max-range-km 1 --output-step-m 500";
+  ASSERT_EQ(run(ocean_with("[seabed]\ndepth_m = 3000.0", "[seabed]\ndepth_m = 120.0") + near), 0) << errors();
+  EXPECT_NE(said().find("field:   2 ranges to 1 km, 120 depths from 1 to 120 m\n"), std::string::npos) << said();
+  ASSERT_EQ(run(kMunk + near), 0) << errors();
+  EXPECT_NE(said().find("300 depths from 10 to 3000 m"), std::string::npos) << said();
+}
+
+TEST_F(FieldProgram, SaysOneDepthAsOneAndTheBandThatItComputes) {
+  ASSERT_EQ(run(kMunk + " -o " + output() + " --max-range-km 1 --depth 300 --band-hz 15 30 --frequencies 2"), 0) << errors();
+  EXPECT_NE(said().find(" km, at a depth of 300 m\n"), std::string::npos) << said();
+  EXPECT_NE(said().find(", source of 15 to 30 Hz at "), std::string::npos) << said();
+}
+
+TEST_F(FieldProgram, RefusesAHydrophoneAtTheSurfaceWhereThereIsNoSound) {
+  expect_refused(kMunk + " -o " + output() + " --depth 0 100", "--depth = 0: at the surface there is no sound");
+  expect_refused(kMunk + " -o " + output() + " --radials 4 --receiver-depth-m 0", "--depth = 0: at the surface there is no sound");
 }
 
 TEST_F(FieldProgram, SaysThatGnuplotIsMissing) {
@@ -78,13 +114,45 @@ TEST_F(FieldProgram, LeavesAFileThatIsNoneOfItsOwnUnlessForced) {
   const std::string small = " --max-range-km 1 --depth 100";
   for (const std::string& option : {" -o " + ocean, " -o " + output() + " --plot " + ocean + ".svg"}) {
     std::filesystem::copy_file(ocean, ocean + ".svg", std::filesystem::copy_options::overwrite_existing);
-    expect_refused(ocean + small + option, "is there already and is not");
+    expect_refused(kMunk + small + option, "is there already and is not");
     EXPECT_EQ(read(ocean), before);
     EXPECT_EQ(read(ocean + ".svg"), before);
   }
   EXPECT_EQ(run(kMunk + small + " --force -o " + ocean), 0) << errors();
   EXPECT_EQ(read(ocean).substr(1, 3), "HDF");
   EXPECT_EQ(run(kMunk + small + " -o " + ocean), 0) << errors();
+}
+
+TEST_F(FieldProgram, NeverReplacesAFileThatItReadsNotEvenWhenForced) {
+  const auto ocean = write_hilly_ocean(folder_);
+  const auto chart = folder_ / "chart.csv";
+  const std::string before = read(ocean) + read(chart);
+  const std::string small = ocean.string() + " --force --max-range-km 1 --output-step-m 100 ";
+  std::filesystem::create_symlink(ocean, folder_ / "link.nc");
+  std::filesystem::create_hard_link(chart, folder_ / "hard.svg");
+  for (const std::string& shape : {small + "--depth-spacing 500 ", small + "--radials 4 --receiver-depth-m 300 --map "}) {
+    expect_refused(shape + "-o " + ocean.string(), "ENVIRONMENT " + ocean.string() + ", --output " + ocean.string() + ": the same file");
+    expect_refused(shape + "-o " + (folder_ / "link.nc").string(), "link.nc: the same file");
+    expect_refused(shape + "-o " + chart.string(), "a file of ENVIRONMENT " + chart.string() + ", --output ");
+    expect_refused(shape + "-o " + output() + " --plot " + (folder_ / "hard.svg").string(), "hard.svg: the same file");
+  }
+  expect_refused(small + "--depth-spacing 500 -o " + output() + ".svg --plot " + output() + ".svg",
+                 "--output " + output() + ".svg, --plot");
+  EXPECT_EQ(read(ocean) + read(chart), before);
+}
+
+/// A chart is a NetCDF file as the output is: it would have been replaced without --force.
+TEST_F(FieldProgram, NeverReplacesAChartThatIsOfTheOutputsKind) {
+  AtlasFile{.depth_m = {0.0, 500.0, 1500.0},
+            .latitude_deg = axis(-1.5, 0.5, 7),
+            .longitude_deg = axis(-1.5, 0.5, 7),
+            .temperature_c = [](double z, double, double) { return 25.0 - 0.01 * z; },
+            .salinity_psu = [](double, double, double) { return 35.0; }}
+      .write(folder_ / "woa.nc");
+  const std::string before = read(folder_ / "woa.nc");
+  const std::string ocean = with_atlas(write_hilly_ocean(folder_));
+  expect_refused(ocean + " -o " + (folder_ / "woa.nc").string() + " --max-range-km 1 --depth-spacing 500", "woa.nc: the same file");
+  EXPECT_EQ(read(folder_ / "woa.nc"), before);
 }
 
 TEST_F(FieldProgram, LeavesAPipeAndFollowsASymbolicLink) {
@@ -166,6 +234,38 @@ TEST_F(FieldProgram, MakesOneMarchForAllBearingsOfAFlatOcean) {
   EXPECT_NE(said().find("one march for all"), std::string::npos) << said();
 }
 
+TEST_F(FieldProgram, SaysWhereTheSourceIsHeardNowhereAndWhereMaybeFurtherThanWasComputed) {
+  const std::string fan = kMunk + " -o " + output() + " --radials 4 --receiver-depth-m 300 --max-range-km 5 --detection-threshold-db ";
+  ASSERT_EQ(run(fan + "190"), 0) << errors();
+  EXPECT_NE(said().find("heard:   at 300 m nowhere: the SNR stays below 190 dB at every range\n"), std::string::npos) << said();
+  EXPECT_NE(said().find(", source of 20 Hz at "), std::string::npos) << said();
+  ASSERT_EQ(run(fan + "-100"), 0) << errors();
+  EXPECT_NE(said().find("heard:   at 300 m last at 5 km or further\n"), std::string::npos) << said();
+}
+
+TEST_F(FieldProgram, SaysOneRangeWhereItIsTheSameOnEveryBearing) {
+  ASSERT_EQ(run(kMunk + " -o " + output() + " --radials 4 --receiver-depth-m 300 --max-range-km 25 --detection-threshold-db 20"), 0)
+      << errors();
+  EXPECT_NE(said().find("heard:   at 300 m last at "), std::string::npos) << said();
+  EXPECT_EQ(said().find(" to ", said().find("heard:")), std::string::npos) << said();
+}
+
+TEST_F(FieldProgram, ExplainsInItsMapTheLinesAloneThatAreThere) {
+  const auto picture = folder_ / "out" / "map.svg";
+  const std::string map = kMunk + " -o " + output() +
+                          " --radials 4 --receiver-depth-m 300 --max-range-km 5 --map --map-intervals 20 --plot " + picture.string() +
+                          " --detection-threshold-db ";
+  ASSERT_EQ(run(map + "-100"), 0) << errors();
+  EXPECT_NE(read(picture).find("heard as far as computed, 5 km"), std::string::npos);
+  EXPECT_EQ(read(picture).find("heard nowhere"), std::string::npos);
+  EXPECT_EQ(read(picture).find("heard at every range within"), std::string::npos);
+  ASSERT_EQ(run(map + "190"), 0) << errors();
+  EXPECT_NE(read(picture).find("heard nowhere<"), std::string::npos);
+  EXPECT_EQ(read(picture).find("heard nowhere beyond"), std::string::npos);
+  EXPECT_EQ(read(picture).find("heard at every range within"), std::string::npos);
+  EXPECT_NE(read(picture).find("SNR does not fluctuate"), std::string::npos);
+}
+
 TEST_F(FieldProgram, SaysHowMuchAFinerGridChanges) {
   ASSERT_EQ(run(kMunk + " -o " + output() + " --max-range-km 5 --depth 300 --check --band-hz 15 30 --frequencies 3"), 0) << errors();
   EXPECT_NE(said().find("halved at 30 Hz: loss changes by 0.0"), std::string::npos) << said();
@@ -206,14 +306,10 @@ TEST_F(FieldProgram, SaysInItsWarningAndInTheFileWhereMeasurementsOfTheWaterEnd)
             .temperature_c = [](double z, double, double) { return 25.0 - 0.01 * z; },
             .salinity_psu = [](double, double, double) { return 35.0; }}
       .write(folder_ / "woa.nc");
-  const auto ocean = write_hilly_ocean(folder_);
-  std::string text = read(ocean);
-  const auto water = text.find("[water]");
-  text.replace(water, text.find("[bathymetry]") - water, "[water]\nprofile = \"woa\"\ntemperature_file = \"woa.nc\"\nreach_km = 60.0\n");
-  std::ofstream(ocean) << text;
+  const std::string ocean = with_atlas(write_hilly_ocean(folder_));
   const std::string end = "temperature and salinity end at 1500 m, the sea floor lies at 24";
   for (const char* shape : {" --bearing-deg 180 --depth-spacing 500", " --radials 2 --receiver-depth-m 300"}) {
-    ASSERT_EQ(run(ocean.string() + " -o " + output() + " --max-range-km 3" + shape), 0) << errors();
+    ASSERT_EQ(run(ocean + " -o " + output() + " --max-range-km 3" + shape), 0) << errors();
     EXPECT_NE(errors().find("earshot field: warning: "), std::string::npos) << errors();
     EXPECT_NE(errors().find(end), std::string::npos) << errors();
     EXPECT_NE(read(output()).find(end), std::string::npos) << "attribute unmeasured_water";

@@ -68,6 +68,16 @@ class FieldLibrary : public FieldProgram {
   }
 };
 
+TEST_F(FieldLibrary, IsNeverWrittenOverAFileThatIsReadForIt) {
+  const std::string plan = library(1);
+  std::filesystem::create_hard_link(folder_ / "chart.csv", folder_ / "hard.nc");
+  for (const char* name : {"library.toml", "hilly.toml", "chart.csv", "hard.nc"}) {
+    const std::string before = read(folder_ / name);
+    expect_refused(plan + " --force -o " + (folder_ / name).string(), std::string(name) + ": the same file, one would replace the other");
+    EXPECT_EQ(read(folder_ / name), before);
+  }
+}
+
 TEST_F(FieldLibrary, EndsWithTheSameBytesWhenKilledInTheMiddleAndStartedAgain) {
   const std::string plan = library(10);
   ASSERT_EQ(run(plan + " -o " + file("whole.nc")), 0) << errors();

@@ -46,6 +46,14 @@ TEST_F(BatteryFlight, GivenABatteryThatRunsLowTheRuleEndsTheSearchThereAndTheSam
   EXPECT_EQ(s.at("end_reason"), "safety_rule");
   EXPECT_NEAR(s.at("distance_m").get<double>(), 10'000.0, 20.0) << "20 % at 2 % a kilometre, and some ticks of 2 m";
   EXPECT_NEAR(s.at("battery_percent").get<double>(), 30.0, 0.1);
+  const nlohmann::json& rule = s.at("ended_by");
+  EXPECT_EQ(rule.at("condition"), "battery_percent");
+  EXPECT_EQ(rule.at("limit"), 30.0);
+  EXPECT_EQ(rule.at("response"), "abort");
+  EXPECT_NEAR(rule.at("value").get<double>(), 29.998, 0.003) << "a tick is 4 thousandths of a percent";
+  const std::string said = support::read_text(folder_ / "first.txt");
+  EXPECT_TRUE(said.starts_with("source not found: safety rule 10, battery_percent: 29.99")) << said;
+  EXPECT_NE(said.find("\n  battery     30.0 % left\n"), std::string::npos) << said;
   const std::vector<messages::VehicleStatus> told = this->told("first");
   ASSERT_FALSE(told.empty());
   EXPECT_EQ(told.front().battery_percent, 50.0);
@@ -60,6 +68,7 @@ TEST_F(BatteryFlight, GivenNoneIsAskedForTheVehicleTellsNoStatus) {
   EXPECT_TRUE(told("out").empty());
   EXPECT_EQ(summary("out").at("end_reason"), "steps_used_up");
   EXPECT_FALSE(summary("out").contains("battery_percent"));
+  EXPECT_TRUE(summary("out").at("ended_by").is_null());
 }
 
 TEST_F(BatteryFlight, GivenAMissionThatDoesNotSayWhatAKilometreTakesOneLineSaysSoAndNothingIsWritten) {
@@ -67,7 +76,8 @@ TEST_F(BatteryFlight, GivenAMissionThatDoesNotSayWhatAKilometreTakesOneLineSaysS
   EXPECT_EQ(flight->wait(20s), 2);
   EXPECT_EQ(flight->output(), "--battery-percent: " + mission_.string() +
                                   ": vehicle.battery_percent_per_km: is not given, and nothing else says what a kilometre takes of the "
-                                  "battery\n");
+                                  "battery; put it there, or take a mission that has it: earshot init --battery-percent makes one, "
+                                  "firmware/boards/linux/missions/fenced_search.toml is one\n");
   EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 

@@ -5,6 +5,8 @@
 #include <fstream>
 #include <numbers>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "earshot/decision_t.hpp"
@@ -102,9 +104,33 @@ TEST_F(BearingFlight, GivenAMissionWhoseSnrComesOverCanOneLineSaysThatNoBearingC
                              folder_ / "refused.txt");
   EXPECT_EQ(simulator.wait(10s), 2);
   EXPECT_EQ(simulator.output(), array.string() +
-                                    ": conditions.bearing_deg: a bearing goes over LCM, CAN carries none, and no LCM port of " +
+                                    ": conditions.bearing_deg: at sea a bearing comes over LCM, CAN carries none, and no LCM port of " +
                                     kMission.string() + " has the role \"snr\"\n");
   EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
+/// A flight's files take the place of an earlier one's, by their names alone.
+TEST_F(BearingFlight, GivenAnOceanOrAMissionThatBearsTheNameOfAFileOfTheFlightNothingFliesAndItStays) {
+  const fs::path out = folder_ / "out";
+  fs::create_directories(out);
+  std::ofstream(out / "summary.json") << "{}\n";  // an earlier flight's folder
+  fs::copy_file(kEnvironment, out / "snr.csv");
+  fs::copy_file(kMission, out / "hearing.csv");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> refused{
+      {{"--environment", out / "snr.csv", "--mission", kMission}, "a file of --environment " + (out / "snr.csv").string()},
+      {{"--environment", kEnvironment, "--mission", out / "hearing.csv"}, "--mission " + (out / "hearing.csv").string()}};
+  for (const char* program : {"earshot-sim", "earshot-fly"}) {
+    for (const auto& [arguments, what] : refused) {
+      std::vector<std::string> all = arguments;
+      all.insert(all.end(), {"--out", out});
+      support::Process flight(kBin / program, all, folder_ / "refused.txt");
+      EXPECT_EQ(flight.wait(10s), 2);
+      EXPECT_NE(flight.output().find(what + ", a file of --out "), std::string::npos) << flight.output();
+      EXPECT_NE(flight.output().find(": the same file, one would replace the other\n"), std::string::npos) << flight.output();
+    }
+  }
+  EXPECT_EQ(support::read_text(out / "snr.csv"), support::read_text(kEnvironment));
+  EXPECT_EQ(support::read_text(out / "hearing.csv"), support::read_text(kMission));
 }
 
 }  // namespace

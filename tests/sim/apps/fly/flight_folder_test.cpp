@@ -13,6 +13,7 @@
 #include "firmware/host/file/folder_lock.hpp"
 #include "firmware/host/journal/journal.hpp"
 #include "tests/support/process.hpp"
+#include "tests/support/small_disk.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::fly {
@@ -54,6 +55,27 @@ class FlightFolderTest : public testing::Test {
   const support::TemporaryFolder root_;
   const fs::path out_ = root_ / "a/out";
 };
+
+TEST(FlightFolderOnASmallDisk, IsRefusedInOneLineWhereTheDiskIsFullAndNothingIsMade) {
+  const auto disk = support::SmallDisk::make(1 << 20);
+  if (!disk) GTEST_SKIP() << "no file system of its own here";
+  const fs::path out = disk->path() / "a/out";
+  std::ofstream(disk->path() / "fill") << std::string(800 * 1024, 'x');
+  try {
+    const FlightFolder folder(out);
+    ADD_FAILURE();
+  } catch (const host::BadInput& e) {
+    EXPECT_EQ(e.what(), out.string() +
+                            ": the disk is full: 224 kB are left, and a flight takes some thousands: make room, or choose another "
+                            "folder with --out");
+  }
+  EXPECT_FALSE(fs::exists(disk->path() / "a"));
+  EXPECT_EQ(place_of_rest(disk->path()), "what there is of it is in " + disk->path().string());
+  std::ofstream(disk->path() / "more") << std::string(100 * 1024, 'x');
+  EXPECT_EQ(place_of_rest(disk->path()), "what there is of it is in " + disk->path().string() + ", and the disk is full");
+  ASSERT_TRUE(disk->resize(3 << 20));
+  EXPECT_NO_THROW(const FlightFolder folder(out));
+}
 
 TEST_F(FlightFolderTest, AWholeFlightReplacesAllFilesOfAnEarlierOneAndLeavesTheOthersAlone) {
   write_flight(out_, "earlier", true);

@@ -23,8 +23,8 @@ TEST(SearchAccount, SaysFromWhichStepOnASearchWasSurprisedAndSweptAndHowSurprise
   EXPECT_EQ(account.to_json().dump(), R"({"surprise_bits":13.25,"surprised_from_step":9,"swept_from_step":11,"declared_found":null})");
   EXPECT_EQ(outcome(summary_with(account)), "source not found: all 100 steps taken");
   EXPECT_EQ(account_lines(summary_with(account)),
-            "  surprise    from step 9 on what it heard was unlikely in every ocean of its tables (13.2 bits at the end, a surprise from "
-            "6.75 on)\n"
+            "  surprise    from step 9 on what it heard was unlikely in every ocean of its tables (13.2 bits at\n"
+            "              the end, a surprise from 6.75 on)\n"
             "  swept       from step 11 of 100 on: what it heard fitted no ocean of its tables\n");
 }
 
@@ -41,15 +41,18 @@ TEST(SearchAccount, SaysThatNothingSurprisedAndFromWhenOnItWouldHave) {
   SearchAccount account;
   account.note({.steps_taken = 8, .believed_source = kSomewhere, .surprise_bits = -19.04F}, Meters{9'000.0});
   EXPECT_EQ(account_lines(summary_with(account)),
-            "  surprise    none: the oceans of its tables explain what it heard (-19.0 bits at the end, a surprise from 6.75 on)\n");
+            "  surprise    none: the oceans of its tables explain what it heard (-19.0 bits at the end, a\n"
+            "              surprise from 6.75 on)\n");
 }
 
 TEST(SearchAccount, SaysOfASweepBeforeAnySurpriseThatNothingHadBeenHeard) {
   SearchAccount account;
   account.note({.steps_taken = 43, .believed_source = kSomewhere, .surprise_bits = -9.0F, .is_sweeping = true}, Meters{9'000.0});
   EXPECT_EQ(account_lines(summary_with(account)),
-            "  surprise    none by what it heard, but it heard less than its tables say (-9.0 bits at the end, a surprise from 6.75 on)\n"
-            "  swept       from step 43 of 100 on: it had heard nothing for long, where its tables say that it should\n");
+            "  surprise    none by what it heard, but it heard less than its tables say (-9.0 bits at the end, a\n"
+            "              surprise from 6.75 on)\n"
+            "  swept       from step 43 of 100 on: it had heard nothing for long, where its tables say that it\n"
+            "              should\n");
 }
 
 TEST(SearchAccount, SaysNothingOfSurpriseWhereThePolicyHoldsNoBelief) {
@@ -79,14 +82,44 @@ TEST(SearchAccount, SaysThatAVehicleWhichCameNearTheSourceHasNotDeclaredIt) {
   EXPECT_EQ(account_lines(s).find("declared"), std::string::npos);
   s["found"] = true;
   EXPECT_EQ(account_lines(s),
-            "  surprise    none: the oceans of its tables explain what it heard (1.0 bits at the end, a surprise from 6.75 on)\n"
-            "  declared    not by the vehicle: the simulator ended the search within a step length of the source; at sea it would go on\n");
+            "  surprise    none: the oceans of its tables explain what it heard (1.0 bits at the end, a surprise\n"
+            "              from 6.75 on)\n"
+            "  declared    not by the vehicle: the simulator ended the search within a step length of the source;\n"
+            "              at sea it would go on\n");
 }
 
 TEST(SearchAccount, SaysInWordsWhyAFlightWasLostOrEnded) {
   EXPECT_EQ(outcome({{"found", true}, {"end_reason", "declared_found"}}), "source found");
   EXPECT_EQ(outcome({{"found", false}, {"end_reason", "bus_lost"}}), "the flight was lost: a set-point did not arrive over the bus");
   EXPECT_EQ(outcome({{"found", false}, {"end_reason", "time_used_up"}}), "source not found: time used up");
+}
+
+TEST(SearchAccount, SaysWhatIsLeftOfTheBatteryAndWhatWasHeardInLinesThatATerminalHolds) {
+  const std::string lines =
+      account_lines({{"found", false},
+                     {"battery_percent", 41.26},
+                     {"hearing", {{"sound", "synthetic"}, {"looks", 123456}, {"looks_too_faint", 23456}, {"search_began_s", 120.4}}}});
+  EXPECT_EQ(lines,
+            "  battery     41.3 % left\n"
+            "  heard       synthetic sound: 123456 SNRs measured, 23456 of them too faint; the first 120 s at\n"
+            "              rest, to learn the noise of the sea\n");
+}
+
+TEST(SearchAccount, SaysWhichSafetyRuleEndedAFlightAndOnWhatEvidence) {
+  const messages::SafetyEvent rule{.time = {},
+                                   .rule = 9,
+                                   .condition = config::Condition::kBattery,
+                                   .response = config::Response::kAbort,
+                                   .measure = 29.998,
+                                   .limit = 30.0};
+  nlohmann::json s{{"found", false}, {"end_reason", "safety_rule"}, {"ended_by", nlohmann::json(ending_rule_to_json(rule))}};
+  EXPECT_EQ(ending_rule_to_json(rule).dump(),
+            R"({"what":"rule 10, battery_percent: 29.998, below 30.000: abort","rule":10,"condition":"battery_percent","value":29.998,)"
+            R"("limit":30.0,"response":"abort"})");
+  EXPECT_EQ(outcome(s), "source not found: safety rule 10, battery_percent: 29.998, below 30.000: abort");
+  s["end_reason"] = "navigation_stale";
+  EXPECT_EQ(outcome(s), "source not found: navigation stale: safety rule 10, battery_percent: 29.998, below 30.000: abort");
+  EXPECT_TRUE(ending_rule_to_json(std::nullopt).is_null());
 }
 
 }  // namespace

@@ -166,7 +166,28 @@ TEST_F(ListenProgram, NeverReplacesTheRecordingNotEvenWhenForced) {
   EXPECT_EQ(run(song_file + " --force --csv " + song_file), 2);
   std::filesystem::create_symlink(song_file, folder_ / "link.csv");
   EXPECT_EQ(run(song_file + " --force --csv " + (folder_ / "link.csv").string()), 2);
+  std::filesystem::create_hard_link(song_file, folder_ / "hard.csv");
+  EXPECT_EQ(run(song_file + " --force --csv " + (folder_ / "hard.csv").string()), 2);
+  EXPECT_NE(errors().find("FILE " + song_file + ", --csv " + (folder_ / "hard.csv").string() + ": the same file"), std::string::npos);
   EXPECT_EQ(content_of(song_file), before);
+}
+
+TEST_F(ListenProgram, NeverReplacesAnythingElseThatItReads) {
+  const std::string song_file = wav("song.200912231533.wav", song(20, {12.0}));
+  const auto file = [this](const char* name) { return (folder_ / name).string(); };
+  write(file("truth.csv"), "start,end,label\n12,13,call\n");
+  write(file("chain.toml"), "full_scale_level_db_re_1upa = 176.0\n");
+  write(file("song.200912231533.log.xml"), "<ST/>\n");
+  const std::string all = song_file + " --force --score " + file("truth.csv") + " --calibration " + file("chain.toml");
+  for (const char* name : {"truth.csv", "chain.toml", "song.200912231533.log.xml"}) {
+    const std::string before = content_of(file(name));
+    for (const char* option : {" --csv ", " --raven ", " --json ", " --levels "}) {
+      EXPECT_EQ(run(all + option + file(name)), 2) << option << name;
+      EXPECT_NE(errors().find(std::string(name) + ": the same file, one would replace the other"), std::string::npos) << errors();
+    }
+    EXPECT_EQ(content_of(file(name)), before);
+  }
+  EXPECT_EQ(run(all + " --csv " + out("a.csv")), 0) << errors();
 }
 
 TEST_F(ListenProgram, LeavesAFileThatIsNoneOfItsOwnUnlessForced) {

@@ -148,6 +148,25 @@ TEST_F(ListenProgram, ListensNoLongerThanTheSoundIs) {
   EXPECT_LE(json["listened_s"].get<double>() + json["not_heard_s"].value("has just begun", 0.0), 120.0);
 }
 
+TEST_F(ListenProgram, SaysThatTheFiltersBeginAnewAfterAPauseAndMissesNoSampleOfTheLength) {
+  const std::string files = wav("a_20200912_000000.wav", song(121, {})) + " " + wav("a_20200912_001000.wav", song(120, {}));
+  ASSERT_EQ(run(files + " --json " + out("a.json")), 0) << errors();
+  EXPECT_NE(said().find("; the filters begin anew where sound does not go on: 2."), std::string::npos) << said();
+  EXPECT_EQ(said().find("samples are missing"), std::string::npos) << said();
+  const auto json = nlohmann::json::parse(content_of(out("a.json")));
+  ASSERT_EQ(json["not_heard_s"].size(), 1U) << json.dump(2);
+  EXPECT_NEAR(json["listened_s"].get<double>() + json["not_heard_s"]["the filters begin anew where sound does not go on"].get<double>(),
+              241.0, 1e-6);
+}
+
+TEST_F(ListenProgram, GivesNoScoreWhereNoSelectionIsOfWhatItListensTo) {
+  const std::string recording = wav("a.wav", song(60, {20.0}));
+  const std::string table = (folder_ / "channel2.txt").string();
+  std::ofstream(table) << "Channel\tBegin Time (s)\tEnd Time (s)\n2\t20\t21\n2\t30\t31\n";
+  expect_refused(recording + " --score " + table,
+                 "channel2.txt: no score: none of its selections is of what is listened to: 2 are of other channels than 1, 0 of");
+}
+
 TEST_F(ListenProgram, TellsACallThatIsClipped) {
   // Beyond full scale for a tenth of each period: arccos(1 / 1.05) / (pi / 2) = 0.20 of the samples lie there.
   ASSERT_EQ(run(wav("a.wav", song(60, {12.0, 30.0}, 1.05)) + " --csv " + out("a.csv")), 0) << errors();

@@ -78,6 +78,14 @@ TEST_F(TruthOfTwoFiles, DoesNotCountAndTellsWhatIsNotListenedTo) {
   EXPECT_EQ(band.remarks[0], "t.txt: 2 of its selections are not counted: they are of frequencies outside of the band that is listened to");
 }
 
+TEST_F(TruthOfTwoFiles, IsRefusedWhereNothingOfTheTableIsListenedTo) {
+  EXPECT_EQ(
+      begins("Channel\tLow Freq (Hz)\tHigh Freq (Hz)\tBegin Time (s)\tEnd Time (s)\n2\t15\t30\t2\t3\n1\t2000\t8000\t2\t3\n"),
+      "t.txt: no score: none of its selections is of what is listened to: 1 are of other channels than 1, 1 of frequencies outside of "
+      "the band");
+  EXPECT_EQ(begins("Begin Time (s)\tEnd Time (s)\n"), "") << "a table that says of a recording that nothing is in it";
+}
+
 TEST_F(TruthOfTwoFiles, RefusesTimesThatFitInBothWaysAndDiffer) {
   file("c_20200912_000200.wav");
   tests::write(folder_ / "c_20200912_000200.wav", tests::WavBytes{.sample_rate = 100, .samples = std::string(8000, '\1')}.bytes());

@@ -62,10 +62,10 @@ TEST(Bathymetry, RefusesAnotherLayoutOrUnit) {
 TEST(Bathymetry, RefusesAFillValueThatTheFileDoesNotDeclare) {
   const support::TemporaryFolder folder;
   GebcoFile layout = slope();
-  layout.elevation_m = [](double lat, double lon) { return lat == 42.0 && lon == -8.0 ? -32767.0 : -100.0; };
+  layout.elevation_m = [](double lat, double lon) { return lat == 42.0 && lon == -8.0 ? -32768.0 : -100.0; };
   layout.write(folder / "g.nc");
   expect_mentions(complaint_of([&] { (void)read_gebco(folder / "g.nc", kCentre, Meters{1000.0}); }),
-                  "g.nc: elevation: holds -32767 at latitude 42, longitude -8, must be from -12000 to 10000 m");
+                  "g.nc: elevation: holds -32768 at latitude 42, longitude -8, must be from -12000 to 10000 m");
 }
 
 TEST(Bathymetry, RefusesAFillValueThatCouldBeADepth) {
@@ -98,6 +98,25 @@ TEST(Bathymetry, RefusesASpikeThatNoSlopeLeadsTo) {
   spike_m = -4000.0;
   layout.write(folder / "g.nc");
   EXPECT_NO_THROW((void)read_gebco(folder / "g.nc", {.latitude_deg = 42.0, .longitude_deg = -8.0}, Meters{1000.0}));
+}
+
+TEST(Bathymetry, RefusesAHoleThatSomebodyFilledWithANumberOfHisOwn) {
+  const support::TemporaryFolder folder;
+  const auto complaint = [&](double step_deg, double fill, double sea_floor) {
+    GebcoFile layout = slope();
+    layout.latitude_deg = axis(42.0 - 3.0 * step_deg, step_deg, 7);
+    layout.longitude_deg = axis(-8.0 - 3.0 * step_deg, step_deg, 7);
+    layout.elevation_m = [=](double lat, double lon) {
+      return std::abs(lat - 42.0) < 1.5 * step_deg && lon > -8.0 + 0.5 * step_deg && lon < -8.0 + 2.5 * step_deg ? fill
+                                                                                                                 : sea_floor - lat - lon;
+    };
+    layout.write(folder / "g.nc");
+    return complaint_of([&] { (void)read_gebco(folder / "g.nc", kCentre, Meters{3.0 * step_deg * 100'000.0}); });
+  };
+  expect_mentions(complaint(0.004, -8000.0, -2000.0), "g.nc: elevation: holds -8000 at latitude 41.996, longitude -7.996, which cannot be");
+  expect_mentions(complaint(0.25, -10'000.0, -2000.0), "g.nc: elevation: holds -10000 at latitude 41.75, longitude -7.75, which cannot be");
+  EXPECT_EQ(complaint(0.004, -2700.0, -2000.0), "no error") << "a flat hollow 700 m deeper, 330 m and more between nodes";
+  EXPECT_EQ(complaint(0.25, -6000.0, -2000.0), "no error") << "a flat trench, 28 km between nodes";
 }
 
 TEST(Bathymetry, ReadsATrenchOf9999MetersAndAnIslandOf999) {

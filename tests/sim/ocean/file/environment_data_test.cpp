@@ -90,6 +90,9 @@ TEST_F(EnvironmentData, TakesSeaFloorAndWaterFromCharts) {
   const Environment sea = load();
   EXPECT_EQ(sea.seabed.depth, Meters{2500.0});
   EXPECT_NEAR(sound_speed(sea.water, Meters{1000.0}).value, 1550.744, 0.001);
+  std::set<std::string> names;
+  for (const std::filesystem::path& file : sea.files) names.insert(file.filename());
+  EXPECT_EQ(names, (std::set<std::string>{sea.files.front().filename(), "g.nc", "woa.nc"}));
   const Section section = section_along(sea, sea.source.position, Radians{1.0}, Meters{25'000.0});
   EXPECT_EQ(sea_floor_depth(section, Meters{20'000.0}), Meters{2500.0});
 }
@@ -129,6 +132,7 @@ TEST_F(EnvironmentData, ChangesItsChecksumWithTheDataItNames) {
   write("w.csv", "depth_m,sound_speed_mps\n0,1500\n3000,1500\n");
   const auto before = load().file_crc32;
   EXPECT_EQ(load().file_crc32, before);
+  EXPECT_EQ(load().files.back().filename(), "w.csv");
   write("w.csv", "depth_m,sound_speed_mps\n0,1500\n3000,1501\n");
   EXPECT_NE(load().file_crc32, before);
 }
@@ -169,6 +173,15 @@ TEST_F(EnvironmentData, NamesADataFileThatIsMissing) {
   origin = kOrigin;
   water = "[water]\nprofile = \"woa\"\ntemperature_file = \"none.nc\"\n";
   expect_mentions(complaint(), "none.nc: no such file");
+}
+
+TEST_F(EnvironmentData, HasRoomForTenThousandProfilesOfTheWater) {
+  water = "[water]\nprofile = \"table\"\n";
+  for (int i = 0; i <= 10'000; ++i)
+    water += "[[water.stations]]\nrange_m = " + std::to_string(i) + "\ndepth_m = [0.0, 3000.0]\nsound_speed_mps = [1500.0, 1500.0]\n";
+  expect_mentions(complaint(), "water.stations: has 10001 tables, must have at most 10000");
+  water.erase(water.rfind("[[water.stations]]"));
+  EXPECT_EQ(load().water_stations.size(), 10'000U);
 }
 
 TEST_F(EnvironmentData, RefusesSedimentStationsThatDoNotFollowEachOther) {

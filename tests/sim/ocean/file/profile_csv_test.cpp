@@ -53,5 +53,12 @@ TEST_F(WaterProfile, RefusesGapsAndDisorder) {
                    "w.csv:2: sound_speed_mps = 5000: must be a finite number of at least 1300 and at most 1700");
 }
 
+TEST_F(WaterProfile, HasRoomForTenThousandRanges) {
+  std::string text = "range_m,depth_m,sound_speed_mps\n";
+  for (int i = 0; i < 10'000; ++i) text += std::to_string(i) + ",0,1500\n" + std::to_string(i) + ",3000,1520\n";
+  EXPECT_EQ(read(text).size(), 10'000U);
+  expect_complaint(text + "10000,0,1500\n", "w.csv:20002: range_m = 10000: is one profile too many, there is room for 10000");
+}
+
 }  // namespace
 }  // namespace earshot::ocean

@@ -192,6 +192,12 @@ TEST_F(ScenarioFile, IsRefusedForAnEmptyFileName) {
   expect_refused("[field_library]\nfile = \"\"\n", "field_library.file = '': must be a text of at least one character");
 }
 
+TEST_F(ScenarioFile, HasRoomForAThousandOtherOceansAndLoadsNoneOfMore) {
+  std::string oceans;
+  for (int i = 0; i < 25'000; ++i) oceans += "[[oceans]]\nenvironment = \"none.toml\"\n";
+  EXPECT_TRUE(complaint(oceans).ends_with("oceans: has 25000 tables, must have at most 1000")) << complaint(oceans);
+}
+
 TEST_F(ScenarioFile, TurnsABearingsDegreesToRadiansAndRefusesAnAmbiguityOfNone) {
   EXPECT_FALSE(load("[conditions]\n").conditions.bearing.has_value());
   const auto clear = load("[conditions]\nbearing_deg = 180.0\n").conditions.bearing;
@@ -241,6 +247,7 @@ sound_speed_mps = 1600.0
   };
   std::set<std::uint32_t> checksums;
   for (int speed = 1510; speed < 1574; ++speed) checksums.insert(checksum_with(std::to_string(speed)));
+  EXPECT_EQ(load("[[oceans]]\nenvironment = \"other.toml\"\n").environment.files.back(), folder_ / "cast.csv");
   EXPECT_EQ(checksums.size(), 64U) << "of 64 numbers of 32 bits two are the same but for a chance of 5e-7";
   EXPECT_TRUE(checksums.contains(checksum_with("1510")));
 }
@@ -251,6 +258,7 @@ TEST_F(ScenarioFile, ChangesTheChecksumWithTheFieldLibrary) {
     return load("[field_library]\nfile = \"library.nc\"\n").environment.file_crc32;
   };
   EXPECT_NE(checksum_with(70.0F), checksum_with(71.0F));
+  EXPECT_EQ(load("[field_library]\nfile = \"library.nc\"\n").environment.files.back(), folder_ / "library.nc");
 }
 
 TEST_F(ScenarioFile, RefusesAVastFieldLibraryByItsHeader) {

@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
   std::optional<std::string> origin;
   bool force = false;
   std::uint32_t wait_s = 60;
-  line.option("JOURNAL", &options.journal, "journal of a flight (.lcmlog), or a log of its bus by lcm-logger").required();
+  line.option("JOURNAL", &options.journal, "journal of a flight (.lcmlog), its folder, or a log of its bus by lcm-logger").required();
   const program::Option follow = line.flag("--follow", &options.follow, "the mission is under way: print what happens until it ends");
   line.option("--wait", &wait_s, "with --follow: how many seconds to wait for a mission that begins there").from(1, 86'400).shows_default();
   line.option("--csv", &options.csv, "write a table, a row for every turn").excludes(follow);
@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
   line.flag("--force", &force, "replace a file that is there already, of whatever kind it is");
   line.footer(
       "Examples:\n"
-      "  earshot journal out/journal.lcmlog\n"
+      "  earshot journal out\n"
       "  earshot journal out/sea/journal.lcmlog --follow\n"
       "  earshot journal out/journal.lcmlog --mcap flight.mcap --origin 38.5,-20.1");
   return program::run(line, argc, argv, [&] {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "firmware/boards/linux/replay_view/replay_command.hpp"
+#include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/program/run.hpp"
 
 int main(int argc, char** argv) {
@@ -18,7 +19,7 @@ int main(int argc, char** argv) {
       "3 standard output is gone.");
   replay_view::ReplayCommand command;
   bool force = false;
-  line.option("JOURNAL", &command.journal, "journal of a flight (.lcmlog)").required();
+  line.option("JOURNAL", &command.journal, "journal of a flight (.lcmlog), or its folder").required();
   line.option("--policy", &command.policy, "what would this policy have decided? (.policy; its signature is not looked at)");
   line.option("--tables", &command.tables,
               "what would have been decided by these ocean tables? (.tables; their signature is not looked at)")
@@ -40,6 +41,7 @@ int main(int argc, char** argv) {
       "  earshot replay out/journal.lcmlog --mission other.toml --from 10 --json parting.json");
   return program::run(line, argc, argv, [&] {
     command.replace = host::replaced_by(force);
+    command.journal = host::journal_in(command.journal);
     return replay_view::replay(command);
   });
 }

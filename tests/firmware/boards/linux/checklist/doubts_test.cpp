@@ -62,6 +62,15 @@ TEST(Doubts, DoubtsABatteryThatLastsForTheSearchButNotForTheWayHome) {
   EXPECT_FALSE(is_doubted(file, "way home need"));
 }
 
+TEST(Doubts, DoubtsABatteryOfWhichNobodySaysHowFarItLasts) {
+  host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
+  file.mission.safety.rules.clear();
+  ASSERT_EQ(file.mission.safety.rules.push_back({.condition = config::Condition::kBattery, .limit = 20.0, .persistence = {}}), Status::kOk);
+  EXPECT_FALSE(is_doubted(file, "whether the battery lasts"));
+  file.mission.safety.vehicle.battery_percent_per_km = 0.0;
+  EXPECT_TRUE(is_doubted(file, "vehicle.battery_percent_per_km is not given: whether the battery lasts for all steps is not known"));
+}
+
 TEST(Doubts, DoubtsAChargeAtHomeThatCountsNoWay) {
   host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
   file.mission.safety.vehicle.battery_percent_per_km = 0.0;
@@ -132,8 +141,11 @@ TEST(Doubts, NameAKeyThatIsNoSecret) {
 TEST(Doubts, DoubtsNothingOfTheHearingInTheMissionsThatShip) {
   for (const char* const name : {"hear_at_sea.toml", "hear_calls.toml", "hear_tone.toml"}) {
     const host::MissionFile file = host::load_mission(kMissions + name);
-    EXPECT_FALSE(is_doubted(file, "hydrophone.")) << name;
-    EXPECT_FALSE(is_doubted(file, "hydrophone's band")) << name;
+    const bool knows_the_sea = file.hearing->expected_noise == file.hearing->expected_noise;
+    const std::vector<std::string> doubts = doubts_about(file);
+    EXPECT_EQ(std::ranges::count_if(doubts, [](const std::string& doubt) { return has(doubt, "hydrophone"); }), knows_the_sea ? 0 : 1)
+        << name;
+    EXPECT_EQ(is_doubted(file, "hydrophone.expected_noise_db_re_1upa is left out: whether the chain"), !knows_the_sea) << name;
   }
 }
 
@@ -146,6 +158,41 @@ TEST(Doubts, DoubtsASoundAtAnEndOfTheBand) {
   EXPECT_TRUE(is_doubted(file, "search.source_frequency_hz, 21 Hz, lies within 5 % of an end of the hydrophone's band, 18 to 22 Hz"));
   file.mission.source_frequency = Hertz{18.9};
   EXPECT_TRUE(is_doubted(file, "search.source_frequency_hz, 18.9 Hz"));
+}
+
+// Full scale lies at 176.02 dB re 1 uPa less the gain, and a source at the threshold needs 103 (tests of HydrophoneChain).
+TEST(Doubts, DoubtsAChainInWhichANearSourceClips) {
+  host::MissionFile file = host::load_mission(kMissions + "hear_at_sea.toml");
+  file.hearing->calibration.fixed_gain = Decibels{53.0};
+  EXPECT_FALSE(is_doubted(file, "the hydrophone's chain clips"));
+  file.hearing->calibration.fixed_gain = Decibels{53.1};
+  EXPECT_TRUE(is_doubted(file, "the hydrophone's chain clips at 122.9 dB re 1 uPa, 32.9 dB above hydrophone.expected_noise_db_re_1upa"));
+}
+
+// At 250 Hz the ADC's noise is 17.55 dB less the gain, and 16 dB under the expected 90 are 74.
+TEST(Doubts, DoubtsAChainWhoseAdcHidesAQuietSea) {
+  host::MissionFile file = host::load_mission(kMissions + "hear_at_sea.toml");
+  file.hearing->calibration.fixed_gain = Decibels{-56.4};
+  EXPECT_FALSE(is_doubted(file, "the ADC's own noise"));
+  file.hearing->calibration.fixed_gain = Decibels{-56.5};
+  EXPECT_TRUE(is_doubted(
+      file, "the ADC's own noise in the hydrophone's band is 74.0 dB re 1 uPa where blocks come at 250 Hz, and 48.2 at 96000 Hz"));
+}
+
+TEST(Doubts, DoubtsADeviceThatNobodyMakes) {
+  host::MissionFile file = host::load_mission(kMissions + "hear_at_sea.toml");
+  detector::Calibration& chain = file.hearing->calibration;
+  EXPECT_FALSE(is_doubted(file, " have "));
+  chain.sensitivity = Decibels{-259.0};
+  EXPECT_TRUE(is_doubted(file, "hydrophone.sensitivity_db_re_1v_per_upa, -259: hydrophones have -225 to -120"));
+  chain.sensitivity = Decibels{-101.0};
+  EXPECT_TRUE(is_doubted(file, "hydrophone.sensitivity_db_re_1v_per_upa, -101"));
+  chain.fixed_gain = Decibels{121.0};
+  EXPECT_TRUE(is_doubted(file, "hydrophone.gain_db, 121: amplifiers have -40 to 120"));
+  chain.full_scale_volts = 1000.0;
+  EXPECT_TRUE(is_doubted(file, "hydrophone.full_scale_v, 1000: ADCs have 0.01 to 30"));
+  chain.adc_bits = 8;
+  EXPECT_TRUE(is_doubted(file, "hydrophone.adc_bits, 8: ADCs for sound have 12 to 32"));
 }
 
 TEST(Doubts, DoubtsCallsOfWhichOneInstantIsHeard) {

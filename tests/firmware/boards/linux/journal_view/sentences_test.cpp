@@ -87,20 +87,6 @@ TEST(JournalSentence, SaysFromWhereTheSourceWasHeardAndWhatItsMirrorImageIs) {
             "000 deg");
 }
 
-TEST(JournalSentence, SaysARuleWithItsEvidence) {
-  messages::SafetyEvent event = event_of(config::Condition::kBattery, config::Response::kReturn);
-  event.rule = 10;
-  event.measure = 14.94;
-  event.limit = 15;
-  EXPECT_EQ(to_string(event), "rule 11, battery_percent: 14.9, below 15.0: return");
-  event.begins = false;
-  EXPECT_EQ(to_string(event), "rule 11, battery_percent: no longer");
-  event = event_of(config::Condition::kLeak, config::Response::kRelease);
-  EXPECT_EQ(to_string(event), "rule 1, leak: release");
-  event.condition = static_cast<config::Condition>(config::kConditions);
-  EXPECT_EQ(to_string(event), "rule 1, which this program does not know");
-}
-
 TEST(JournalSentence, SaysWhoHoldsASearchBack) {
   health_t m{};
   m.state = health_t::SEARCH;

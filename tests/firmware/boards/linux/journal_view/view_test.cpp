@@ -64,6 +64,19 @@ TEST_F(JournalView, PrintsTheTimelineOfAWholeJournal) {
   EXPECT_EQ(errors_, "");
 }
 
+TEST_F(JournalView, TakesAFolderForTheJournalInItAndSaysThatThereAreOthers) {
+  support::Process process(kProgram, {folder_.path().string()}, {.folder = folder_, .output = folder_ / "said", .errors = folder_ / "err"});
+  EXPECT_EQ(process.wait(30s), 0);
+  EXPECT_EQ(std::ranges::count(support::read_text(folder_ / "said"), '\n'), 13);
+  EXPECT_EQ(support::read_text(folder_ / "err"), "");
+  fs::copy_file(journal_, folder_ / "journal-2.lcmlog");
+  support::Process other(kProgram, {folder_.path().string()}, {.folder = folder_, .output = folder_ / "said", .errors = folder_ / "err"});
+  EXPECT_EQ(other.wait(30s), 0);
+  EXPECT_EQ(support::read_text(folder_ / "err"),
+            "earshot journal: reads " + journal_.string() +
+                "; the folder holds others, the newest journal-2.lcmlog: name the one that you mean\n");
+}
+
 TEST_F(JournalView, SaysNothingButWhatIsWrongWhenItIsToBeQuiet) {
   fs::resize_file(journal_, fs::file_size(journal_) - 94);  // the closing record: 28 + 19 + 47
   EXPECT_EQ(view({"--quiet"}), 1);
@@ -111,13 +124,18 @@ TEST_F(JournalView, ReplacesNothingOfAnotherKindUnlessItIsForced) {
 TEST_F(JournalView, NeverWritesOverTheJournalThatItReads) {
   const std::string before = support::read_text(journal_);
   fs::create_symlink(journal_, file("link"));
+  fs::create_hard_link(journal_, file("hard"));
   std::ofstream(file("journal.part2.lcmlog")) << "a part whose beginning is damaged";
-  for (const std::string& name : {journal_.string(), file("link"), file("journal.part2.lcmlog")})
-    EXPECT_EQ(view({"--mcap", name, "--force"}), 2) << errors_;
+  for (const std::string& name : {journal_.string(), file("link"), file("hard"), file("journal.part2.lcmlog")}) {
+    for (const char* option : {"--csv", "--jsonl", "--mcap"}) {
+      EXPECT_EQ(view({option, name, "--force"}), 2) << errors_;
+      EXPECT_NE(errors_.find(std::string(option) + " " + name + ": the same file"), std::string::npos) << errors_;
+    }
+  }
   EXPECT_EQ(support::read_text(file("journal.part2.lcmlog")), "a part whose beginning is damaged");
   EXPECT_EQ(support::read_text(journal_), before);
   EXPECT_EQ(view({"--csv", file("x"), "--jsonl", file("./x")}), 2);
-  EXPECT_NE(errors_.find("the same file is read, or written already"), std::string::npos) << errors_;
+  EXPECT_NE(errors_.find("--csv " + file("x") + ", --jsonl " + file("./x") + ": the same file"), std::string::npos) << errors_;
 }
 
 TEST_F(JournalView, RefusesAnOriginThatIsNone) {
@@ -253,6 +271,18 @@ TEST_F(FlightFollowed, IsTheOneThatIsUnderWayThoughOneThatWasCutOffLiesBesideIt)
   EXPECT_EQ(process_->wait(30s), 0);
   EXPECT_NE(process_->output().find("6.0 s  end: the mission was over"), std::string::npos) << process_->output();
   EXPECT_EQ(process_->output().find("1.0 s  SEARCH"), std::string::npos) << process_->output();
+}
+
+TEST_F(FlightFollowed, IsFoundInItsFolderWhateverItsNumberThere) {
+  WrittenJournal third(folder_ / "journal-3.lcmlog");
+  begin(third);
+  process_ = std::make_unique<support::Process>(kProgram, std::vector<std::string>{folder_.path().string(), "--follow", wait_}, said_);
+  EXPECT_TRUE(hears("follows " + (folder_ / "journal-3.lcmlog").string())) << process_->output();
+  third.health(Time{5'000'000}, 1, messages::MissionState::kSearch);
+  third.flush();
+  EXPECT_TRUE(hears("5.0 s  SEARCH\n")) << process_->output();
+  third.close({.time = Time{6'000'000}, .ending = wire::Ending::kMissionOver});
+  EXPECT_EQ(process_->wait(30s), 0) << process_->output();
 }
 
 TEST_F(FlightFollowed, IsWaitedForWhereAnOlderOneLiesOrNone) {

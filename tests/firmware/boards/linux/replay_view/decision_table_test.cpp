@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <sstream>
 #include <string>
 
 #include "firmware/messages/health.hpp"
@@ -32,13 +33,21 @@ TEST(DecisionTable, SaysWhereTheDecisionsPart) {
 
 TEST(DecisionTable, HasARowForEveryStepWithItsHalvesInColumns) {
   const std::string table = decision_table(known_pairs(), 0, kBegan);
-  EXPECT_NE(
-      table.find("\n    0        2.0    15.5 heard   000    13.000    12.000   |       2.0    15.5 heard   000    13.000    12.000\n"),
-      std::string::npos)
+  EXPECT_NE(table.find("\n    0     2.0   15.5 heard 000  13.000  12.000 |     2.0   15.5 heard 000  13.000  12.000\n"), std::string::npos)
       << table;
-  EXPECT_NE(table.find("270    12.000    11.000   |     502.5    15.5 heard   180    11.000    12.000  parts\n"), std::string::npos)
-      << table;
-  EXPECT_NE(table.find("not decided   |     900.0    15.5 heard   090    12.000    13.000  differs\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("270  12.000  11.000 |   502.5   15.5 heard 180  11.000  12.000  parts\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("not decided |   900.0   15.5 heard 090  12.000  13.000  differs\n"), std::string::npos) << table;
+}
+
+TEST(DecisionTable, FitsATerminalWhateverTheDecisionsAre) {
+  decision_t late = decision_to(99, 123'456.5, -25'000, -25'000);
+  late.too_faint = 1;
+  late.snr_db = -20.0;
+  const std::array then{late};
+  late.waypoint_east_m = 125'000;
+  const std::array now{late};
+  std::istringstream lines(decision_table(paired(then, now), 0, kBegan));
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
 }
 
 TEST(DecisionTable, ListedFromALaterStepOnStillSaysWhereTheyPart) {

@@ -1,0 +1,55 @@
+#include "firmware/host/journal/rule_event_words.hpp"
+
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <system_error>
+
+#include "firmware/config/safety.hpp"
+
+namespace earshot::host {
+namespace {
+
+constexpr int kMostDecimals = 6;
+
+std::string decimal(double number, int places) {
+  std::array<char, 400> digits{};  // 1.8e308 written out has 309
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), number, std::chars_format::fixed, places);
+  return error == std::errc{} ? std::string(digits.data(), end) : "?";
+}
+
+/// As fixed decimals of so many places; what does not fit is told apart by nothing.
+bool reads_the_same(double a, double b, int places) {
+  std::array<char, 32> of_a{};
+  std::array<char, 32> of_b{};
+  const auto end_of_a = std::to_chars(of_a.data(), of_a.data() + of_a.size(), a, std::chars_format::fixed, places);
+  const auto end_of_b = std::to_chars(of_b.data(), of_b.data() + of_b.size(), b, std::chars_format::fixed, places);
+  return end_of_a.ec == std::errc{} && end_of_b.ec == std::errc{} && of_a == of_b;
+}
+
+}  // namespace
+
+int decimals_apart(double measure, double limit) {
+  int places = 1;
+  if (measure == limit) return places;
+  while (places < kMostDecimals && reads_the_same(measure, limit, places)) ++places;
+  return places;
+}
+
+std::string to_string(const messages::SafetyEvent& event) {
+  using config::ConditionTraits;
+  const auto condition = static_cast<std::size_t>(event.condition);
+  const auto response = static_cast<std::size_t>(event.response);
+  const std::string rule = "rule " + std::to_string(event.rule + 1) + ", ";
+  if (condition >= config::kConditions || response >= config::kResponses) return rule + "which this program does not know";
+  const ConditionTraits& traits = config::kConditionTraits.at(condition);
+  std::string text = rule + std::string(traits.key);
+  if (!event.begins) return text + ": no longer";
+  const int places = decimals_apart(event.measure, event.limit);
+  if (traits.kind != ConditionTraits::Kind::kFlag)
+    text += ": " + decimal(event.measure, places) + (traits.kind == ConditionTraits::Kind::kAbove ? ", above " : ", below ") +
+            decimal(event.limit, places);
+  return text + ": " + std::string(config::kResponseWords.at(response));
+}
+
+}  // namespace earshot::host

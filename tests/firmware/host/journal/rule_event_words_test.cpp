@@ -1,0 +1,49 @@
+#include "firmware/host/journal/rule_event_words.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace earshot::host {
+namespace {
+
+messages::SafetyEvent event_of(config::Condition condition, config::Response response) {
+  return {.time = {}, .condition = condition, .response = response};
+}
+
+TEST(RuleEventWords, SayARuleWithItsEvidence) {
+  messages::SafetyEvent event = event_of(config::Condition::kBattery, config::Response::kReturn);
+  event.rule = 10;
+  event.measure = 14.94;
+  event.limit = 15;
+  EXPECT_EQ(to_string(event), "rule 11, battery_percent: 14.9, below 15.0: return");
+  event.begins = false;
+  EXPECT_EQ(to_string(event), "rule 11, battery_percent: no longer");
+  event = event_of(config::Condition::kLeak, config::Response::kRelease);
+  EXPECT_EQ(to_string(event), "rule 1, leak: release");
+  event.condition = static_cast<config::Condition>(25);
+  EXPECT_EQ(to_string(event), "rule 1, which this program does not know");
+}
+
+TEST(RuleEventWords, TellAMeasureFromItsLimitHoweverNearItIs) {
+  messages::SafetyEvent event = event_of(config::Condition::kBattery, config::Response::kAbort);
+  event.rule = 9;
+  event.measure = 29.9977;
+  event.limit = 30.0;
+  EXPECT_EQ(to_string(event), "rule 10, battery_percent: 29.998, below 30.000: abort");
+  event = event_of(config::Condition::kDepth, config::Response::kAbort);
+  event.measure = 320.04;
+  event.limit = 320.0;
+  EXPECT_EQ(to_string(event), "rule 1, depth_m: 320.04, above 320.00: abort");
+}
+
+TEST(RuleEventWords, NeedNoMoreDecimalsThanThereAreToTellNumbersApart) {
+  EXPECT_EQ(decimals_apart(14.9, 15.0), 1);
+  EXPECT_EQ(decimals_apart(15.0, 15.0), 1);
+  EXPECT_EQ(decimals_apart(15.0 + 1e-12, 15.0), 6) << "no number of decimals does";
+  EXPECT_EQ(decimals_apart(std::numeric_limits<double>::quiet_NaN(), 15.0), 1);
+  EXPECT_EQ(decimals_apart(1e300, 15.0), 1);
+}
+
+}  // namespace
+}  // namespace earshot::host
