@@ -52,7 +52,7 @@ TEST_F(BatteryFlight, GivenABatteryThatRunsLowTheRuleEndsTheSearchThereAndTheSam
   EXPECT_EQ(rule.at("response"), "abort");
   EXPECT_NEAR(rule.at("value").get<double>(), 29.998, 0.003) << "a tick is 4 thousandths of a percent";
   const std::string said = support::read_text(folder_ / "first.txt");
-  EXPECT_TRUE(said.starts_with("source not found: safety rule 10, battery_percent: 29.99")) << said;
+  EXPECT_TRUE(said.starts_with("source not found: safety rule 14, battery_percent: 29.99")) << said;
   EXPECT_NE(said.find("\n  battery     30.0 % left\n"), std::string::npos) << said;
   const std::vector<messages::VehicleStatus> told = this->told("first");
   ASSERT_FALSE(told.empty());
