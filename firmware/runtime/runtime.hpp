@@ -66,7 +66,8 @@ class Runtime {
                                  std::span<const std::uint8_t> tables);
 
   /// Judges one input; any number between two steps, in the order in which they came. What is refused changes nothing but its counter, so
-  /// that a bad sender does not hide a good one. Of several ports that bring one kind, the latest date counts.
+  /// that a bad sender does not hide a good one. Of several ports that bring one kind, the latest date counts; but fixes are taken from one
+  /// port at a time (safety::NavigationJudge), and those of another only held against it.
   /// Navigation and SNR are refused when dated further from their arrival than their timeout, and when older than the last; a date ahead
   /// of its arrival counts as the arrival. Bearings likewise, by the SNR's timeout; of two senders the first holds
   /// (detector::BearingListener).

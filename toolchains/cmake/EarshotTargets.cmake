@@ -131,6 +131,13 @@ function(earshot_headers_included_first RESULT)
   set(${RESULT} ${headers} PARENT_SCOPE)
 endfunction()
 
+# earshot_small_on_bare_metal(NAME): a library of what runs once a turn may take longer where flash is scarce.
+function(earshot_small_on_bare_metal NAME)
+  if(EARSHOT_BARE_METAL)
+    target_compile_options(${NAME} PRIVATE -Os)
+  endif()
+endfunction()
+
 # earshot_library(NAME [FIRMWARE] HEADERS ... [SOURCES ...] [DEPENDS ...])
 #   FIRMWARE  part of the fixed-memory core: its flags, and its objects are checked for heap, state, recursion and stack (tests/firmware/runtime)
 #   DEPENDS   public link dependencies

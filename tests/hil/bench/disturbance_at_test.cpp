@@ -68,5 +68,29 @@ TEST(DisturbanceAt, TakesTheBatterysChargeOnceThoughItLastsToTheEnd) {
   EXPECT_EQ(taken, 1);
 }
 
+// 3 m/s eastwards for 10 s, and 0.2 m/s upwards; a log that says half a metre a second too much.
+TEST(DisturbanceAt, LetsWhatDriftsGoOnDrifting) {
+  const std::vector<TimedFault> faults{{.fault = Fault::kPositionDrift, .from = at_s(60), .amount = 3.0, .direction_deg = 90.0},
+                                       {.fault = Fault::kDepthDrift, .from = at_s(60), .amount = -0.2},
+                                       {.fault = Fault::kSpeedError, .from = at_s(60), .amount = 0.5}};
+  const Disturbance d = disturbance_at(faults, at_s(70), Duration::seconds(1));
+  EXPECT_NEAR(d.position_error.east.value, 30.0, 1e-9);
+  EXPECT_NEAR(d.position_error.north.value, 0.0, 1e-9);
+  EXPECT_NEAR(d.depth_error.value, -2.0, 1e-12);
+  EXPECT_EQ(d.speed_error, MetersPerSecond{0.5});
+  EXPECT_FALSE(d.is_place_stuck || d.stuck_depth);
+}
+
+TEST(DisturbanceAt, HoldsWhatIsStuckAndLetsItShiver) {
+  const std::vector<TimedFault> faults{{.fault = Fault::kPositionShiver, .from = at_s(60), .amount = 0.01},
+                                       {.fault = Fault::kDepthStuck, .from = at_s(60), .amount = 0.0}};
+  for (const int s : {70, 71}) {
+    const Disturbance d = disturbance_at(faults, at_s(s), Duration::seconds(1));
+    EXPECT_TRUE(d.is_place_stuck);
+    EXPECT_EQ(d.position_error.north, Meters{s % 2 == 0 ? 0.01 : -0.01});
+    EXPECT_EQ(d.stuck_depth, Meters{0.0});
+  }
+}
+
 }  // namespace
 }  // namespace earshot::hil

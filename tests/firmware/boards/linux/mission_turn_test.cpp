@@ -35,13 +35,13 @@ namespace {
 /// Remembers how fast it was told that the vehicle is.
 class ToldPort final : public Port {
  public:
-  explicit ToldPort(std::uint8_t index) : Port(index, {}) {}
+  explicit ToldPort(std::uint8_t index) : Port(index, {host::Role::kAutopilot}) {}
   void collect(Clock& /*clock*/, InputSink& /*sink*/) override {}
   std::uint64_t publish(Time /*now*/, const runtime::Outputs& outputs) override {
     state = outputs.health.state;
     refused = outputs.health.counters.navigation_refused;
     acknowledgements = outputs.acknowledgements;
-    return 0;
+    return outputs.setpoint && can_send ? 1 : 0;
   }
   void note_speed(MetersPerSecond told) override { speed_mps = told.value; }
   [[nodiscard]] int file_descriptor() const override { return -1; }
@@ -51,6 +51,7 @@ class ToldPort final : public Port {
   messages::MissionState state{};
   std::uint64_t refused = 0;
   runtime::Acknowledgements acknowledgements;
+  bool can_send = true;
 };
 
 /// A vehicle that lies in the middle of its area; what it says of its speed is the test's.
@@ -68,7 +69,7 @@ class MissionTurnTest : public testing::Test {
   double told_after(double speed_mps) {
     clock_.time = clock_.time + Duration::seconds(1);
     turn_.take(0, messages::Navigation{.time = clock_.time,
-                                       .position = at(7000, 12000),
+                                       .position = at(7000 + ++seconds_, 12000),
                                        .depth = Meters{300},
                                        .heading = Radians{0},
                                        .speed = MetersPerSecond{speed_mps}});
@@ -90,6 +91,7 @@ class MissionTurnTest : public testing::Test {
   PortSet ports_;
   ToldPort* port_ = nullptr;  ///< of ports_
   SetClock clock_;
+  int seconds_ = 0;
   host::Journal journal_{folder_ / "journal", {.existing = host::ExistingJournal::kReplace}};
   OwnCore core_{*runtime_};
   MissionTurn turn_{core_, ports_, journal_, clock_};
@@ -105,6 +107,19 @@ TEST_F(MissionTurnTest, TellsThePortsTheCommandedSpeedWhereTheFixesHaveNone) {
   turn_.take(0, runtime::command_of(messages::Order::kAbort, clock_.time, 2));
   EXPECT_EQ(told_after(kNan), 0.0) << "it stops and comes up";
   EXPECT_EQ(port_->refused, 0U);
+}
+
+// An address that is taken again and again, a socket that takes nothing: 10 s without a set-point, from the turn after the first.
+TEST_F(MissionTurnTest, EndsASearchWhoseSetpointsNoPortCanSend) {
+  (void)told_after(1.25);
+  turn_.take(0, runtime::command_of(messages::Order::kStart, clock_.time, 1));
+  for (int s = 0; s < 30; ++s) (void)told_after(1.25);
+  EXPECT_EQ(port_->state, messages::MissionState::kSearch);
+  port_->can_send = false;
+  for (int s = 0; s < 11; ++s) (void)told_after(1.25);
+  EXPECT_EQ(port_->state, messages::MissionState::kSearch);
+  for (int s = 0; s < 2; ++s) (void)told_after(1.25);
+  EXPECT_EQ(port_->state, messages::MissionState::kAbort);
 }
 
 TEST_F(MissionTurnTest, PassesOverTheSpeedOfAFixThatCannotBe) {
