@@ -1,48 +1,18 @@
 // flight_news.cpp: what it tells of orders that were not as they should be.
 
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <memory>
-#include <optional>
 #include <string>
 
-#include "firmware/boards/linux/news/flight_news.hpp"
-#include "firmware/host/file/file_descriptor.hpp"
+#include "tests/firmware/boards/linux/news/told_news.hpp"
 
 namespace earshot::board {
 namespace {
 
-class OrderNews : public testing::Test {
+class OrderNews : public ToldNews {
  protected:
-  void SetUp() override {
-    std::array<int, 2> ends{};
-    ASSERT_EQ(::pipe2(ends.data(), O_CLOEXEC), 0);
-    out_ = host::FileDescriptor(ends[0]);
-    in_ = host::FileDescriptor(ends[1]);
-    writer_.emplace(in_.number());
-    news_.emplace(ports_, *writer_);
-  }
   void turn(int at_s) { news_->tell(Time{} + Duration::seconds(at_s), messages::Health{}); }
-  std::string told() {
-    news_.reset();
-    writer_.reset();
-    in_ = host::FileDescriptor();
-    std::string text(10'000, '\0');
-    text.resize(static_cast<std::size_t>(std::max<ssize_t>(::read(out_.number(), text.data(), text.size()), 0)));
-    return text;
-  }
-
-  std::optional<FlightNews> news_;
-
- private:
-  host::FileDescriptor out_;
-  host::FileDescriptor in_;
-  PortSet ports_;
-  std::optional<LineWriter> writer_;
 };
 
 TEST_F(OrderNews, TellsOfUnreadableOrdersOnceInTenSecondsWithTheirNumberAndTheRemedy) {

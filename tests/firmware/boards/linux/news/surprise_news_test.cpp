@@ -1,22 +1,16 @@
 // flight_news.cpp: what it tells of a search that does not believe what it hears.
 
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <array>
-#include <optional>
 #include <string>
 
-#include "firmware/boards/linux/news/flight_news.hpp"
-#include "firmware/host/file/file_descriptor.hpp"
+#include "tests/firmware/boards/linux/news/told_news.hpp"
 
 namespace earshot::board {
 namespace {
 
 /// A search of which each turn is told, 20 s after the one before.
-class SurpriseNews : public testing::Test {
+class SurpriseNews : public ToldNews {
  protected:
   void tell(float surprise_bits, bool is_sweeping) {
     messages::Health health;
@@ -27,30 +21,7 @@ class SurpriseNews : public testing::Test {
     now_ = now_ + Duration::seconds(20);
   }
 
-  void SetUp() override {
-    std::array<int, 2> ends{};
-    ASSERT_EQ(::pipe2(ends.data(), O_CLOEXEC), 0);
-    out_ = host::FileDescriptor(ends[0]);
-    in_ = host::FileDescriptor(ends[1]);
-    writer_.emplace(in_.number());
-    news_.emplace(ports_, *writer_);
-  }
-
-  std::string told() {
-    news_.reset();
-    writer_.reset();
-    in_ = host::FileDescriptor();
-    std::string text(10'000, '\0');
-    text.resize(static_cast<std::size_t>(std::max<ssize_t>(::read(out_.number(), text.data(), text.size()), 0)));
-    return text;
-  }
-
  private:
-  host::FileDescriptor out_;
-  host::FileDescriptor in_;
-  PortSet ports_;
-  std::optional<LineWriter> writer_;
-  std::optional<FlightNews> news_;
   Time now_;
 };
 
