@@ -1,31 +1,20 @@
 // Random missions with faults, each flown to its end and held against what the supervisor promises.
 
 #include <array>
-#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <map>
 #include <mutex>
 #include <string>
-#include <thread>
-#include <vector>
 
 #include "firmware/host/program/run.hpp"
 #include "firmware/messages/health_words.hpp"
+#include "tests/safety/campaign.hpp"
 #include "tests/safety/flight.hpp"
 
 namespace earshot::campaign {
 namespace {
-
-constexpr int kNotHeld = 1;  ///< exit status: something of what is promised was not held
-constexpr std::size_t kMostShown = 20;
-
-struct Options {
-  std::uint64_t missions = 100'000;
-  std::uint64_t seed = 1;
-  std::uint32_t threads = 2;
-};
 
 struct Tally {
   std::uint64_t flown = 0;
@@ -36,13 +25,11 @@ struct Tally {
 
 class Campaign {
  public:
-  explicit Campaign(const Options& options) : options_(options) {}
+  explicit Campaign(const CampaignOptions& options) : options_(options) {}
 
   int run() {
     const auto began = std::chrono::steady_clock::now();
-    std::vector<std::thread> threads;
-    for (std::uint32_t i = 0; i < options_.threads; ++i) threads.emplace_back([this] { fly_all(); });
-    for (std::thread& thread : threads) thread.join();
+    fly_each(options_, [this](std::uint64_t seed) { fly(seed); });
     const double took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     std::printf("%-22s %9s %9s %13s %9s\n", "fault", "missions", "aborted", "steered back", "steps");
     for (const auto& [fault, tally] : tallies_) {
@@ -52,37 +39,28 @@ class Campaign {
     }
     std::printf("%llu missions, %.0f days at sea, in %.0f s: %zu broke a promise\n", static_cast<unsigned long long>(options_.missions),
                 static_cast<double>(seconds_) / 86'400.0, took_s, broken_.size());
-    std::size_t shown = 0;
-    for (const auto& [seed, words] : broken_) {
-      if (++shown > kMostShown) break;
-      std::printf("  --seed %llu --missions 1: %s\n", static_cast<unsigned long long>(seed), words.c_str());
-    }
-    return broken_.empty() ? program::kDone : kNotHeld;
+    return print_broken(broken_);
   }
 
  private:
-  void fly_all() {
-    for (std::uint64_t i = next_++; i < options_.missions; i = next_++) {
-      const std::uint64_t seed = options_.seed + i;
-      const DrawnMission drawn = draw(seed);
-      const FlightResult result = campaign::fly(drawn);
-      const std::lock_guard lock(mutex_);
-      Tally& tally = tallies_[drawn.fault];
-      ++tally.flown;
-      tally.steps += result.steps;
-      if (result.state == messages::MissionState::kAbort) ++tally.aborted;
-      if (result.was_steered_back) ++tally.steered_back;
-      seconds_ += result.seconds;
-      if (result.broken.empty()) continue;
-      broken_[seed] = result.broken + " (" + std::string(to_string(drawn.fault)) + " after " +
-                      std::to_string(drawn.fault_after.us / 1'000'000) + " s of the search, " + std::string(drawn.policy_kind) +
-                      " policy, " + std::to_string(result.seconds) + " s flown, " + messages::to_string(result.state) + ", " +
-                      messages::to_string(result.end_reason) + ")";
-    }
+  void fly(std::uint64_t seed) {
+    const DrawnMission drawn = draw(seed);
+    const FlightResult result = campaign::fly(drawn);
+    const std::lock_guard lock(mutex_);
+    Tally& tally = tallies_[drawn.fault];
+    ++tally.flown;
+    tally.steps += result.steps;
+    if (result.state == messages::MissionState::kAbort) ++tally.aborted;
+    if (result.was_steered_back) ++tally.steered_back;
+    seconds_ += result.seconds;
+    if (result.broken.empty()) return;
+    broken_[seed] = result.broken + " (" + std::string(to_string(drawn.fault)) + " after " +
+                    std::to_string(drawn.fault_after.us / 1'000'000) + " s of the search, " + std::string(drawn.policy_kind) + " policy, " +
+                    std::to_string(result.seconds) + " s flown, " + messages::to_string(result.state) + ", " +
+                    messages::to_string(result.end_reason) + ")";
   }
 
-  Options options_;
-  std::atomic<std::uint64_t> next_{0};
+  CampaignOptions options_;
   std::mutex mutex_;
   std::map<Fault, Tally> tallies_;
   std::map<std::uint64_t, std::string> broken_;
@@ -94,14 +72,12 @@ class Campaign {
 
 int main(int argc, char** argv) {
   using namespace earshot;
-  campaign::Options options;
+  campaign::CampaignOptions options;
   program::CommandLine line(
       "random_missions",
       "random_missions flies random missions with faults of every input, on a vehicle that moves as its mission says,\n"
       "and holds each against what the safety supervisor promises.\n"
       "Exit status: 0 all was kept; 1 something was not.");
-  line.option("--missions", &options.missions, "how many").from(1, 100'000'000).shows_default();
-  line.option("--seed", &options.seed, "of the first; each is a mission").shows_default();
-  line.option("--threads", &options.threads, "how many fly at once").from(1, 64).shows_default();
+  options.add_to(line);
   return program::run(line, argc, argv, [&] { return campaign::Campaign(options).run(); });
 }
