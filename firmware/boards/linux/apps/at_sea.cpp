@@ -42,11 +42,14 @@ int fly_at_sea(const Options& o, const HostClock& host, const std::function<int(
   }
   if (!is_under_way(*safety)) return fly(*safety);
   if (!o.resume) {
-    std::cerr << "earshotd: warning: a mission was under way in this folder, and without --resume it is forgotten\n";
+    std::cerr << "earshotd: warning: a mission was under way in this folder; without --resume it is given up, and nobody commands the "
+                 "vehicle until START (with --resume it goes on or comes up)\n";
     return fly(*safety);
   }
   if (safety->found()->starts >= kMostStarts)
-    return come_up(o, *safety, host, "this program ended " + std::to_string(kMostStarts) + " times within a minute of its start");
+    return come_up(
+        o, *safety, host,
+        "earshotd ended " + std::to_string(kMostStarts) + " times within a minute of its start: it does not try the mission a fourth time");
   count_start(*safety);
   std::string why;
   try {
@@ -74,7 +77,7 @@ std::optional<int> come_up_by(int argc, const char* const* argv) {
   try {
     host::SafetyCopies safety(safety_places(o.out, o.safety_copies, SafetyFolders::of_this_process()));
     if (!is_under_way(safety)) return std::nullopt;
-    return come_up(o, safety, HostClock(), "its command line cannot be read");
+    return come_up(o, safety, HostClock(), "an option is wrong (above), and a mission was under way");
   } catch (const std::exception& e) {
     std::cerr << "earshotd: " << host::printable(e.what()) << "\n";
     return program::kLost;
