@@ -64,8 +64,9 @@ class MissionTurn final : public InputSink {
   }
 
   /// From now on what must not be forgotten of a turn is in the safety record before the turn is sent. What no disk takes within the
-  /// patience of write_ahead(), or a second as long as no set-point has left, is obeyed all the same; who ordered it is told that it is not durable (CommandOutcome::kObeyedNotDurable),
-  /// and so does health, where this computer's own port is down. @param safety  must outlive it
+  /// patience of write_ahead(), or a second as long as no set-point has left, is obeyed all the same; who ordered it is told that it is not
+  /// durable (CommandOutcome::kObeyedNotDurable), and so does health, where this computer's own port is down. @param safety  must outlive
+  /// it
   void keep_safe(SafetyLog& safety) { safety_ = &safety; }
 
   /// From now on every turn is told to a person, too. @param news  must outlive it
