@@ -88,7 +88,7 @@ class Marker:
     def hear(self, challenge: challenge_t) -> None:
         """Keeps that of the vehicle's present start, told by who knows the key: a made-up one gets no mark.
 
-        A start goes on when its date rises; one that is over does not, though somebody sends its recording. The dates of
+        A start goes on when its date rises; one that is over does not, though somebody sends its recording. Dates of
         two starts say nothing: a computer without a battery for its clock may begin behind.
         """
         if self.key is None:

@@ -25,8 +25,7 @@ class Challenge:
 
 # What lcm-gen makes is not needed to judge challenges.
 stand_in = types.ModuleType("earshot")
-stand_in.challenge_t = Challenge
-stand_in.operator_command_t = object
+vars(stand_in).update(challenge_t=Challenge, operator_command_t=object)
 sys.modules["earshot"] = stand_in
 sys.path.insert(0, str(ROOT / "firmware/boards/linux/examples"))
 import marked_order  # noqa: E402
