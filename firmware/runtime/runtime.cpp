@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <new>
 #include <span>
 #include <variant>
 
@@ -57,7 +58,7 @@ EndReason end_reason_of(config::Condition cause) {
 
 void Runtime::forget() {
   configured_ = false;
-  progress_ = Progress{};
+  ::new (&progress_) Progress();  // where it lies: a second one would be the largest thing on the stack
   integrity_ = kIntact;
   seal_mission();
   seal();
