@@ -129,12 +129,22 @@ class Liar {
   std::optional<Navigation> begin_;
 };
 
+/// How much deeper than it is a vehicle may have said that it is, until a rule ended its search. One that drifts is found out before that.
+double most_too_deep_m(const LyingMission& mission) {
+  constexpr double kMostDrifted_m = 100.0;
+  double most_m = 0.0;
+  for (const std::optional<Lie>& lie : {mission.first, mission.second}) {
+    if (lie && lie->sensor == Sensor::kDepth) most_m += lie->kind == LieKind::kJump ? std::max(lie->size, 0.0) : kMostDrifted_m;
+  }
+  return most_m;
+}
+
 class LyingFlight {
  public:
   explicit LyingFlight(const LyingMission& lying)
       : lying_(lying),
         mission_(lying.drawn.mission),
-        vehicle_(lying.drawn.start, lying.drawn.vehicle, mission_.safety.vehicle.ascent_speed.value),
+        vehicle_(lying.drawn.start, lying.drawn.vehicle, mission_.safety.vehicle.ascent_speed.value, lying.turns_up_s),
         noise_(mission_.action_seed, 7) {
     if (lying.first) liars_.emplace_back(*lying.first, mission_.action_seed);
     if (lying.second) liars_.emplace_back(*lying.second, mission_.action_seed + 1);
@@ -145,16 +155,15 @@ class LyingFlight {
       result_.broken = "the mission is refused";
       return result_;
     }
-    // What it takes at the most to come up, and to stop there.
-    const double deepest_m = 1.1 * mission_.max_depth.value + 60.0;
-    const auto comes_up_s = static_cast<std::int64_t>(deepest_m / config::kSlowestAscent.value) + 1300;
     for (std::int64_t turns = 0; turns < 60 && !began_; ++turns) turn();
     while (began_ && outputs_.health.state == MissionState::kSearch) turn();
     searched_at_end_s_ = searched_s();
-    std::int64_t stopped_s = 0;
-    for (std::int64_t s = 0; s < comes_up_s && stopped_s < 30; ++s) {
+    // What it takes at the most to come up, and to stop there.
+    const double deepest_m = 1.1 * (mission_.max_depth.value + most_too_deep_m(lying_)) + 60.0;
+    const auto comes_up_s = static_cast<std::int64_t>(deepest_m / config::kSlowestAscent.value) + 1300;
+    for (std::int64_t s = 0; s < comes_up_s && stopped_s_ < 30; ++s) {
       turn();
-      stopped_s = outputs_.setpoint && !(outputs_.setpoint->speed.value > 0.0) && vehicle_.depth_m() <= kUp_m ? stopped_s + 1 : 0;
+      stopped_s_ = outputs_.setpoint && !(outputs_.setpoint->speed.value > 0.0) && vehicle_.depth_m() <= kUp_m ? stopped_s_ + 1 : 0;
     }
     result_.depth_m = vehicle_.depth_m();
     judge();
@@ -166,6 +175,7 @@ class LyingFlight {
 
   void judge() {
     if (!began_) result_.broken = "it does not begin";
+    if (stopped_s_ < 30) result_.broken = "it is not told to stop where it came up";
     if (result_.depth_m > kUp_m) result_.broken = "it stays " + std::to_string(result_.depth_m) + " m below";
     if (result_.beyond_halt_m > most_beyond_m(lying_, searched_at_end_s_ - lying_.lies_from_s))
       result_.broken = "it is " + std::to_string(result_.beyond_halt_m) + " m beyond the halt polygon";
@@ -253,6 +263,7 @@ class LyingFlight {
   std::uint64_t sequence_ = 0;
   std::uint32_t orders_ = 0;
   std::int64_t searched_at_end_s_ = 0;
+  std::int64_t stopped_s_ = 0;  ///< at the surface
   bool is_aborted_ = false;
   runtime::Outputs outputs_;
   LyingResult result_;
@@ -284,6 +295,7 @@ LyingMission draw_lying(std::uint64_t seed, bool is_honest) {
   lying.compass_bias_rad = draw.between(-0.05, 0.05);
   lying.speed_log_scale = draw.between(0.95, 1.05);
   lying.place_noise_m = draw.chance(0.5) ? 0.0 : draw.between(0.0, 8.0);
+  lying.turns_up_s = draw.between(0.0, 60.0);
   return lying;
 }
 

@@ -43,6 +43,7 @@ struct LyingMission {
   double compass_bias_rad = 0.0;  ///< of an honest vehicle
   double speed_log_scale = 1.0;   ///< likewise
   double place_noise_m = 0.0;     ///< at most, either side
+  double turns_up_s = 0.0;        ///< that the vehicle takes before it begins to come up
 };
 
 /// Of one seed. @param is_honest  nobody lies

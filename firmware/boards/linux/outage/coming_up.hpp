@@ -12,6 +12,7 @@
 #include "firmware/messages/operator_command.hpp"
 #include "firmware/messages/setpoint.hpp"
 #include "firmware/runtime/runtime.hpp"
+#include "firmware/safety/depth_estimate.hpp"
 
 namespace earshot::board {
 
@@ -19,8 +20,9 @@ namespace earshot::board {
 /// tables or lock, only the safety record.
 ///
 /// A vehicle that needs speed to come up goes round and round at its ascent speed for as long as one needs that comes up from its deepest
-/// at 0.1 m/s: no depth that is told ends it sooner, for it may be wrong. Then it stops. It turns by its heading while that is told, and by
-/// the time otherwise. One that only listened commands nothing, as before.
+/// at 0.1 m/s: no depth that is told ends it sooner, for it may be wrong. Then it stops; where its depth says that it is below, it tries
+/// again (safety::DepthEstimate). It turns by its heading while that is told, and by the time otherwise. One that only listened commands
+/// nothing, as before.
 ///
 /// Every order is answered; an ABORT is repeated, and no other is for this state. A leak releases the weight where the mission's rule about
 /// it does. Oracle: ComingUp.*
@@ -39,6 +41,7 @@ class ComingUp final : public Core {
 
   config::Mission mission_;
   Duration long_enough_;  ///< to come up from the deepest
+  safety::DepthEstimate depth_;
   bool releases_on_leak_ = false;
   bool is_engaged_;
   bool is_released_;

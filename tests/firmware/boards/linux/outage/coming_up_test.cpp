@@ -61,15 +61,31 @@ TEST(ComingUp, TellsStopAndComeUpAndThatAnOutageEndedTheSearch) {
 
 TEST(ComingUp, GoesRoundForAsLongAsItMayNeedWhateverDepthItIsToldAndThenStops) {
   ComingUp core(runtime::paper_mission(), in_search());
-  // 320 m at 0.1 m/s, and a minute to turn up.
-  for (const double s : {0.0, 100.0, 3259.0}) {
+  // 320 m at 0.1 m/s, and 25 m more in the minute that it takes to turn up.
+  for (const double s : {0.0, 100.0, 3509.0}) {
     core.take(fix(s, 1.0, 0.0));
     const runtime::Outputs outputs = core.step(after(s));
     EXPECT_EQ(outputs.setpoint->speed, MetersPerSecond{0.5}) << s;
     EXPECT_NEAR(outputs.setpoint->heading.value, 1.0 + std::acos(0.0), 1e-12) << "a quarter of a turn ahead";
     EXPECT_EQ(outputs.setpoint->waypoint, at(1, 2));
   }
-  EXPECT_EQ(core.step(after(3261)).setpoint->speed, MetersPerSecond{0});
+  static_cast<void>(core.step(after(3511)));
+  EXPECT_EQ(core.step(after(3512)).setpoint->speed, MetersPerSecond{0});
+}
+
+// Held at 20 m, and its depth says so.
+TEST(ComingUp, TriesAgainWhereItsDepthSaysThatItIsBelow) {
+  ComingUp core(runtime::paper_mission(), in_search());
+  int stopped = 0;
+  bool goes_at_last = false;
+  for (int s = 0; s < 20'000; ++s) {
+    core.take(fix(s, 1.0, 20.0));
+    const bool goes = core.step(after(s)).setpoint->speed > MetersPerSecond{0};
+    stopped += goes ? 0 : 1;
+    goes_at_last = goes_at_last || (goes && stopped > 6000);
+  }
+  EXPECT_NEAR(stopped, (20'000 - 3510) * 5 / 6, 1000);
+  EXPECT_TRUE(goes_at_last);
 }
 
 TEST(ComingUp, TurnsWithTheTimeWhileNoHeadingIsTold) {
