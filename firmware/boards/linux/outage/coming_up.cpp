@@ -43,8 +43,10 @@ ComingUp::ComingUp(const config::Mission& mission, const host::SafetyRecord& rec
       depth_(record.deepest),
       is_engaged_(record.is_engaged),
       is_released_(record.is_released) {
-  for (const config::Rule& rule : mission.safety.rules)
-    releases_on_leak_ = releases_on_leak_ || (rule.condition == config::Condition::kLeak && rule.response == config::Response::kRelease);
+  for (const config::Rule& rule : mission.safety.rules) {
+    if (rule.condition != config::Condition::kLeak || rule.response != config::Response::kRelease) continue;
+    releases_after_leak_ = std::min(releases_after_leak_.value_or(rule.persistence), rule.persistence);
+  }
   const bool was_over = record.end_reason != messages::EndReason::kNone;
   health_.turn = record.turn;
   health_.authority = messages::Authority::kAbort;
@@ -60,7 +62,8 @@ CommandOutcome ComingUp::take(const messages::Input& input) {
     if (began_) depth_.take(*fix_, at_its_slowest(mission_.safety.vehicle));
   }
   const auto* status = std::get_if<messages::VehicleStatus>(&input.value);
-  is_released_ = is_released_ || (releases_on_leak_ && status != nullptr && status->has_leak);
+  if (status != nullptr && !status->has_leak) leaks_since_.reset();
+  if (status != nullptr && status->has_leak && !leaks_since_) leaks_since_ = input.arrival;
   if (const auto* command = std::get_if<messages::OperatorCommand>(&input.value)) outcome = answer(input.arrival, input.port, *command);
   const auto* report = std::get_if<messages::PortReport>(&input.value);
   if (report == nullptr) return outcome;
@@ -86,12 +89,18 @@ CommandOutcome ComingUp::answer(Time arrival, std::uint8_t port, const messages:
 runtime::Outputs ComingUp::step(Time now) {
   if (!began_) began_ = now;
   ++health_.turn;
+  is_released_ = is_released_ || (releases_after_leak_ && leaks_since_ && now - *leaks_since_ >= *releases_after_leak_);
   runtime::Outputs outputs;
   if (is_engaged_) outputs.setpoint = setpoint(now);
   outputs.acknowledgements = acknowledgements_;
   acknowledgements_.clear();
   outputs.health = health_;
   return outputs;
+}
+
+bool ComingUp::has_come_up(Time now) const {
+  const bool is_seen = fix_ && now - fix_->time <= kHeadingLasts;
+  return (began_ && now - *began_ > long_enough_) || (is_seen && fix_->depth <= mission_.safety.vehicle.surface_depth);
 }
 
 messages::Setpoint ComingUp::setpoint(Time now) {

@@ -25,7 +25,7 @@ namespace earshot::board {
 /// nothing, as before.
 ///
 /// Every order is answered; an ABORT is repeated, and no other is for this state. A leak releases the weight where the mission's rule about
-/// it does. Oracle: ComingUp.*
+/// it does, and after as long as that. Oracle: ComingUp.*
 class ComingUp final : public Core {
  public:
   /// @param mission  with the limits of the record; what else it says is not looked at, but its vehicle and its rule about a leak
@@ -34,6 +34,8 @@ class ComingUp final : public Core {
   messages::CommandOutcome take(const messages::Input& input) override;
   [[nodiscard]] runtime::Outputs step(Time now) override;
   [[nodiscard]] const config::Mission& mission() const override { return mission_; }
+  /// Whether its time to come up is over, or its depth says that it is up.
+  [[nodiscard]] bool has_come_up(Time now) const;
 
  private:
   [[nodiscard]] messages::Setpoint setpoint(Time now);
@@ -42,7 +44,8 @@ class ComingUp final : public Core {
   config::Mission mission_;
   Duration long_enough_;  ///< to come up from the deepest
   safety::DepthEstimate depth_;
-  bool releases_on_leak_ = false;
+  std::optional<Duration> releases_after_leak_;  ///< of so long
+  std::optional<Time> leaks_since_;
   bool is_engaged_;
   bool is_released_;
   messages::Health health_;

@@ -130,6 +130,39 @@ TEST(ComingUp, ReleasesTheWeightOnALeakWhereTheMissionDoes) {
   EXPECT_TRUE(with.step(after(100)).setpoint->release_weight);
 }
 
+TEST(ComingUp, ReleasesTheWeightNoSoonerThanTheMissionsRuleDoes) {
+  config::Mission mission = runtime::paper_mission();
+  const config::Rule rule{
+      .condition = config::Condition::kLeak, .persistence = Duration::seconds(5), .response = config::Response::kRelease};
+  ASSERT_EQ(mission.safety.rules.push_back(rule), Status::kOk);
+  ComingUp core(mission, in_search());
+  const auto tell = [&](double s, bool has_leak) {
+    core.take({.arrival = after(s), .port = 1, .sequence = 0, .value = messages::VehicleStatus{.time = after(s), .has_leak = has_leak}});
+  };
+  tell(0, true);
+  EXPECT_FALSE(core.step(after(4)).setpoint->release_weight);
+  tell(4.5, false);
+  EXPECT_FALSE(core.step(after(6)).setpoint->release_weight) << "a drop on the sensor";
+  tell(7, true);
+  EXPECT_FALSE(core.step(after(11)).setpoint->release_weight);
+  EXPECT_TRUE(core.step(after(12)).setpoint->release_weight);
+  tell(13, false);
+  EXPECT_TRUE(core.step(after(14)).setpoint->release_weight);
+}
+
+TEST(ComingUp, HasComeUpWhenItsDepthSaysSoOrItsTimeIsOver) {
+  ComingUp core(runtime::paper_mission(), in_search());
+  (void)core.step(kBegin);
+  EXPECT_FALSE(core.has_come_up(after(1)));
+  core.take(fix(2, 0, 300));
+  EXPECT_FALSE(core.has_come_up(after(3)));
+  core.take(fix(4, 0, 1));
+  EXPECT_TRUE(core.has_come_up(after(5)));
+  EXPECT_FALSE(core.has_come_up(after(60))) << "an old depth is none";
+  EXPECT_FALSE(core.has_come_up(after(3200)));
+  EXPECT_TRUE(core.has_come_up(after(3261))) << "320 m at 0.1 m/s, and a minute";
+}
+
 TEST(ComingUp, AnswersAnAbortAndRefusesEveryOtherOrder) {
   ComingUp core(runtime::paper_mission(), in_search());
   for (const Order order : {Order::kAbort, Order::kStart})
