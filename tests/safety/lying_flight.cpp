@@ -285,6 +285,7 @@ LyingMission draw_lying(std::uint64_t seed, bool is_honest) {
   Draw draw(seed);
   config::VehicleLimits& vehicle = lying.drawn.mission.safety.vehicle;
   vehicle.ascent_rate = MetersPerSecond{std::max(lying.drawn.vehicle.climb_mps * draw.between(0.5, 1.0), config::kSlowestAscent.value)};
+  if (vehicle.ascent_speed > MetersPerSecond{}) vehicle.ascent_rate = std::min(vehicle.ascent_rate, vehicle.ascent_speed);
   if (draw.chance(0.5)) vehicle.ascent_rate = config::kSlowestAscent;
   if (!is_honest) {
     lying.first = lie_of(draw);

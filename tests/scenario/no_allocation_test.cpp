@@ -132,7 +132,7 @@ TEST_F(NoAllocationOverLcm, GivenAKeyThereIsNoneAsItTellsItsChallengeAndRefusesW
   EXPECT_EQ(vehicle.state(), MissionState::kStandby);
   EXPECT_EQ(stop(), 0);
   expect_said("\nearshotd: 0 allocations in 4 threads over ");
-  expect_said("an order was refused that does not bear the mark of who knows the key");
+  expect_said("an order was refused: its mark is missing or wrong");
 }
 
 TEST_F(NoAllocationOverLcm, GivenALinkThatGoesDownAndComesBackItIsOpenedAgainWithoutAny) {

@@ -36,6 +36,9 @@ bool calls_for_turn(const InputSink::Value& value) {
 /// A disk that comes and goes is told of twice in this time at most: that it went, always at once, and that it came back.
 constexpr Duration kJournalDownAtLeast = Duration::seconds(60);
 
+/// With a disk that is asleep, for a record from before Earshot steers: nobody goes by its set-points yet.
+constexpr std::chrono::milliseconds kPatienceBeforeSteering{1000};
+
 template <class Bytes>
 void write_build(std::string_view build, Bytes& bytes) {
   std::copy_n(build.begin(), std::min(build.size(), std::size(bytes)), std::begin(bytes));
@@ -138,7 +141,7 @@ runtime::Outputs MissionTurn::operator()() {
   const bool is_new_state = record(turn, outputs_);
   memory_.note(turn, outputs_);
   write_ahead_of(outputs_, is_new_state);
-  const bool is_durable = safety_ == nullptr || safety_->note(turn, outputs_, core_.mission(), patience_);
+  const bool is_durable = safety_ == nullptr || safety_->note(turn, outputs_, core_.mission(), patience_with_record());
   ports_.note_speed(is_finite(memory_.speed.value) ? memory_.speed : memory_.commanded_speed);
   if (is_overtaken()) return outputs_;
   const std::uint64_t sent = ports_.setpoints_sent();
@@ -151,6 +154,10 @@ runtime::Outputs MissionTurn::operator()() {
   for (const messages::SafetyEvent& event : outputs_.safety_events) news_->tell(event);
   news_->tell(turn, outputs_.health);
   return outputs_;
+}
+
+std::chrono::milliseconds MissionTurn::patience_with_record() const {
+  return safety_->record().is_engaged ? patience_ : std::max(patience_, kPatienceBeforeSteering);
 }
 
 runtime::Outputs MissionTurn::say_again() {

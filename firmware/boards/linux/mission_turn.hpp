@@ -64,7 +64,7 @@ class MissionTurn final : public InputSink {
   }
 
   /// From now on what must not be forgotten of a turn is in the safety record before the turn is sent. What no disk takes within the
-  /// patience of write_ahead() is obeyed all the same; who ordered it is told that it is not durable (CommandOutcome::kObeyedNotDurable),
+  /// patience of write_ahead(), or a second as long as no set-point has left, is obeyed all the same; who ordered it is told that it is not durable (CommandOutcome::kObeyedNotDurable),
   /// and so does health, where this computer's own port is down. @param safety  must outlive it
   void keep_safe(SafetyLog& safety) { safety_ = &safety; }
 
@@ -112,6 +112,7 @@ class MissionTurn final : public InputSink {
   void report_mute();
   void record_trouble(std::uint8_t port, BusTrouble trouble, bool is_there);
   void write_ahead_of(const runtime::Outputs& outputs, bool is_new_state);
+  [[nodiscard]] std::chrono::milliseconds patience_with_record() const;
   void append(Time time, std::string_view channel, std::span<const std::uint8_t> data, host::Weight weight);
   /// What the ports are told of a turn that no disk has: the journal, and who plays it back, know what the runtime said.
   [[nodiscard]] const runtime::Outputs& as_told(bool is_durable);

@@ -102,11 +102,14 @@ int fly_at_sea(const Options& o, const HostClock& host, const std::function<int(
     std::cerr << "earshotd: warning: safety record " << host::printable(copy) << ": it does not count\n";
   if (!is_under_way(*safety)) return fly(*safety);
   if (!o.resume) {
-    std::cerr << "earshotd: warning: a mission was under way in this folder, and without --resume it is forgotten\n";
+    std::cerr << "earshotd: warning: a mission was under way in this folder; without --resume it is given up, and nobody commands the "
+                 "vehicle until START (with --resume it goes on or comes up)\n";
     return fly(*safety);
   }
   if (safety->found()->starts >= kMostStarts)
-    return bring_up(o, *safety, host, "this program ended " + std::to_string(kMostStarts) + " times within a minute of its start");
+    return bring_up(
+        o, *safety, host,
+        "earshotd ended " + std::to_string(kMostStarts) + " times within a minute of its start: it does not try the mission a fourth time");
   count_start(*safety);
   std::string why;
   try {
@@ -135,7 +138,7 @@ std::optional<int> come_up_by(int argc, const char* const* argv) {
     std::optional<host::SafetyCopies> safety;
     read_copies(o, host::Claim::kNeeded, safety);
     if (!is_under_way(*safety)) return std::nullopt;
-    return bring_up(o, *safety, HostClock(), "its command line cannot be read");
+    return bring_up(o, *safety, HostClock(), "an option is wrong (above), and a mission was under way");
   } catch (const std::exception& e) {
     std::cerr << "earshotd: " << host::printable(e.what()) << "\n";
     return program::kLost;

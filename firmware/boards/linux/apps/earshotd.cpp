@@ -267,8 +267,10 @@ int main(int argc, char** argv) {
   program::CommandLine line("earshotd",
                             "earshotd flies one mission: navigation and SNR in, frozen policy, set-points out.\n"
                             "Exit status: 0 the search ended DONE, or none was under way; 1 --prove-no-alloc found an allocation;\n"
-                            "2 bad input; 3 the simulator, the bus or the journal was lost; 4 the search ended in ABORT;\n"
-                            "5 a signal stopped a search under way; 130 stopped before the simulator came.");
+                            "2 bad input (with --resume: and nothing was under way); 3 the simulator, the bus or the journal was\n"
+                            "lost (with --resume also: another process flies here, or no port opens to bring the vehicle up by);\n"
+                            "4 the search ended in ABORT: a rule, an operator, a memory that failed, or an outage after which it\n"
+                            "could not go on; 5 a signal stopped a search under way; 130 stopped before the simulator came.");
   Options options;
   board::declare(line, options);
   bool has_begun = false;

@@ -70,6 +70,7 @@ class Marker:
         self.mission = hashlib.sha256(said.mission.read_bytes()).digest() if said.mission else None
         self.challenge: challenge_t | None = None
         self.last_told: dict[bytes, int] = {}  # of each start of the vehicle
+        self.heard: set[str] = set()
 
     @staticmethod
     def add_options(parser: argparse.ArgumentParser) -> None:
@@ -93,6 +94,7 @@ class Marker:
         """
         if self.key is None:
             return
+        self.heard.add(bytes(challenge.vehicle).rstrip(b"\0").decode("ascii", "replace"))
         true_mark = blake2b(self.key, b"EARSHOT CHALLENGE1", struct.pack("<q", challenge.utime), told(challenge))
         is_true = hmac.compare_digest(bytes(challenge.mark), true_mark) and bytes(challenge.vehicle) == self.vehicle
         if not is_true or self.mission not in (None, bytes(challenge.mission)):
@@ -101,6 +103,19 @@ class Marker:
         if challenge.utime > self.last_told.get(nonce, -1):
             self.last_told[nonce] = challenge.utime
             self.challenge = challenge
+
+    def silence(self, waited_s: float) -> str:
+        """Why an order could not be marked in so long a time."""
+        name = self.vehicle.rstrip(b"\0").decode("ascii")
+        meant = f'no vehicle named "{name}"' if name else "no vehicle without a name (--vehicle-id)"
+        mission = " and mission" if self.mission else ""
+        who = ", ".join(f'"{heard}"' if heard else "one without a name" for heard in sorted(self.heard))
+        others = (
+            f"heard: {who}; is --vehicle-id, --mission or --key-file another's?"
+            if who
+            else "none was: does earshotd run there, with a key?"
+        )
+        return f"{meant} with this key{mission} was heard within {waited_s:g} s ({others})"
 
     def mark(self, order: operator_command_t) -> bool:
         """Sets its mark. False: it cannot be marked yet, because the vehicle has not told its challenge."""
