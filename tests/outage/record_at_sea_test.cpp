@@ -1,7 +1,9 @@
 // What becomes of a vehicle at sea by what its safety record says, or no longer says: who has it hangs, it is removed, cut, another's, or
 // the program was stopped before the vehicle was up.
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 
 #include <csignal>
 #include <cstdint>
@@ -10,6 +12,7 @@
 #include <memory>
 #include <utility>
 
+#include "firmware/host/file/file_descriptor.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "tests/outage/restart_at_sea.hpp"
 
@@ -105,6 +108,15 @@ TEST_F(RecordAtSea, GivenAJournalThatWasFlownElsewhereWithItsRecordItBeginsInSta
   EXPECT_EQ(vehicle_->state(), MissionState::kStandby);
   EXPECT_EQ(vehicle_->setpoints, setpoints);
   EXPECT_TRUE(is_said("it is of another vehicle, or of another folder's flights")) << earshotd_->output();
+}
+
+TEST_F(RecordAtSea, GivenABackupThatHasLockedTheRecordToReadItTheMissionGoesOn) {
+  search();
+  kill();
+  const host::FileDescriptor backup(::open((folder_ / "journal.safety").c_str(), O_RDONLY | O_CLOEXEC));
+  ASSERT_EQ(::flock(backup.number(), LOCK_EX | LOCK_NB), 0) << "by another program's name";
+  start();
+  EXPECT_TRUE(vehicle_->sails_until([&] { return is_said("goes on from") && vehicle_->turns > 5; })) << earshotd_->output();
 }
 
 TEST_F(RecordAtSea, GivenAFirstProgramThatHangsTheNextComesUpAndTheFirstEndsOnceItWakes) {

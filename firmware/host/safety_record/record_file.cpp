@@ -79,6 +79,10 @@ bool RecordFile::claim() {
   return file_.number() < 0 || ::flock(file_.number(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
 }
 
+bool RecordFile::holder_may_fly() const {
+  return may_be_marked_by_this_program(file_);
+}
+
 std::string RecordFile::holder() const {
   try {
     require_not_being_written(path_);
@@ -140,6 +144,7 @@ bool RecordFile::hold_space() const {
 
 bool RecordFile::prepare(std::span<const std::uint8_t> kept) {
   if (file_.number() < 0 && !open()) {
+    if (is_anybodys_) (void)::unlink(path_.c_str());  // nobody would believe what is written there
     file_ = FileDescriptor(::open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, kMode));
     if (file_.number() < 0) return false;
   }

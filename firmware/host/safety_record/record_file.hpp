@@ -37,7 +37,7 @@ class RecordFile {
   [[nodiscard]] bool is_anybodys() const { return is_anybodys_; }
   /// Why open() did not come to see whether there is one, as errno says it (no descriptor is left); 0: it did.
   [[nodiscard]] int out_of_reach() const { return out_of_reach_; }
-  /// Marks it as this process's, as long as this is kept. False: another process has it.
+  /// Marks it as this process's, as long as this is kept. False: another process has it, which may only read it (holder_may_fly()).
   [[nodiscard]] bool claim();
   /// The newest record that is whole. Reads it anew.
   [[nodiscard]] std::optional<SafetyRecord> newest() const;
@@ -57,6 +57,8 @@ class RecordFile {
   void let_go() { file_ = FileDescriptor(); }
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// Whether whoever has it may be another process of this program.
+  [[nodiscard]] bool holder_may_fly() const;
   /// Who has it that another process's claim is; for a message.
   [[nodiscard]] std::string holder() const;
 

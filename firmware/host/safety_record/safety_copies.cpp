@@ -79,7 +79,7 @@ struct SafetyCopies::Writers {
       if (copy.file.is_anybodys()) left_out.push_back(path + ": others than root and this program's user may change it");
       return;
     }
-    if (claim == Claim::kNeeded && !copy.file.claim()) throw RecordInUse(copy.file.holder());
+    if (claim == Claim::kNeeded && !copy.file.claim() && copy.file.holder_may_fly()) throw RecordInUse(copy.file.holder());
     const std::optional<SafetyRecord> newest = copy.file.newest();
     if (!newest) return;
     record.sequence = std::max(record.sequence, newest->sequence);

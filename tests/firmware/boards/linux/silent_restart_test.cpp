@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <optional>
 
@@ -114,6 +115,27 @@ TEST_F(SilentRestart, GoesOnWithTheSearchOnceItsSensorsSpeak) {
   EXPECT_GT(result.turns, 10U);
   EXPECT_TRUE(std::ranges::any_of(port_->published,
                                   [](const runtime::Outputs& told) { return told.setpoint && told.setpoint->depth == Meters{300}; }));
+}
+
+/// It hung meanwhile, and the other took the vehicle for left alone.
+TEST_F(SilentRestart, SaysNothingMoreToTheVehicleOnceAnotherProcessHasTheRecord) {
+  copies_.prepare({});
+  hear(0, kStop_s);
+  order(seconds(1.5), Order::kStart);
+  script_.then(seconds(5.2), [this](Clock&, InputSink&) {
+    host::SafetyCopies others({{.file = folder_ / "record"}}, {}, host::Claim::kWaived);
+    EXPECT_TRUE(others.write(others.found().value(), std::chrono::seconds(10)));
+  });
+  order(seconds(6.5), Order::kPause);
+  stop_at(kStop_s);
+  OwnCore core(*runtime_);
+  MissionTurn turn(core, ports_, *journal_, clock_);
+  turn.write_ahead(std::chrono::seconds(10));
+  turn.keep_safe(*safety_);
+  const LoopResult result = board::fly(turn, ports_, clock_, {.period = kPeriod}, stop_);
+  EXPECT_EQ(result.end, LoopEnd::kOvertaken);
+  EXPECT_EQ(port_->published.size(), 6U);
+  EXPECT_FALSE(port_->last().is_paused);
 }
 
 }  // namespace

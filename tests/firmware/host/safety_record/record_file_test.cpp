@@ -1,6 +1,8 @@
 #include "firmware/host/safety_record/record_file.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -165,11 +167,28 @@ TEST_F(RecordFileTest, BelievesNoFileThatOthersMayWriteOrOwn) {
   RecordFile open_to_all(path_);
   EXPECT_FALSE(open_to_all.open());
   EXPECT_TRUE(open_to_all.is_anybodys());
-  EXPECT_FALSE(open_to_all.prepare(kKept)) << "nor does it write what nobody will believe";
   fs::permissions(path_, fs::perms::others_write, fs::perm_options::remove);
   EXPECT_EQ(read(), some_record(1));
   if (::chown(path_.c_str(), 65534, 65534) != 0) GTEST_SKIP() << "not root";
-  EXPECT_FALSE(RecordFile(path_).open());
+  RecordFile anothers(path_);
+  EXPECT_FALSE(anothers.open());
+  EXPECT_TRUE(anothers.prepare(kKept)) << "a flight that begins makes its own";
+  EXPECT_TRUE(anothers.write(some_record(2)));
+  EXPECT_EQ(read(), some_record(2));
+}
+
+TEST_F(RecordFileTest, KnowsAHolderThatOnlyReadsFromOneThatMayFly) {
+  RecordFile file(path_);
+  ASSERT_TRUE(file.prepare(kKept));
+  RecordFile other(path_);
+  ASSERT_TRUE(other.open());
+  EXPECT_FALSE(other.claim());
+  EXPECT_TRUE(other.holder_may_fly()) << "it is this program";
+  file.let_go();
+  const FileDescriptor reader(::open(path_.c_str(), O_RDONLY | O_CLOEXEC));
+  ASSERT_EQ(::flock(reader.number(), LOCK_SH | LOCK_NB), 0);
+  EXPECT_FALSE(other.claim());
+  EXPECT_FALSE(other.holder_may_fly());
 }
 
 TEST_F(RecordFileTest, KnowsThatItsNameIsGoneOrAnothersOrItsEndIsCut) {
