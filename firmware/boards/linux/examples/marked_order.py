@@ -94,7 +94,8 @@ class Marker:
         """
         if self.key is None:
             return
-        self.heard.add(bytes(challenge.vehicle).rstrip(b"\0").decode("ascii", "replace"))
+        name = bytes(challenge.vehicle).rstrip(b"\0").decode("ascii", "replace")
+        self.heard.add("".join(letter if letter.isprintable() else "?" for letter in name))  # anybody may say so
         true_mark = blake2b(self.key, b"EARSHOT CHALLENGE1", struct.pack("<q", challenge.utime), told(challenge))
         is_true = hmac.compare_digest(bytes(challenge.mark), true_mark) and bytes(challenge.vehicle) == self.vehicle
         if not is_true or self.mission not in (None, bytes(challenge.mission)):
