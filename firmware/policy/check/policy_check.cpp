@@ -152,7 +152,8 @@ PolicyFault fault_in_observation(const FrozenPolicy& policy) {
 
 PolicyFault fault_in_actions(const FrozenPolicy& policy) {
   if (!is_length(policy.step_length, kMostStep_m)) return PolicyFault::kOutOfRange;
-  return std::all_of(policy.actions.begin(), policy.actions.end(), is_unit) ? PolicyFault::kNone : PolicyFault::kNotFinite;
+  return std::ranges::all_of(policy.actions, [](const auto& action) { return is_unit(action); }) ? PolicyFault::kNone
+                                                                                                 : PolicyFault::kNotFinite;
 }
 
 PolicyFault fault_in_draw(ActionDraw draw) {
