@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
-#include <new>
+#include <memory>
 #include <span>
+#include <type_traits>
 #include <variant>
 
 #include "firmware/authority/tightened.hpp"
@@ -58,7 +59,8 @@ EndReason end_reason_of(config::Condition cause) {
 
 void Runtime::forget() {
   configured_ = false;
-  ::new (&progress_) Progress();  // where it lies: a second one would be the largest thing on the stack
+  static_assert(std::is_trivially_destructible_v<Progress>);
+  std::construct_at(&progress_);  // where it is: another would take most of a microcontroller's stack
   integrity_ = kIntact;
   seal_mission();
   seal();
