@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <memory>
 #include <span>
+#include <type_traits>
 #include <variant>
 
 #include "firmware/authority/tightened.hpp"
@@ -57,7 +59,8 @@ EndReason end_reason_of(config::Condition cause) {
 
 void Runtime::forget() {
   configured_ = false;
-  progress_ = Progress{};
+  static_assert(std::is_trivially_destructible_v<Progress>);
+  std::construct_at(&progress_);  // where it is: another would take most of a microcontroller's stack
   integrity_ = kIntact;
   seal_mission();
   seal();
@@ -154,10 +157,12 @@ void Runtime::take(Time arrival, std::uint8_t port, const messages::Navigation& 
   situation.navigation.hold(port, arrival);
   const messages::Navigation& fix = *situation.navigation.newest();
   situation.depth.take(fix, mission_.safety.vehicle);
-  if (is_to_move && !situation.navigation.newest_is_correction()) {
-    situation.place.take(fix, *situation.commanded, mission_.safety.vehicle);
-  } else {
+  if (!is_to_move) {
     situation.place.begin(fix);
+  } else if (situation.navigation.newest_is_correction()) {
+    situation.place.correct(fix);
+  } else {
+    situation.place.take(fix, *situation.commanded, mission_.safety.vehicle);
   }
   if (progress_.state == MissionState::kSearch && situation.navigation.newest_is_correction()) {
     situation.track.correct(*situation.navigation.newest());

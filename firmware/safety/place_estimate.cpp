@@ -81,6 +81,13 @@ void PlaceEstimate::take(const messages::Navigation& fix, const messages::Setpoi
   time_ = fix.time;
 }
 
+void PlaceEstimate::correct(const messages::Navigation& fix) {
+  by_log_.correct(fix);
+  by_order_.correct(fix);
+  each_second_ = each_second(fix.heading, fix.speed);
+  time_ = fix.time;
+}
+
 /// While a vehicle turns, or comes to its speed, it goes another way than it is told: half a circle instead of straight back misses 3.7 of
 /// its radii, of 3.1 that it sails, and a quarter 1.2 of 1.6.
 Meters PlaceEstimate::missed_way(const messages::Setpoint& told, double seconds, const config::VehicleLimits& vehicle) {

@@ -21,6 +21,8 @@ class DriftWatch {
   void begin(const messages::Navigation& fix);
   /// @param explained, uncertain  of the way since the last fix
   void take(const messages::Navigation& fix, NorthEast explained, Meters uncertain);
+  /// One that puts a dead reckoning right: what it jumps by is no way, and what came before counts on.
+  void correct(const messages::Navigation& fix) { take(fix, fix.position - position_, {}); }
   [[nodiscard]] Meters unexplained(MetersPerSecond current) const;
 
   static constexpr Meters kNoise{50.0};  ///< of two fixes
@@ -54,6 +56,9 @@ class PlaceEstimate {
   void begin(const messages::Navigation& fix);
   /// One that is believed, in the order of their dates, of a vehicle that is told to move.
   void take(const messages::Navigation& fix, const messages::Setpoint& told, const config::VehicleLimits& vehicle);
+
+  /// Likewise, one that puts a dead reckoning right.
+  void correct(const messages::Navigation& fix);
 
   [[nodiscard]] Meters unexplained(const config::VehicleLimits& vehicle) const;
 

@@ -11,7 +11,7 @@ bool has_direction(Fault fault) {
 }
 
 bool leads_away(Fault fault) {
-  return fault == Fault::kPositionDrift || fault == Fault::kWalkingNavigation;
+  return fault == Fault::kPositionDrift || fault == Fault::kWalkingNavigation || fault == Fault::kPausingNavigation;
 }
 
 NorthEast TimedFault::vector() const {

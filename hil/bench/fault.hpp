@@ -31,6 +31,7 @@ enum class Fault : std::uint8_t {
   kNavigationFlood,    ///< fixes of which every number is drawn
   kSecondNavigation,   ///< another inertial navigation, which believes that it is elsewhere
   kWalkingNavigation,  ///< one that believes itself to be carried away from where the vehicle is
+  kPausingNavigation,  ///< likewise, and silent for four of ten seconds
   kSecondAutopilot,    ///< another autopilot, which follows no set-point
   kAddressThief,       ///< a device with more rights that claims Earshot's address
   kStrangersOrder,     ///< a COMPLETE that is long out of date, given again and again
@@ -77,7 +78,7 @@ enum class Fault : std::uint8_t {
   kReadOnlyDisk,
   kNoRoom,  ///< the interface takes no more than so many frames a second, and the kernel refuses the others
 };
-inline constexpr std::size_t kFaults = 56;
+inline constexpr std::size_t kFaults = 57;
 inline constexpr std::size_t kFrameFaults = 11;  ///< the first of them
 
 /// On which buses there is such a fault.
@@ -113,6 +114,7 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
     {"navigation_flood", "messages_per_s", 1.0, 3.0, FaultBus::kLcm},
     {"second_navigation", "metres_off", 0.0, 1e6},
     {"walking_navigation", "mps", 0.0, 100.0, FaultBus::kLcm},
+    {"pausing_navigation", "mps", 0.0, 100.0, FaultBus::kLcm},
     {"second_autopilot", "", 0.0, 0.0, FaultBus::kCan},
     {"address_thief", "", 0.0, 0.0, FaultBus::kCan},
     {"strangers_order", ""},

@@ -1,15 +1,20 @@
 // Loaded into a program by LD_PRELOAD: a computer on which something is wrong. While the file of EARSHOT_TEST_DISK_IS_SICK is there, the
 // disk under journals and safety records (files that end with .lcmlog and .safety, but for those in a folder "memory") is sick in the way
 // of EARSHOT_TEST_DISK ("slow", "full", "read-only"). The wall clock is EARSHOT_TEST_CLOCK_S seconds ahead; with EARSHOT_TEST_BOOT (the
-// file of a boot id) the computer has started again twenty seconds ago.
+// file of a boot id) the computer has started again twenty seconds ago. EARSHOT_TEST_THREADS is how many threads the program may have
+// beside its first, EARSHOT_TEST_FILES how many open files.
 
+#include <dlfcn.h>
 #include <fcntl.h>
+#include <pthread.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstdarg>
 #include <cstddef>
@@ -21,6 +26,7 @@
 namespace {
 
 constexpr std::size_t kMostFiles = 1024;
+constexpr int kMostThreads = 1'000'000;
 std::array<bool, kMostFiles> is_on_disk{};  ///< and written
 std::array<bool, kMostFiles> is_read{};     ///< a journal
 std::array<off_t, kMostFiles> held{};       ///< bytes for which the disk has promised room
@@ -74,6 +80,15 @@ FILE* opened(const char* path, const char* mode) {
   const bool is_boot_id = boot != nullptr && std::string_view(path) == "/proc/sys/kernel/random/boot_id";
   const int file = ::open(is_boot_id ? boot : path, *mode == 'r' ? O_RDONLY | O_CLOEXEC : O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   return file < 0 ? nullptr : ::fdopen(file, mode);
+}
+
+/// Before the program begins.
+[[gnu::constructor]] void limit_files() {
+  const char* const files = std::getenv("EARSHOT_TEST_FILES");
+  if (files == nullptr) return;
+  const auto most = static_cast<rlim_t>(std::atol(files));
+  const rlimit limit{.rlim_cur = most, .rlim_max = most};
+  (void)::setrlimit(RLIMIT_NOFILE, &limit);
 }
 
 }  // namespace
@@ -147,6 +162,15 @@ FILE* fopen(const char* path, const char* mode) {
 
 FILE* fopen64(const char* path, const char* mode) {
   return opened(path, mode);
+}
+
+int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*work)(void*), void* with) {
+  static std::atomic<int> left{std::getenv("EARSHOT_TEST_THREADS") == nullptr ? kMostThreads
+                                                                              : std::atoi(std::getenv("EARSHOT_TEST_THREADS"))};
+  if (left-- <= 0) return EAGAIN;
+  using Create = int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*);
+  static const Create create = reinterpret_cast<Create>(::dlsym(RTLD_NEXT, "pthread_create"));
+  return create(thread, attributes, work, with);
 }
 
 int clock_gettime(clockid_t clock, timespec* now) noexcept {

@@ -78,6 +78,8 @@ void MissionTurn::take(std::uint8_t port, const Value& value) {
   if (order != nullptr && port != kOwnPort && !gate_.lets_through(*order, now(), is_aborted)) return ports_.count_lost(port);
   const messages::Input input{.arrival = now(), .port = port, .sequence = memory_.inputs, .value = value};
   memory_.note(input);
+  const auto* const fix = std::get_if<messages::Navigation>(&value);
+  if (safety_ != nullptr && fix != nullptr && messages::is_usable(*fix)) safety_->hear(*fix);
   const wire::InputRecord record(input);
   const messages::CommandOutcome outcome = core_.take(input);
   append(input.arrival, record.channel(), record.data(), weight_of(port, value, outcome));
@@ -141,6 +143,7 @@ runtime::Outputs MissionTurn::operator()() {
   write_ahead_of(outputs_, is_new_state);
   const bool is_durable = safety_ == nullptr || safety_->note(turn, outputs_, core_.mission(), patience_with_record());
   ports_.note_speed(is_finite(memory_.speed.value) ? memory_.speed : memory_.commanded_speed);
+  if (is_overtaken()) return outputs_;
   const std::uint64_t sent = ports_.setpoints_sent();
   ports_.publish(turn, as_told(is_durable));
   is_mute_ = outputs_.setpoint && ports_.carries_setpoints() && ports_.setpoints_sent() == sent;

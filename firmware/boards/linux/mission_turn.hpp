@@ -92,6 +92,10 @@ class MissionTurn final : public InputSink {
   [[nodiscard]] const runtime::Outputs& outputs() const { return outputs_; }
   /// Whether something has come since the last turn that is to be answered at once, where arrivals make turns: a fix, or an order.
   [[nodiscard]] bool is_called() const { return is_called_; }
+  /// Whether another process commands the vehicle by now, because this one hung: what the last turn said was not sent.
+  [[nodiscard]] bool is_overtaken() const { return safety_ != nullptr && safety_->is_overtaken(); }
+  /// Whether an ABORT or a leak has come since the last turn: for these none waits.
+  [[nodiscard]] bool is_urgent() const { return memory_.is_urgent; }
   /// Fixes taken so far, but for those without a date that the clock knows.
   [[nodiscard]] std::uint64_t navigation_taken() const { return memory_.navigation_taken; }
   [[nodiscard]] std::uint64_t snr_taken() const { return memory_.snr_taken; }

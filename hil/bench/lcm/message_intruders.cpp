@@ -1,6 +1,7 @@
 #include "hil/bench/lcm/message_intruders.hpp"
 
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -14,6 +15,9 @@ namespace {
 
 constexpr std::int32_t kStrangersNumber = 0xBAD;
 constexpr std::int8_t kNoOrder = 99;
+/// Shorter than the ten seconds for which the rules about a second sender wait, and the pause longer than a jump is remembered.
+constexpr double kSays_s = 6.0;
+constexpr double kPausesEach_s = 10.0;
 constexpr std::string_view kStrangeChannel = "SOMEBODY_ELSES_CAMERA";
 
 template <class Message>
@@ -67,8 +71,10 @@ void MessageIntruders::say(const TimedFault& fault, Time now, double passed_s, L
                                                    .speed = vehicle_.speed}),
              said);
       break;
-    case Fault::kWalkingNavigation: {
+    case Fault::kWalkingNavigation:
+    case Fault::kPausingNavigation: {
       const double seconds = (now - fault.from).to_seconds();
+      if (fault.fault == Fault::kPausingNavigation && std::fmod(seconds, kPausesEach_s) >= kSays_s) break;
       const NorthEast walked{fault.vector().north * seconds, fault.vector().east * seconds};
       say_on(wire::kNavStateChannel,
              wire::to_message(messages::Navigation{.time = now,

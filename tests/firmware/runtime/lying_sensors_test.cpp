@@ -107,6 +107,20 @@ TEST(LyingSensors, EndsASearchWhoseFixesSayOneSpeedAndMakeAnother) {
   EXPECT_LE(s, 25) << "50 m of noise, 4 m/s of a current that nobody told of, and ten seconds";
 }
 
+// 8 m/s, of which 4 m/s of a current that nobody told of and 0.4 m/s are explained: less than 50 m in the 15 s between two jumps, each of
+// which is believed as a dead reckoning that is put right.
+TEST(LyingSensors, EndsASearchWhosePlaceDriftsBetweenJumps) {
+  Rig rig = under_way();
+  int s = 0;
+  for (; s < 150 && rig.state() == MissionState::kSearch; ++s) {
+    rig.sail();
+    rig.position = rig.position + at(s % 15 == 14 ? -130.0 : -8.0, 0);
+  }
+  EXPECT_EQ(rig.state(), MissionState::kAbort);
+  EXPECT_TRUE(fires(rig.outputs, Condition::kPlaceUnexplained));
+  EXPECT_LE(s, 80);
+}
+
 TEST(LyingSensors, EndsASearchWhoseSetpointsDoNotLeave) {
   Rig rig = under_way();
   std::uint64_t unsent = 0;

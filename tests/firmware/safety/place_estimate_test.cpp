@@ -119,6 +119,34 @@ TEST_F(Places, ExplainsWhatAVehicleMissesWhileItTurnsAndOneThatIsATenthSlower) {
   }
 }
 
+// 1.5 m/s too fast, of which 0.8 are explained: 50 m in 72 s. Each half a minute a dead reckoning is put right by 30 m.
+TEST_F(Places, GoesOnToCountWhenADeadReckoningIsPutRight) {
+  PlaceEstimate estimate;
+  estimate.begin(fix(0, at(0, 0), 2.0));
+  int s = 1;
+  double jumped_m = 0.0;
+  for (; s < 3600 && !(estimate.unexplained(vehicle_) > Meters{0}); ++s) {
+    const NorthEast place = at(3.5 * s, s % 30 == 0 ? jumped_m += 30.0 : jumped_m);
+    if (s % 30 == 0) {
+      estimate.correct(fix(s, place, 2.0));
+    } else {
+      estimate.take(fix(s, place, 2.0), order(0.0), vehicle_);
+    }
+  }
+  EXPECT_GT(s, 70);
+  EXPECT_LT(s, 80);
+}
+
+TEST_F(Places, ExplainsTheJumpItselfOfADeadReckoningThatIsPutRight) {
+  PlaceEstimate estimate;
+  estimate.begin(fix(0, at(0, 0), 2.0));
+  for (int s = 1; s <= 3600; ++s) {
+    if (s == 1000) estimate.correct(fix(s, at(2.0 * s, 480), 2.0));
+    if (s != 1000) estimate.take(fix(s, at(2.0 * s, s < 1000 ? 0 : 480), 2.0), order(0.0), vehicle_);
+    ASSERT_EQ(estimate.unexplained(vehicle_), Meters{0}) << s;
+  }
+}
+
 TEST_F(Places, BeginsAnew) {
   PlaceEstimate estimate;
   estimate.begin(fix(0, at(0, 0), 2.0));

@@ -248,12 +248,16 @@ int fly(const Options& o, const board::HostClock& host, host::SafetyCopies* safe
 }
 
 int fly(const Options& o) {
-  board::require_possible(o);
+  const bool is_at_sea = !o.check && !o.simulation;
+  if (!is_at_sea) board::require_possible(o);
   if (o.check) return check(o);
   const board::HostClock host;
   if (o.simulation) return fly(o, host, nullptr);
   host::set_thread_stack(board::kThreadStackBytes);
-  return board::fly_at_sea(o, host, [&](host::SafetyCopies& safety) { return fly(o, host, &safety); });
+  return board::fly_at_sea(o, host, [&](host::SafetyCopies& safety) {
+    board::require_possible(o);  // options that do not go together are no reason either to leave a vehicle alone
+    return fly(o, host, &safety);
+  });
 }
 
 }  // namespace

@@ -57,6 +57,10 @@ int report(const LoopResult& result, const Clock& clock, const PortSet& ports, c
       std::cerr << "earshotd: lost " << clock.lost() << after << ", in " << state << "; "
                 << (journal.empty() ? kept : "journal up to then: " + file) << "\n";
       return program::kLost;
+    case LoopEnd::kOvertaken:
+      std::cerr << "earshotd: this program hung" << after << ", in " << state
+                << ", and another commands the vehicle since then; journal up to then: " << kept << "\n";
+      return program::kLost;
   }
   return program::kLost;
 }
