@@ -22,8 +22,10 @@ Meters moved(Meters from, Meters to, Meters down, Meters up) {
 }  // namespace
 
 void DepthEstimate::tell(Time now, const messages::Setpoint& setpoint, const config::VehicleLimits& vehicle) {
+  const bool was_left_alone = is_left_alone(now);
+  if (was_left_alone) told_speed_ = MetersPerSecond{};  // nobody knows that it came up meanwhile
   if (told_at_) pass(now - *told_at_, vehicle);
-  if (!told_at_ || !(told_ == setpoint.depth)) {
+  if (!told_at_ || was_left_alone || !(told_ == setpoint.depth)) {
     allowed_ = std::max(allowed_, between(depth_, setpoint.depth) + kOff);
     turning_ = kToTurn;
     turn_up(vehicle);

@@ -16,8 +16,8 @@ namespace earshot::safety {
 ///   deepest' = kFastestSink down to the depth that it is told; up to it nothing for kToTurn, and then ascent_rate, while it is told a
 ///   speed at which it comes up; no less than two fixes in a row say, until it is told to come up, or when they say that it goes down again
 ///   by kSinksAgain
-///   unexplained = |depth - told| - allowed;   allowed begins where an order finds the vehicle, kOff further, and after kToTurn shrinks by
-///   kSlowestDive to kOff
+///   unexplained = |depth - told| - allowed;   allowed begins where an order finds the vehicle (a new one, or the first after it was left
+///   alone), kOff further, and after kToTurn shrinks by kSlowestDive to kOff
 class DepthEstimate {
  public:
   DepthEstimate() = default;
@@ -39,12 +39,15 @@ class DepthEstimate {
   [[nodiscard]] static Meters while_it_turns_up(Meters depth);
   /// How much further from the depth that it is told the vehicle says that it is than one which obeys can be.
   [[nodiscard]] Meters unexplained() const;
+  /// Whether nobody has told it anything for so long that it may have stopped, and come up by itself: in an outage.
+  [[nodiscard]] bool is_left_alone(Time now) const { return told_at_ && now - *told_at_ > kLeftAlone; }
 
   static constexpr MetersPerSecond kFastestSink{3.0};  ///< heavy, or at full speed and steeply
   static constexpr MetersPerSecond kSlowestDive{0.05};
   static constexpr Duration kToTurn = Duration::seconds(60);
   static constexpr Meters kOff{25.0};  ///< of sensor and control, and as deep as a vehicle may get while it turns up
   static constexpr Meters kSinksAgain{2.0};
+  static constexpr Duration kLeftAlone = Duration::seconds(5);  ///< no autopilot waits shorter for a set-point
   static constexpr Duration kLongestHalt = Duration::seconds(600);
   static constexpr Duration kRest = Duration::seconds(3000);
 

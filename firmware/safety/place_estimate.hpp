@@ -52,7 +52,7 @@ class DriftWatch {
 /// the current and that share cannot be told from the current.
 class PlaceEstimate {
  public:
-  /// Of a fix that goes on from none, or of a vehicle that is not told to move and may be carried.
+  /// Of a fix that goes on from none, or of a vehicle that is not told to move, or was told nothing, and may be carried.
   void begin(const messages::Navigation& fix);
   /// One that is believed, in the order of their dates, of a vehicle that is told to move.
   void take(const messages::Navigation& fix, const messages::Setpoint& told, const config::VehicleLimits& vehicle);

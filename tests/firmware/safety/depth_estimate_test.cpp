@@ -235,6 +235,33 @@ TEST_F(Depths, ExplainsNoDepthThatLeavesItsOrder) {
   EXPECT_EQ(estimate_.unexplained(), Meters{275});
 }
 
+// In an outage of five minutes an autopilot lets it come up by 120 m.
+TEST_F(Depths, ExplainsWhereTheFirstOrderAfterAnOutageFindsIt) {
+  seconds(200, 300, 300);
+  now_ = now_ + Duration::seconds(5);
+  EXPECT_FALSE(estimate_.is_left_alone(now_));
+  now_ = now_ + Duration::seconds(295);
+  EXPECT_TRUE(estimate_.is_left_alone(now_));
+  for (int s = 0; s < 300; ++s) {
+    second(300, 180.0 + 0.4 * s);
+    ASSERT_EQ(estimate_.unexplained(), Meters{0}) << s;
+  }
+  seconds(2400, 300, 300);
+  second(300, 180);
+  EXPECT_EQ(estimate_.unexplained(), Meters{95}) << "no longer";
+}
+
+// It needs speed to come up, and was told none for ten minutes: it is where it was.
+TEST_F(Depths, CountsNoTimeInWhichNobodyToldItToComeUp) {
+  seconds(200, 300, 300);
+  seconds(100, 0, 0, 1);
+  const Meters before = estimate_.deepest();
+  now_ = now_ + Duration::seconds(600);
+  second(0, 0, 1);
+  EXPECT_EQ(estimate_.deepest(), before);
+  EXPECT_FALSE(estimate_.is_up(vehicle_));
+}
+
 TEST_F(Depths, AsksNobodyToDiveWhoIsToldToStop) {
   second(300, 0);
   seconds(5000, 300, 0, 0);
