@@ -11,6 +11,7 @@
 #include "firmware/messages/operator_command.hpp"
 #include "firmware/messages/port_report.hpp"
 #include "firmware/messages/snr_measurement.hpp"
+#include "firmware/messages/unsent_setpoints.hpp"
 #include "firmware/messages/vehicle_status.hpp"
 
 namespace earshot::messages {
@@ -22,7 +23,7 @@ struct Input {
   std::uint8_t port = 0;       ///< index of the port that brought it
   std::uint64_t sequence = 0;  ///< counts the inputs of all ports, from 0
   std::variant<Navigation, SnrMeasurement, OperatorCommand, PortReport, VehicleStatus, AutopilotStatus, HydrophoneStatus,
-               BearingMeasurement>
+               BearingMeasurement, UnsentSetpoints>
       value;
 };
 

@@ -4,7 +4,7 @@
 
 namespace earshot::messages {
 
-/// Port 0 of every input: this computer itself. Its report is its journal's; `malformed` counts the set-points that no port could send.
+/// Port 0 of every input: this computer itself. Its report is its journal's.
 inline constexpr std::uint8_t kOwnPort = 0;
 
 /// What one port says of itself; counters only grow. A hydrophone's counts samples of one channel where others count messages handed on

@@ -138,6 +138,7 @@ messages::CommandOutcome Runtime::judge(const messages::Input& input) {
   if (const auto* command = std::get_if<messages::OperatorCommand>(&input.value))
     outcome = take_command(input.arrival, input.port, *command);
   if (const auto* report = std::get_if<messages::PortReport>(&input.value)) take(*report);
+  if (std::holds_alternative<messages::UnsentSetpoints>(input.value)) progress_.is_mute = true;
   safety::Situation& situation = progress_.situation;
   if (const auto* status = std::get_if<messages::VehicleStatus>(&input.value))
     take_status(input.arrival, messages::usable_part_of(*status), situation.vehicle);
@@ -200,12 +201,10 @@ void Runtime::take(Time arrival, std::uint8_t port, const messages::BearingMeasu
 void Runtime::take(const messages::PortReport& report) {
   for (messages::PortReport& known : progress_.ports) {
     if (known.port == report.port) {
-      if (report.port == messages::kOwnPort && report.malformed > known.malformed) progress_.is_mute = true;
       known = report;
       return;
     }
   }
-  if (report.port == messages::kOwnPort && report.malformed > 0) progress_.is_mute = true;
   static_cast<void>(progress_.ports.push_back(report));  // a report of a port that cannot be: there is room for each that can
 }
 

@@ -181,20 +181,12 @@ void MissionTurn::report_journal(Time now) {
   if (is_fine == memory_.reports[kOwnPort].link_up || (is_fine && now < journal_up_due_)) return;
   const host::JournalCounters counters = journal_ == nullptr ? host::JournalCounters{} : journal_->counters();
   journal_up_due_ = now + kJournalDownAtLeast;
-  take(kOwnPort, messages::PortReport{.port = kOwnPort,
-                                      .link_up = is_fine,
-                                      .lost = counters.all_lost(),
-                                      .malformed = memory_.reports[kOwnPort].malformed,
-                                      .unsent = counters.write_errors});
+  take(kOwnPort, messages::PortReport{.port = kOwnPort, .link_up = is_fine, .lost = counters.all_lost(), .unsent = counters.write_errors});
 }
 
 /// That the last turn's set-point could not be sent: the supervisor counts how long that lasts.
 void MissionTurn::report_mute() {
-  if (!is_mute_) return;
-  messages::PortReport report = memory_.reports[kOwnPort];
-  report.port = kOwnPort;
-  ++report.malformed;
-  take(kOwnPort, report);
+  if (is_mute_) take(kOwnPort, messages::UnsentSetpoints{.count = memory_.unsent_setpoints + 1});
 }
 
 const runtime::Outputs& MissionTurn::as_told(bool is_durable) {

@@ -23,6 +23,7 @@ void TurnMemory::note(const messages::Input& input) {
     if (navigation->time >= Time{}) ++navigation_taken;
   }
   if (std::holds_alternative<messages::SnrMeasurement>(input.value)) ++snr_taken;
+  if (const auto* unsent = std::get_if<messages::UnsentSetpoints>(&input.value)) unsent_setpoints = unsent->count;
   const auto* report = std::get_if<messages::PortReport>(&input.value);
   if (report != nullptr && input.port < reports.size()) reports[input.port] = *report;
 }

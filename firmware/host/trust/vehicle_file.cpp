@@ -1,10 +1,10 @@
 #include "firmware/host/trust/vehicle_file.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <system_error>
-
-#include "firmware/host/toml/table_reader.hpp"
 
 namespace earshot::host {
 namespace {
@@ -14,7 +14,6 @@ constexpr const char* kMissionKeys = "mission_keys";
 constexpr const char* kRequire = "require_signed_mission";
 constexpr const char* kCounter = "counter_file";
 constexpr const char* kCommandKey = "command_key_file";
-constexpr const char* kVehicleId = "vehicle_id";
 
 std::vector<TrustedKey> read_keys(TableReader& trust, const char* name, const TomlFile& toml) {
   std::vector<TrustedKey> keys;
@@ -32,6 +31,14 @@ std::vector<TrustedKey> read_keys(TableReader& trust, const char* name, const To
   return keys;
 }
 
+bool is_vehicle_id(std::string_view text) {
+  constexpr std::size_t kLongest = 32;
+  const auto fits = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+  };
+  return text.size() <= kLongest && std::ranges::all_of(text, fits);
+}
+
 }  // namespace
 
 VehicleFile load_vehicle(const std::filesystem::path& path) {
@@ -46,18 +53,18 @@ VehicleFile load_vehicle(const std::filesystem::path& path) {
   if (vehicle.requires_signed_mission || trust.has(kMissionKeys)) vehicle.mission_keys = read_keys(trust, kMissionKeys, toml);
   if (vehicle.requires_signed_mission || trust.has(kCounter)) vehicle.counter_file = toml.resolve(trust.text(kCounter));
   if (trust.has(kCommandKey)) vehicle.command_key_file = toml.resolve(trust.text(kCommandKey));
-  vehicle.vehicle_id = trust.text_or(kVehicleId, "");
-  if (trust.has(kVehicleId) && !trust.is_noted(kVehicleId) && !is_vehicle_id(vehicle.vehicle_id)) trust.problem(kVehicleId, kVehicleIdRule);
+  vehicle.vehicle_id = read_vehicle_id(trust);
   vehicle.accepts_old_marks = trust.boolean_or("accept_old_marks", false);
   toml.finish();
   return vehicle;
 }
 
-bool is_vehicle_id(std::string_view text) {
-  const auto fits = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
-  };
-  return !text.empty() && text.size() <= kLongestVehicleId && std::ranges::all_of(text, fits);
+std::string read_vehicle_id(TableReader& table) {
+  constexpr const char* kKey = "vehicle_id";
+  std::string named = table.text_or(kKey, "");
+  if (named.empty() || is_vehicle_id(named)) return named;
+  table.problem(kKey, "must be 1 to 32 letters, digits, '-', '_' or '.'");
+  return {};
 }
 
 std::vector<std::filesystem::path> files_of(const VehicleFile& vehicle) {

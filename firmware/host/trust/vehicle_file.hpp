@@ -1,12 +1,11 @@
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "firmware/host/toml/table_reader.hpp"
 #include "firmware/host/trust/key_file.hpp"
 
 namespace earshot::host {
@@ -26,9 +25,9 @@ struct VehicleFile {
   bool accepts_old_marks = false;                         ///< of orders: made without the vehicle's challenge
 };
 
-inline constexpr std::size_t kLongestVehicleId = 32;
-inline constexpr const char* kVehicleIdRule = "must be 1 to 32 letters, digits, '-', '_' or '.'";
-[[nodiscard]] bool is_vehicle_id(std::string_view text);
+/// The name under `vehicle_id` of a vehicle's configuration or of a mission. Empty: there is none, or what is there can be none, which is
+/// noted.
+[[nodiscard]] std::string read_vehicle_id(TableReader& table);
 
 /// @throws BadInput with everything that is wrong with the file, and for a trusted key that is none.
 [[nodiscard]] VehicleFile load_vehicle(const std::filesystem::path& path);

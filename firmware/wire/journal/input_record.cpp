@@ -1,6 +1,8 @@
 #include "firmware/wire/journal/input_record.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <variant>
 
 #include "firmware/config/capacities.hpp"
@@ -11,50 +13,40 @@ namespace earshot::wire {
 namespace {
 
 using messages::Input;
+using Value = decltype(Input::value);
+
+/// In the order of the alternatives of a value; the channel of its kind on the bus, where there is one.
+constexpr std::array<std::string_view, std::variant_size_v<Value>> kChannels{
+    kNavStateChannel,        kSnrEstimateChannel,      kOperatorCommandChannel, kPortReportChannel,     kVehicleStatusChannel,
+    kAutopilotStatusChannel, kHydrophoneStatusChannel, kBearingChannel,         kUnsentSetpointsChannel};
 
 Encoded encode(const Input& input) {
   return std::visit([](const auto& value) { return Encoded(to_message(value)); }, input.value);
 }
 
-/// By the kind of value; the channel of its kind on the bus.
-constexpr std::string_view channel_of(const messages::Navigation&) {
-  return kNavStateChannel;
-}
-constexpr std::string_view channel_of(const messages::SnrMeasurement&) {
-  return kSnrEstimateChannel;
-}
-constexpr std::string_view channel_of(const messages::BearingMeasurement&) {
-  return kBearingChannel;
-}
-constexpr std::string_view channel_of(const messages::OperatorCommand&) {
-  return kOperatorCommandChannel;
-}
-constexpr std::string_view channel_of(const messages::PortReport&) {
-  return kPortReportChannel;
-}
-constexpr std::string_view channel_of(const messages::VehicleStatus&) {
-  return kVehicleStatusChannel;
-}
-constexpr std::string_view channel_of(const messages::AutopilotStatus&) {
-  return kAutopilotStatusChannel;
-}
-constexpr std::string_view channel_of(const messages::HydrophoneStatus&) {
-  return kHydrophoneStatusChannel;
+template <std::size_t kKind>
+Status read(std::span<const std::uint8_t> data, Value& value) {
+  decltype(to_message(std::variant_alternative_t<kKind, Value>{})) message{};
+  if (const Status status = decode(data, message); status != Status::kOk) return status;
+  value.emplace<kKind>(from_message(message));
+  return Status::kOk;
 }
 
-template <class Message>
-Status read(std::span<const std::uint8_t> data, Input& input) {
-  Message message{};
-  if (const Status status = decode(data, message); status != Status::kOk) return status;
-  input.value = from_message(message);
-  return Status::kOk;
+/// Without calls through pointers, whose stack no compiler knows.
+template <std::size_t kKind = 0>
+Status read(std::size_t kind, std::span<const std::uint8_t> data, Value& value) {
+  if constexpr (kKind < std::variant_size_v<Value>) {
+    return kind == kKind ? read<kKind>(data, value) : read<kKind + 1>(kind, data, value);
+  } else {
+    return Status::kUnsupported;
+  }
 }
 
 }  // namespace
 
 InputRecord::InputRecord(const Input& input) : encoded_(encode(input)) {
   static_assert(config::kMaxPorts <= 10, "one digit");
-  const std::string_view channel = std::visit([](const auto& value) { return channel_of(value); }, input.value);
+  const std::string_view channel = kChannels[input.value.index()];
   const auto end = std::copy(channel.begin(), channel.end(), channel_.begin());
   end[0] = '.';
   end[1] = static_cast<char>('0' + input.port);
@@ -69,15 +61,8 @@ Status read_input(std::string_view channel, Time time, std::span<const std::uint
   input.port = static_cast<std::uint8_t>(port);
   input.sequence = sequence;
   const std::string_view kind = channel.substr(0, channel.size() - 2);
-  if (kind == kNavStateChannel) return read<nav_state_t>(data, input);
-  if (kind == kSnrEstimateChannel) return read<snr_estimate_t>(data, input);
-  if (kind == kBearingChannel) return read<bearing_t>(data, input);
-  if (kind == kOperatorCommandChannel) return read<operator_command_t>(data, input);
-  if (kind == kPortReportChannel) return read<port_report_t>(data, input);
-  if (kind == kVehicleStatusChannel) return read<vehicle_status_t>(data, input);
-  if (kind == kAutopilotStatusChannel) return read<autopilot_status_t>(data, input);
-  if (kind == kHydrophoneStatusChannel) return read<hydrophone_status_t>(data, input);
-  return Status::kUnsupported;
+  const auto known = static_cast<std::size_t>(std::ranges::find(kChannels, kind) - kChannels.begin());
+  return read(known, data, input.value);
 }
 
 }  // namespace earshot::wire

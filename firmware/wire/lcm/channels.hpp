@@ -32,6 +32,7 @@ inline constexpr std::string_view kTablesChannel = "EARSHOT_TABLES";    ///< byt
 /// setpoint_t; not kSetpointChannel, so that a journal that is played back to a bus steers no autopilot
 inline constexpr std::string_view kJournalledSetpointChannel = "EARSHOT_SETPOINT.0";
 inline constexpr std::string_view kPortReportChannel = "EARSHOT_PORT_REPORT";                ///< port_report_t
+inline constexpr std::string_view kUnsentSetpointsChannel = "EARSHOT_UNSENT_SETPOINTS";      ///< unsent_setpoints_t
 inline constexpr std::string_view kControllerTroubleChannel = "EARSHOT_CONTROLLER_TROUBLE";  ///< controller_trouble_t
 inline constexpr std::string_view kJournalEndChannel = "EARSHOT_JOURNAL_END";                ///< journal_end_t
 inline constexpr std::string_view kJournalPartChannel = "EARSHOT_JOURNAL_PART";              ///< journal_part_t

@@ -152,6 +152,12 @@ port_report_t to_message(const messages::PortReport& report) {
   return m;
 }
 
+unsent_setpoints_t to_message(const messages::UnsentSetpoints& unsent) {
+  unsent_setpoints_t m{};
+  m.count = static_cast<std::int64_t>(unsent.count);
+  return m;
+}
+
 setpoint_t to_message(const messages::Setpoint& setpoint, Time now) {
   setpoint_t m{};
   m.utime = now.us;
@@ -356,6 +362,10 @@ messages::PortReport from_message(const port_report_t& m) {
           .lost = static_cast<std::uint64_t>(m.lost),
           .malformed = static_cast<std::uint64_t>(m.malformed),
           .unsent = static_cast<std::uint64_t>(m.unsent)};
+}
+
+messages::UnsentSetpoints from_message(const unsent_setpoints_t& m) {
+  return {.count = static_cast<std::uint64_t>(m.count)};
 }
 
 config::Mission from_message(const mission_t& m) {

@@ -18,6 +18,7 @@
 #include "earshot/safety_event_t.hpp"
 #include "earshot/setpoint_t.hpp"
 #include "earshot/snr_estimate_t.hpp"
+#include "earshot/unsent_setpoints_t.hpp"
 #include "earshot/vehicle_status_t.hpp"
 #include "firmware/config/mission.hpp"
 #include "firmware/core/time.hpp"
@@ -34,6 +35,7 @@
 #include "firmware/messages/setpoint.hpp"
 #include "firmware/messages/snr_measurement.hpp"
 #include "firmware/messages/sound_detection.hpp"
+#include "firmware/messages/unsent_setpoints.hpp"
 #include "firmware/messages/vehicle_status.hpp"
 
 namespace earshot::wire {
@@ -52,6 +54,7 @@ namespace earshot::wire {
 [[nodiscard]] command_acknowledgement_t to_message(const messages::CommandAcknowledgement& acknowledgement);
 [[nodiscard]] challenge_t to_message(const messages::ToldChallenge& told);
 [[nodiscard]] port_report_t to_message(const messages::PortReport& report);
+[[nodiscard]] unsent_setpoints_t to_message(const messages::UnsentSetpoints& unsent);
 [[nodiscard]] setpoint_t to_message(const messages::Setpoint& setpoint, Time now);
 [[nodiscard]] decision_t to_message(const messages::Decision& decision);
 [[nodiscard]] detection_t to_message(const messages::SoundDetection& detection);
@@ -73,6 +76,7 @@ namespace earshot::wire {
 [[nodiscard]] messages::ToldChallenge from_message(const challenge_t& message);
 [[nodiscard]] messages::Setpoint from_message(const setpoint_t& message);
 [[nodiscard]] messages::PortReport from_message(const port_report_t& message);
+[[nodiscard]] messages::UnsentSetpoints from_message(const unsent_setpoints_t& message);
 [[nodiscard]] config::Mission from_message(const mission_t& message);
 
 }  // namespace earshot::wire

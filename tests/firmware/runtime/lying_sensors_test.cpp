@@ -142,8 +142,7 @@ TEST(LyingSensors, EndsASearchWhoseSetpointsDoNotLeave) {
   Rig rig = under_way();
   std::uint64_t unsent = 0;
   const auto second = [&](bool is_mute) {
-    unsent += is_mute ? 1 : 0;
-    rig.take(messages::PortReport{.port = messages::kOwnPort, .malformed = unsent});
+    if (is_mute) rig.take(messages::UnsentSetpoints{.count = ++unsent});
     rig.sail();
   };
   for (int s = 0; s < 10; ++s) second(true);

@@ -121,7 +121,11 @@ void judge(std::span<const std::uint8_t> bytes) {
         }
         break;
       case 6:
-        give(runtime, input, later, wire::to_message(messages::PortReport{}));
+        if (kind < 128) {
+          give(runtime, input, later, wire::to_message(messages::PortReport{}));
+        } else {
+          give(runtime, input, later, wire::to_message(messages::UnsentSetpoints{}));
+        }
         break;
       case 7:
         read_mission(input);

@@ -210,16 +210,16 @@ void Timeline::note_content(const controller_trouble_t& trouble, const Record& /
 void Timeline::note_input(const messages::PortReport& report, std::uint8_t /*port*/) {
   if (report.port >= ports_.size()) return;
   Port& port = ports_.at(report.port);
-  // Port 0 is the program's own: its journal, and whether set-points leave.
-  if (report.port == messages::kOwnPort && report.malformed > 0 && mute_.is_news(report.malformed))
-    warn("so far " + std::to_string(report.malformed) + " set-points could not be sent");
   const std::string name = report.port == 0 ? "the journal: " : "port " + std::to_string(report.port) + ": ";
   if (port.is_down.changes_to(!report.link_up))
     tell(report.link_up ? Severity::kInformation : Severity::kWarning, name + link_to_string(report));
-  const std::uint64_t malformed = report.port == messages::kOwnPort ? 0 : report.malformed;
-  if (port.failures.is_news(report.lost + malformed + report.unsent))
-    warn(name + "so far " + std::to_string(report.lost) + " lost, " + std::to_string(malformed) + " malformed and " +
+  if (port.failures.is_news(report.lost + report.malformed + report.unsent))
+    warn(name + "so far " + std::to_string(report.lost) + " lost, " + std::to_string(report.malformed) + " malformed and " +
          std::to_string(report.unsent) + " not sent");
+}
+
+void Timeline::note_input(const messages::UnsentSetpoints& unsent, std::uint8_t /*port*/) {
+  if (unsent_setpoints_.is_news(unsent.count)) warn("so far " + counted(unsent.count, "set-point") + " could not be sent");
 }
 
 void Timeline::note_input(const messages::VehicleStatus& status, std::uint8_t /*port*/) {

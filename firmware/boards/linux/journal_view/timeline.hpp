@@ -99,6 +99,7 @@ class Timeline {
   void note_content(const controller_trouble_t& trouble, const Record& record);
 
   void note_input(const messages::PortReport& report, std::uint8_t port);
+  void note_input(const messages::UnsentSetpoints& unsent, std::uint8_t port);
   void note_input(const messages::VehicleStatus& status, std::uint8_t port);
   void note_input(const messages::AutopilotStatus& status, std::uint8_t port);
   void note_input(const messages::HydrophoneStatus& status, std::uint8_t port);
@@ -112,7 +113,6 @@ class Timeline {
     Told<bool> is_down;
     Grown failures;  ///< messages lost, malformed or not sent
   };
-  Grown mute_;  ///< set-points that could not be sent
 
   std::vector<Event> events_;  ///< of the entry that is taken
   std::deque<Order> orders_;   ///< that were told
@@ -138,6 +138,7 @@ class Timeline {
   Grown bearings_refused_;
   Grown bearings_of_others_;
   Grown unreadable_;
+  Grown unsent_setpoints_;
   std::array<Port, config::kMaxPorts + 1> ports_{};
 };
 

@@ -10,7 +10,6 @@ namespace earshot::host {
 namespace {
 
 constexpr const char* kCommandKeyFile = "key_file";
-constexpr const char* kVehicleId = "vehicle_id";
 constexpr const char* kAcceptOldMarks = "accept_old_marks";
 constexpr const char* kAutopilotTimeout = "autopilot_timeout_s";
 
@@ -37,13 +36,11 @@ void read_key(TableReader& table, const TomlFile& toml, const VehicleTrust* vehi
                       vehicle->said_in + ", which names none");
 }
 
-void read_vehicle_id(TableReader& table, const VehicleTrust* vehicle, std::string& vehicle_id) {
-  if (!table.has(kVehicleId)) return;
-  const std::string named = table.text(kVehicleId);
-  if (table.is_noted(kVehicleId)) return;
-  if (!is_vehicle_id(named)) return table.problem(kVehicleId, kVehicleIdRule);
+void take_vehicle_id(TableReader& table, const VehicleTrust* vehicle, std::string& vehicle_id) {
+  const std::string named = read_vehicle_id(table);
+  if (named.empty()) return;
   if (!vehicle_id.empty() && named != vehicle_id)
-    table.problem(kVehicleId, "is another vehicle: this one is \"" + vehicle_id + "\" (trust.vehicle_id in " + vehicle->said_in + ")");
+    table.problem("vehicle_id", "is another vehicle: this one is \"" + vehicle_id + "\" (trust.vehicle_id in " + vehicle->said_in + ")");
   vehicle_id = named;
 }
 
@@ -73,7 +70,7 @@ void read_authority(TableReader root, const TomlFile& toml, const authority::Sha
       file.mission.authority.autopilot_timeout = {std::llround(timeout_s * 1e6)};
     }
     read_key(*table, toml, vehicle, file);
-    read_vehicle_id(*table, vehicle, vehicle_id);
+    take_vehicle_id(*table, vehicle, vehicle_id);
     read_old_marks(*table, vehicle, file);
   }
   if (vehicle != nullptr) take_vehicles_key(*vehicle, file);

@@ -12,7 +12,7 @@
 namespace earshot::host {
 
 /// Of this start of a program: its nonce is drawn from the system's random source.
-/// @param vehicle_id  as is_vehicle_id() allows, or empty
+/// @param vehicle_id  as read_vehicle_id() gives it
 [[nodiscard]] messages::Challenge new_challenge(std::string_view vehicle_id, const authority::Sha256& mission);
 
 /// The name of the vehicle that a challenge is of; empty: it has none.

@@ -11,11 +11,13 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "earshot/controller_trouble_t.hpp"
+#include "earshot/unsent_setpoints_t.hpp"
 #include "firmware/boards/linux/news/flight_news.hpp"
 #include "firmware/boards/linux/news/line_writer.hpp"
 #include "firmware/boards/linux/port_set.hpp"
@@ -78,6 +80,19 @@ class MissionTurnTest : public testing::Test {
     return port_->speed_mps;
   }
 
+  /// The records of a channel.
+  template <class Message>
+  [[nodiscard]] std::vector<Message> journalled(std::string_view channel) {
+    EXPECT_EQ(journal_.flush(), Status::kOk);
+    std::vector<Message> messages;
+    host::JournalReader reader(folder_ / "journal");
+    for (host::JournalRecord record; reader.next(record);) {
+      if (record.channel != channel) continue;
+      EXPECT_EQ(wire::decode(record.data, messages.emplace_back()), Status::kOk);
+    }
+    return messages;
+  }
+
   [[nodiscard]] bool is_own_port_up() const {
     return std::ranges::none_of(turn_.outputs().health.ports,
                                 [](const auto& report) { return report.port == kOwnPort && !report.link_up; });
@@ -122,6 +137,18 @@ TEST_F(MissionTurnTest, EndsASearchWhoseSetpointsNoPortCanSend) {
   EXPECT_EQ(port_->state, messages::MissionState::kAbort);
 }
 
+// Who reads a port's `malformed` looks for a device that sends what nobody understands.
+TEST_F(MissionTurnTest, CountsNoSetpointThatCouldNotBeSentAsABadMessage) {
+  (void)told_after(1.25);
+  turn_.take(0, runtime::command_of(messages::Order::kStart, clock_.time, 1));
+  port_->can_send = false;
+  for (int s = 0; s < 5; ++s) (void)told_after(1.25);
+  for (const messages::PortReport& report : turn_.outputs().health.ports) EXPECT_EQ(report.malformed, 0U) << int{report.port};
+  std::vector<std::int64_t> counts;
+  for (const auto& unsent : journalled<unsent_setpoints_t>("EARSHOT_UNSENT_SETPOINTS.0")) counts.push_back(unsent.count);
+  EXPECT_EQ(counts, (std::vector<std::int64_t>{1, 2, 3, 4})) << "each in the turn after it";
+}
+
 TEST_F(MissionTurnTest, PassesOverTheSpeedOfAFixThatCannotBe) {
   EXPECT_EQ(told_after(1.25), 1.25);
   EXPECT_EQ(told_after(std::numeric_limits<double>::infinity()), 1.25);
@@ -136,16 +163,10 @@ TEST_F(MissionTurnTest, WritesTheTroublesOfACanControllerIntoItsJournalAndNoneTh
   turn_.tell_trouble(1, BusTrouble::kErrorPassive, false);
   turn_.tell_trouble(1, BusTrouble::kBusOff, true);
   (void)told_after(1.25);
-  ASSERT_EQ(journal_.flush(), Status::kOk);
   std::vector<std::string> said;
-  host::JournalReader reader(folder_ / "journal");
-  for (host::JournalRecord record; reader.next(record);) {
-    controller_trouble_t trouble{};
-    if (record.channel != "EARSHOT_CONTROLLER_TROUBLE") continue;
-    ASSERT_EQ(wire::decode(record.data, trouble), Status::kOk);
+  for (const auto& trouble : journalled<controller_trouble_t>("EARSHOT_CONTROLLER_TROUBLE"))
     said.push_back(std::to_string(trouble.port) + (trouble.trouble == 1 ? " bus-off " : " passive ") +
                    (trouble.is_there != 0 ? "begins" : "ends"));
-  }
   EXPECT_EQ(said, (std::vector<std::string>{"1 passive begins", "1 passive ends", "1 bus-off begins"}));
 }
 

@@ -48,16 +48,31 @@ const Input kBearing{
                                           .bearing = {.direction = Radians{1.5}, .deviation = Radians{0.25}, .mirror_axis = Radians{0.75}},
                                           .sender = 4'000'000'000}};
 
+const Input kVehicle{
+    .arrival = Time{76},
+    .port = 4,
+    .sequence = 18,
+    .value = messages::VehicleStatus{.time = Time{9}, .altitude = Meters{12.5}, .battery_percent = 80.5, .has_leak = true}};
+const Input kAutopilot{
+    .arrival = Time{77}, .port = 5, .sequence = 19, .value = messages::AutopilotStatus{.time = Time{10}, .follows_setpoints = true}};
+const Input kHydrophone{
+    .arrival = Time{78}, .port = 6, .sequence = 20, .value = messages::HydrophoneStatus{.time = Time{11}, .is_deaf = true}};
+const Input kUnsent{.arrival = Time{75}, .port = 0, .sequence = 17, .value = messages::UnsentSetpoints{.count = 5'000'000'000}};
+
 TEST(InputRecord, LiesOnTheChannelOfItsKindWithThePortBehindADot) {
   EXPECT_EQ(InputRecord(kFix).channel(), "EARSHOT_NAV_STATE.1");
   EXPECT_EQ(InputRecord(kLook).channel(), "EARSHOT_SNR_ESTIMATE.0");
   EXPECT_EQ(InputRecord(kCommand).channel(), "EARSHOT_OPERATOR_COMMAND.7");
   EXPECT_EQ(InputRecord(kReport).channel(), "EARSHOT_PORT_REPORT.2");
   EXPECT_EQ(InputRecord(kBearing).channel(), "EARSHOT_BEARING.3");
+  EXPECT_EQ(InputRecord(kVehicle).channel(), "EARSHOT_VEHICLE_STATUS.4");
+  EXPECT_EQ(InputRecord(kAutopilot).channel(), "EARSHOT_AUTOPILOT_STATUS.5");
+  EXPECT_EQ(InputRecord(kHydrophone).channel(), "EARSHOT_HYDROPHONE_STATUS.6");
+  EXPECT_EQ(InputRecord(kUnsent).channel(), "EARSHOT_UNSENT_SETPOINTS.0");
 }
 
 TEST(InputRecord, IsReadBackAsTheInputThatItWas) {
-  for (const Input& input : {kFix, kLook, kCommand, kReport, kBearing}) {
+  for (const Input& input : {kFix, kLook, kCommand, kReport, kVehicle, kAutopilot, kHydrophone, kBearing, kUnsent}) {
     const InputRecord record(input);
     Input read;
     ASSERT_EQ(read_input(record.channel(), input.arrival, record.data(), input.sequence, read), Status::kOk) << record.channel();
@@ -85,7 +100,7 @@ TEST(InputRecord, IsMalformedWhenItsBytesAreNotOfItsChannelsType) {
   const InputRecord fix(kFix);
   Input input;
   for (const std::string_view channel :
-       {"EARSHOT_SNR_ESTIMATE.1", "EARSHOT_OPERATOR_COMMAND.1", "EARSHOT_PORT_REPORT.1", "EARSHOT_BEARING.1"})
+       {"EARSHOT_SNR_ESTIMATE.1", "EARSHOT_OPERATOR_COMMAND.1", "EARSHOT_PORT_REPORT.1", "EARSHOT_BEARING.1", "EARSHOT_UNSENT_SETPOINTS.1"})
     EXPECT_EQ(read_input(channel, Time{70}, fix.data(), 0, input), Status::kMalformed) << channel;
   EXPECT_EQ(read_input(fix.channel(), Time{70}, fix.data().first(fix.data().size() - 1), 0, input), Status::kMalformed);
   EXPECT_EQ(read_input(fix.channel(), Time{70}, {}, 0, input), Status::kMalformed);

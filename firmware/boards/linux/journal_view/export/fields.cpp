@@ -97,6 +97,10 @@ Json input_fields(const messages::PortReport& m) {
   return report_fields(m.port, m.link_up, m.received, m.lost, m.malformed, m.unsent);
 }
 
+Json input_fields(const messages::UnsentSetpoints& m) {
+  return {{"count", m.count}};
+}
+
 Json input_fields(const messages::VehicleStatus& m) {
   return {{"valid_time_s", seconds_of(m.time)},
           {"altitude_m", m.altitude.value},
@@ -320,7 +324,8 @@ const char* topic_of(const Content& content) {
       "health",   "journal_end", "journal_resumed", "controller_trouble",
       "tables"};
   static constexpr std::array<const char*, std::variant_size_v<decltype(messages::Input::value)>> kInputTopics{
-      "navigation", "snr", "order", "port_report", "vehicle_status", "autopilot_status", "hydrophone_status", "bearing"};
+      "navigation",        "snr",     "order",           "port_report", "vehicle_status", "autopilot_status",
+      "hydrophone_status", "bearing", "unsent_setpoints"};
   static_assert(std::is_same_v<std::variant_alternative_t<3, Content>, messages::Input>);
   if (const auto* const input = std::get_if<messages::Input>(&content)) return kInputTopics.at(input->value.index());
   return kTopics.at(content.index());

@@ -214,6 +214,10 @@ TEST_F(TimelineTest, SaysThatADiskDoesNotTakeTheJournal) {
   EXPECT_EQ(tell_input(messages::PortReport{.port = 0, .link_up = true}), Lines{"the journal: the disk takes it again"});
 }
 
+TEST_F(TimelineTest, SaysHowManySetpointsCouldNotBeSent) {
+  EXPECT_EQ(tell_input(messages::UnsentSetpoints{.count = 1}), Lines{"so far 1 set-point could not be sent"});
+}
+
 TEST_F(TimelineTest, LeavesOutAPortThatNoMissionHas) {
   EXPECT_EQ(tell_input(messages::PortReport{.port = 255, .link_up = false, .lost = 3}), Lines{});
 }

@@ -26,15 +26,17 @@
 
 namespace earshot::board {
 
-/// Says of itself whatever a test wants.
+/// Says of itself, and sends, what a test wants.
 class ReportingPort final : public Port {
  public:
-  explicit ReportingPort(std::uint8_t index) : Port(index, {}) {}
+  explicit ReportingPort(std::uint8_t index) : Port(index, {host::Role::kAutopilot}) {}
   void collect(Clock& /*clock*/, InputSink& /*sink*/) override {}
-  std::uint64_t publish(Time /*now*/, const runtime::Outputs& /*outputs*/) override { return 0; }
+  std::uint64_t publish(Time /*now*/, const runtime::Outputs& outputs) override { return outputs.setpoint && can_send ? 1 : 0; }
   [[nodiscard]] int file_descriptor() const override { return -1; }
   [[nodiscard]] std::string description() const override { return "a script"; }
   void lose(std::uint64_t count) { report_.lost += count; }
+
+  bool can_send = true;
 };
 
 inline const policy::FrozenPolicy& walk() {
@@ -162,6 +164,9 @@ class Vessel {
       if (happening.is_turn()) decisions_ += turn_().decision ? 1U : 0U;
     }
   }
+
+  /// From now on no set-point leaves.
+  void mute() { port_->can_send = false; }
 
   /// How the mission stands.
   [[nodiscard]] wire::ClosingRecord standing() const {

@@ -71,6 +71,25 @@ TEST_F(Replay, GivesEveryByteOfTenThousandJournalsOfRandomInputsAgain) {
   EXPECT_GT(decisions, 1000U) << "most missions never began to search";
 }
 
+TEST_F(Replay, GivesASearchAgainThatEndsBecauseNoSetpointLeaves) {
+  std::vector<Happening> script;
+  for (int second = 1; second <= 20; ++second) {
+    const Time now = Time{1'795'000'000'000'000} + Duration::seconds(second);
+    const auto happens = [&](const InputSink::Value& value) { script.push_back({.time = now, .port = 1, .input = value}); };
+    happens(messages::Navigation{
+        .time = now, .position = at(12'000 + second, 12'000), .depth = Meters{300}, .heading = Radians{0}, .speed = MetersPerSecond{1.25}});
+    happens(messages::SnrMeasurement{.time = now, .snr = Decibels{12}});
+    if (second == 2) happens(runtime::command_of(messages::Order::kStart, now));
+    script.push_back({.time = now});
+  }
+  Vessel vessel(walking_mission(1), path_);
+  vessel.mute();
+  vessel.live_through(script);
+  EXPECT_EQ(vessel.standing().end_reason, messages::EndReason::kSafetyRule);
+  vessel.end();
+  EXPECT_TRUE(replay(path_).is_same());
+}
+
 TEST_F(Replay, PassesOverWhatIsSaidOfACanControllerBetweenTwoTurnsAndNowhereElse) {
   fly_random_mission(1, path_, 30);
   const fs::path remarked = path_.string() + "-remarked";

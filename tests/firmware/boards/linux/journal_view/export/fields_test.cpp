@@ -72,6 +72,7 @@ TEST(JournalFields, HoldAllOfAnOrderItsAnswerAPortAndTheEnd) {
   const messages::PortReport report{.port = 4, .link_up = false, .received = 1, .lost = 2, .malformed = 3, .unsent = 5};
   EXPECT_EQ(to_line(fields_of(input(report))),
             R"({"port":2,"reported_port":4,"link_up":false,"received":1,"lost":2,"malformed":3,"unsent":5})");
+  EXPECT_EQ(to_line(fields_of(input(messages::UnsentSetpoints{.count = 7}))), R"({"port":2,"count":7})");
   const wire::ClosingRecord closing{.time = kBegan,
                                     .ending = wire::Ending::kStopped,
                                     .state = messages::MissionState::kAbort,
@@ -194,6 +195,7 @@ TEST(JournalTopic, NamesEachKindOfRecord) {
   EXPECT_STREQ(topic_of(input(messages::Navigation{})), "navigation");
   EXPECT_STREQ(topic_of(input(messages::HydrophoneStatus{})), "hydrophone_status");
   EXPECT_STREQ(topic_of(input(messages::BearingMeasurement{})), "bearing");
+  EXPECT_STREQ(topic_of(input(messages::UnsentSetpoints{})), "unsent_setpoints");
   EXPECT_STREQ(topic_of(health_t{}), "health");
   EXPECT_STREQ(topic_of(wire::ClosingRecord{}), "journal_end");
   EXPECT_STREQ(topic_of(Unreadable{}), "unknown");
