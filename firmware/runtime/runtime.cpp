@@ -154,7 +154,7 @@ void Runtime::take(Time arrival, std::uint8_t port, const messages::Navigation& 
   }
   situation.navigation.hold(port, arrival);
   const messages::Navigation& fix = *situation.navigation.newest();
-  situation.depth.take(fix, mission_.safety.vehicle);
+  situation.depth.take(fix);
   if (is_to_move && !situation.navigation.newest_is_correction()) {
     situation.place.take(fix, *situation.commanded, mission_.safety.vehicle);
   } else {
