@@ -157,7 +157,7 @@ void Runtime::take(Time arrival, std::uint8_t port, const messages::Navigation& 
   }
   situation.navigation.hold(port, arrival);
   const messages::Navigation& fix = *situation.navigation.newest();
-  situation.depth.take(fix, mission_.safety.vehicle);
+  situation.depth.take(fix);
   if (!is_to_move || situation.depth.is_left_alone(arrival)) {
     situation.place.begin(fix);
   } else if (situation.navigation.newest_is_correction()) {

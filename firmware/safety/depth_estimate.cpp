@@ -24,6 +24,10 @@ Meters moved(Meters from, Meters to, Meters down, Meters up) {
 void DepthEstimate::tell(Time now, const messages::Setpoint& setpoint, const config::VehicleLimits& vehicle) {
   const bool was_left_alone = is_left_alone(now);
   if (was_left_alone) told_speed_ = MetersPerSecond{};  // nobody knows that it came up meanwhile
+  if (!comes_up_) {
+    deepest_ = std::max(deepest_, std::min(depth_, before_));
+    deepest_of_slow_ = std::max(deepest_of_slow_, deepest_);
+  }
   if (told_at_) pass(now - *told_at_, vehicle);
   if (!told_at_ || was_left_alone || !(told_ == setpoint.depth)) {
     allowed_ = std::max(allowed_, between(depth_, setpoint.depth) + kOff);
@@ -69,17 +73,10 @@ void DepthEstimate::pass(Duration time, const config::VehicleLimits& vehicle) {
   }
 }
 
-void DepthEstimate::take(const messages::Navigation& fix, const config::VehicleLimits& vehicle) {
+void DepthEstimate::take(const messages::Navigation& fix) {
   before_ = told_at_ ? depth_ : fix.depth;
   depth_ = fix.depth;
-  if (!told_at_) {
-    deepest_ = deepest_of_slow_ = std::max(depth_, kSurface);
-  } else if (comes_up_) {
-    look(std::max(fix.time, *told_at_), vehicle);
-  } else {
-    deepest_ = std::max(deepest_, std::min(depth_, before_));
-    deepest_of_slow_ = std::max(deepest_of_slow_, deepest_);
-  }
+  if (!told_at_) deepest_ = deepest_of_slow_ = std::max(depth_, kSurface);
 }
 
 void DepthEstimate::look(Time now, const config::VehicleLimits& vehicle) {

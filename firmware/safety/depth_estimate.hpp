@@ -14,8 +14,8 @@ namespace earshot::safety {
 /// The sensor alone never says that the vehicle has come up, and never keeps it below.
 ///
 ///   deepest' = kFastestSink down to the depth that it is told; up to it nothing for kToTurn, and then ascent_rate, while it is told a
-///   speed at which it comes up; no less than two fixes in a row say, until it is told to come up, or when they say that it goes down again
-///   by kSinksAgain
+///   speed at which it comes up; no less than a turn's last two fixes say, until it is told to come up, or when they say that it sinks
+///   again by kSinksAgain
 ///   unexplained = |depth - told| - allowed;   allowed begins where an order finds the vehicle (a new one, or the first after it was left
 ///   alone), kOff further, and after kToTurn shrinks by kSlowestDive to kOff
 class DepthEstimate {
@@ -27,7 +27,7 @@ class DepthEstimate {
   /// What the vehicle is told from now on, once a turn; time never goes back.
   void tell(Time now, const messages::Setpoint& setpoint, const config::VehicleLimits& vehicle);
   /// A fix that is believed.
-  void take(const messages::Navigation& fix, const config::VehicleLimits& vehicle);
+  void take(const messages::Navigation& fix);
 
   /// That the vehicle can be; what the sensor says as long as it was told nothing.
   [[nodiscard]] Meters deepest() const { return deepest_; }

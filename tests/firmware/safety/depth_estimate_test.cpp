@@ -16,7 +16,7 @@ class Depths : public testing::Test {
  protected:
   void second(double told_m, double says_m, double speed_mps = 2.0) {
     now_ = now_ + Duration::seconds(1);
-    estimate_.take({.time = now_, .position = at(0, 0), .depth = Meters{says_m}, .heading = {}, .speed = {}}, vehicle_);
+    estimate_.take({.time = now_, .position = at(0, 0), .depth = Meters{says_m}, .heading = {}, .speed = {}});
     estimate_.tell(now_, {.heading = {}, .speed = MetersPerSecond{speed_mps}, .depth = Meters{told_m}, .waypoint = {}}, vehicle_);
   }
   void seconds(int count, double told_m, double says_m, double speed_mps = 2.0) {
@@ -163,6 +163,16 @@ TEST_F(Depths, TellsAVehicleToStopWhoseDepthDriftsDownForEver) {
     stopped += estimate_.is_up(vehicle_) ? 1 : 0;
   }
   EXPECT_GT(stopped, 86'400 * 3 / 4);
+}
+
+// Two senders, of whom each turn hears the one that lies several times, and the honest one last: no rule sees the first.
+TEST_F(Depths, CountsNoDepthThatIsTakenBackWithinTheTurn) {
+  seconds(200, 300, 300);
+  for (int s = 0; s < 100; ++s) {
+    for (int i = 0; i < 3; ++i) estimate_.take({.time = now_, .position = at(0, 0), .depth = Meters{11'000}, .heading = {}, .speed = {}});
+    second(300, 300);
+  }
+  EXPECT_EQ(estimate_.deepest(), Meters{300});
 }
 
 // Now 300 m, now the truth: it must not go round for ever.

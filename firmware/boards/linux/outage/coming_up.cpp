@@ -59,7 +59,7 @@ CommandOutcome ComingUp::take(const messages::Input& input) {
   if (const auto* fix = std::get_if<messages::Navigation>(&input.value); fix != nullptr && messages::is_usable(*fix)) {
     fix_ = *fix;
     fix_->time = input.arrival;
-    if (began_) depth_.take(*fix_, at_its_slowest(mission_.safety.vehicle));
+    if (began_) depth_.take(*fix_);
   }
   const auto* status = std::get_if<messages::VehicleStatus>(&input.value);
   if (status != nullptr && !status->has_leak) leaks_since_.reset();
