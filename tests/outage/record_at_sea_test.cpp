@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "firmware/host/file/file_descriptor.hpp"
@@ -93,6 +94,30 @@ TEST_F(RecordAtSea, GivenThatNothingIsKeptOfTheVehicleItComesUpByLcmsDefaultAddr
   fs::remove(folder_ / "mission.toml");
   start();
   expect_comes_up();
+}
+
+TEST_F(RecordAtSea, GivenThatEveryRecordIsDamagedItComesUpIfItsJournalSaysThatASearchWasUnderWay) {
+  search();
+  kill();
+  for (const char* name : {"journal.safety", "journal.copy.safety"})
+    std::fstream(folder_ / name, std::ios::in | std::ios::out | std::ios::binary) << std::string(8192, '\0');
+  start();
+  expect_comes_up();
+  EXPECT_TRUE(is_said("every copy of its safety record is damaged")) << earshotd_->output();
+  kill();
+  start();
+  expect_comes_up();
+}
+
+TEST_F(RecordAtSea, GivenThatEveryRecordIsDamagedInStandbyANewMissionBegins) {
+  start();
+  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > 5; })) << earshotd_->output();
+  kill();
+  for (const char* name : {"journal.safety", "journal.copy.safety"}) fs::resize_file(folder_ / name, 0);
+  start();
+  ASSERT_TRUE(vehicle_->sails_until([&] { return is_said("journal-2.lcmlog") && vehicle_->turns > 15; })) << earshotd_->output();
+  EXPECT_EQ(vehicle_->state(), MissionState::kStandby);
+  EXPECT_EQ(vehicle_->setpoints, 0);
 }
 
 TEST_F(RecordAtSea, GivenAJournalThatWasFlownElsewhereWithItsRecordItBeginsInStandbyAndCommandsNothing) {

@@ -44,6 +44,7 @@ struct SafetyCopies::Writers {
   std::uint64_t newest_news = 0;    ///< the sequence of the last that was no stamp
   bool makes_files = false;         ///< `kept` is known
   bool is_given = false;            ///< any record was
+  bool is_damaged = false;          ///< a file was found that holds no whole record
   bool is_overtaken = false;
   bool ending = false;
 
@@ -81,6 +82,7 @@ struct SafetyCopies::Writers {
     }
     if (claim == Claim::kNeeded && !copy.file.claim() && copy.file.holder_may_fly()) throw RecordInUse(copy.file.holder());
     const std::optional<SafetyRecord> newest = copy.file.newest();
+    is_damaged = is_damaged || !newest;
     if (!newest) return;
     record.sequence = std::max(record.sequence, newest->sequence);
     if (may_be_same(newest->owner, owner)) {
@@ -164,6 +166,10 @@ SafetyCopies::~SafetyCopies() = default;
 
 const std::optional<SafetyRecord>& SafetyCopies::found() const {
   return writers_->found;
+}
+
+bool SafetyCopies::is_damaged() const {
+  return writers_->is_damaged;
 }
 
 std::optional<SafetyRecord> SafetyCopies::newest() const {

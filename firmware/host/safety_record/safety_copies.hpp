@@ -46,6 +46,8 @@ class SafetyCopies {
 
   /// Of all copies, when this was made: the record that says how this vehicle stands (newest_of()). Nothing: there is none.
   [[nodiscard]] const std::optional<SafetyRecord>& found() const;
+  /// Likewise, there was a file of this program's that holds no whole record.
+  [[nodiscard]] bool is_damaged() const;
   /// The one that was given last; before any was, the one that was found.
   [[nodiscard]] std::optional<SafetyRecord> newest() const;
   /// Copies that were there and do not count, and why; for a person.

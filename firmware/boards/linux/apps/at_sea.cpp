@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "firmware/boards/linux/apps/coming_up_flight.hpp"
+#include "firmware/boards/linux/outage/lost_record.hpp"
 #include "firmware/boards/linux/outage/safety_log.hpp"
 #include "firmware/boards/linux/outage/safety_places.hpp"
 #include "firmware/host/file/printable.hpp"
@@ -100,6 +101,12 @@ int fly_at_sea(const Options& o, const HostClock& host, const std::function<int(
   }
   for (const std::string& copy : safety->left_out())
     std::cerr << "earshotd: warning: safety record " << host::printable(copy) << ": it does not count\n";
+  if (o.resume && !safety->found() && safety->is_damaged()) {
+    if (const std::optional<host::SafetyRecord> record = record_by_journal(o.out / "journal.lcmlog"); record) {
+      (void)safety->write(*record, kPatience);
+      return bring_up(o, *safety, host, "every copy of its safety record is damaged");
+    }
+  }
   if (!is_under_way(*safety)) return fly(*safety);
   if (!o.resume) {
     std::cerr << "earshotd: warning: a mission was under way in this folder; without --resume it is given up, and nobody commands the "
