@@ -97,10 +97,10 @@ class Doubted : public Supervised {
   /// The vehicle says another depth than it was told, but not one that it cannot have come to from one second to the next.
   void be_deep(int seconds) {
     situation_.depth = {};
-    situation_.depth.take(fix_at(situation_.now, at(5000, 5000)), mission_.safety.vehicle);
+    situation_.depth.take(fix_at(situation_.now, at(5000, 5000)));
     situation_.depth.tell(situation_.now, {.heading = {}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = {}},
                           mission_.safety.vehicle);
-    situation_.depth.take(fix_at(situation_.now, at(5000, 5000), 0.0, 200.0), mission_.safety.vehicle);
+    situation_.depth.take(fix_at(situation_.now, at(5000, 5000), 0.0, 200.0));
     rest(seconds);
     situation_.depth = {};
   }
