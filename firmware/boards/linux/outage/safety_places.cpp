@@ -40,8 +40,9 @@ std::string text_of(const fs::path& path) {
 
 host::RecordOwner record_owner(const fs::path& out, const ComputerFiles& files) {
   std::error_code error;
-  const bool is_transient = fs::exists(files.transient_machine_id, error);
-  const std::string told_by = (is_transient ? std::string() : text_of(files.machine_id)) + text_of(files.serial_number);
+  const std::string machine_id = text_of(files.machine_id);
+  const bool is_of_this_start = fs::exists(files.transient_machine_id, error) || machine_id == "uninitialized";  // as machine-id(5) says
+  const std::string told_by = (is_of_this_start ? std::string() : machine_id) + text_of(files.serial_number);
   return {.computer = told_by.empty() ? 0 : host::crc32_of(told_by), .folder = host::crc32_of(lexically_whole(out).string())};
 }
 

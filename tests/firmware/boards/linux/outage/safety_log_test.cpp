@@ -187,6 +187,9 @@ TEST(RecordOwner, IsThisComputerAndTheFolderOfTheFlights) {
   put(files.serial_number, "1000000012345678");
   EXPECT_NE(one.computer, record_owner("/a/search", files).computer) << "a card of one computer in another";
   fs::remove(files.serial_number);
+  put(files.machine_id, "uninitialized");
+  EXPECT_EQ(record_owner("/a/search", files).computer, 0U);
+  put(files.machine_id, "0123456789abcdef");
   put(files.transient_machine_id, "0123456789abcdef");
   EXPECT_EQ(record_owner("/a/search", files).computer, 0U) << "the next start of the computer has another";
 }
