@@ -250,6 +250,7 @@ class Outages : public WalkAtSea, public testing::WithParamInterface<int> {
     if (is_in_new_boot()) fs::remove_all(folder_ / "memory"), fs::create_directory(folder_ / "memory");
     if (is(Wrong::kBitInJournal)) flip_bit(folder_ / "journal.lcmlog");
     const std::vector<fs::path> records = this->records();
+    ASSERT_FALSE(records.empty()) << "no disk has a record";
     const fs::path record = records[below(static_cast<std::uint32_t>(records.size()))];
     if (is(Wrong::kBitInRecord)) flip_bit(record);
     if (is(Wrong::kStaleCopy)) change(record, make_stale);
