@@ -75,6 +75,11 @@ void DepthEstimate::pass(Duration time, const config::VehicleLimits& vehicle) {
 
 void DepthEstimate::take(const messages::Navigation& fix) {
   before_ = told_at_ ? depth_ : fix.depth;
+  if (fixed_at_) {
+    const Meters rises{kFastestSink.value * std::max((fix.time - *fixed_at_).to_seconds(), 0.0)};
+    if (fix.depth < depth_ - rises - kFall) flickered_at_ = fix.time;
+  }
+  fixed_at_ = fix.time;
   depth_ = fix.depth;
   if (!told_at_) deepest_ = deepest_of_slow_ = std::max(depth_, kSurface);
 }
@@ -95,13 +100,14 @@ void DepthEstimate::look(Time now, const config::VehicleLimits& vehicle) {
 }
 
 /// One that sinks from the surface comes up again at once. What says all the time that it is below may be a depth that lies, or a vehicle
-/// under ice or in a line: that rests, and tries again.
+/// under ice or in a line: that rests, and tries again. So does one whose depth falls faster than vehicles rise: it lies now and then.
 void DepthEstimate::look_again(Time now, bool sinks, const config::VehicleLimits& vehicle) {
   const bool says_up = std::max(depth_, before_) <= vehicle.surface_depth;
   if (rests_ && says_up && !(deepest_ > kSurface)) {
     rests_ = false;
     shallowest_ = depth_;
   }
+  if (sinks && flickered_at_ && now - *flickered_at_ < kRest) rests_ = true;
   const bool tries = rests_ && now - stopped_at_ >= kRest && std::min(depth_, before_) > vehicle.surface_depth;
   if (!tries && (rests_ || !sinks)) return;
   if (!rests_) deepest_of_slow_ = std::max(deepest_of_slow_, deepest_);

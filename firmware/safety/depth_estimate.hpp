@@ -60,10 +60,12 @@ class DepthEstimate {
   std::optional<Time> told_at_;
   Meters told_;
   MetersPerSecond told_speed_;
-  Meters depth_;            ///< as the newest fix says
-  Meters before_;           ///< and the one before
-  Meters deepest_;          ///< by ascent_rate
-  Meters deepest_of_slow_;  ///< by kSlowestAscent
+  Meters depth_;                      ///< as the newest fix says
+  Meters before_;                     ///< and the one before
+  std::optional<Time> fixed_at_;      ///< of the newest fix
+  std::optional<Time> flickered_at_;  ///< when a depth last fell faster than vehicles rise
+  Meters deepest_;                    ///< by ascent_rate
+  Meters deepest_of_slow_;            ///< by kSlowestAscent
   Meters allowed_{kOff};
   Duration turning_;     ///< for so long an order is not yet followed
   Duration turning_up_;  ///< likewise, by what was told alone

@@ -187,10 +187,23 @@ TEST_F(Depths, TellsAVehicleToStopWhoseDepthSaysNowAndThenThatItIsBelow) {
   EXPECT_GT(stopped, 86'400 * 3 / 4);
 }
 
+// A second sender that pauses: at the surface it says 14 m for 8 s of every 58.
+TEST_F(Depths, TellsAVehicleToStopThatIsSaidToSinkNowAndThen) {
+  vehicle_.ascent_rate = MetersPerSecond{0.3};
+  seconds(200, 300, 300);
+  int stopped = 0;
+  for (int s = 0; s < 86'400; ++s) {
+    second(0, s % 58 < 8 ? 14 : std::max(300 - 0.3 * s, 0.0), estimate_.is_up(vehicle_) ? 0 : 1);
+    stopped += estimate_.is_up(vehicle_) ? 1 : 0;
+  }
+  EXPECT_GT(stopped, 86'400 * 3 / 4);
+}
+
 TEST_F(Depths, RestsNotWhereItsDepthSaysThatItCameUpMeanwhile) {
   seconds(200, 300, 300);
   seconds(4000, 0, 10, 1);
   ASSERT_TRUE(estimate_.is_up(vehicle_));
+  for (int m = 9; m > 0; --m) second(0, m, 0);
   seconds(10, 0, 0, 0);
   ASSERT_TRUE(estimate_.is_up(vehicle_));
   seconds(2, 0, 5, 0);
