@@ -85,7 +85,7 @@ bool SafetyLog::close(std::chrono::milliseconds patience, bool is_up) {
 void SafetyLog::start_from(Meters deepest) {
   messages::Navigation fix;
   fix.depth = deepest;
-  depth_.take(fix, vehicle_);
+  depth_.take(fix);
   messages::Setpoint told;
   told.depth = deepest;
   depth_.tell(record_.mission_time, told, vehicle_);

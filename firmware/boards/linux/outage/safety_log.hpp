@@ -40,7 +40,7 @@ class SafetyLog {
   /// @return whether all of it is durable
   bool note(Time turn, const runtime::Outputs& outputs, const config::Mission& mission, std::chrono::milliseconds patience);
   /// A fix has come that says how deep the vehicle is.
-  void hear(const messages::Navigation& fix) { depth_.take(fix, vehicle_); }
+  void hear(const messages::Navigation& fix) { depth_.take(fix); }
   /// An operator aborted the mission before its first turn. @return as note()
   bool abort(std::chrono::milliseconds patience);
   /// The drop weight was asked to be released before it. @return as note()
