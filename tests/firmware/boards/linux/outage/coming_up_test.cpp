@@ -62,10 +62,10 @@ TEST(ComingUp, TellsStopAndComeUpAndThatAnOutageEndedTheSearch) {
 TEST(ComingUp, GoesRoundForAsLongAsItMayNeedWhateverDepthItIsToldAndThenStops) {
   ComingUp core(runtime::paper_mission(), in_search());
   // 320 m at 0.1 m/s, and 25 m more in the minute that it takes to turn up.
-  for (const double s : {0.0, 100.0, 3509.0}) {
+  for (int s = 0; s < 3510; ++s) {
     core.take(fix(s, 1.0, 0.0));
     const runtime::Outputs outputs = core.step(after(s));
-    EXPECT_EQ(outputs.setpoint->speed, MetersPerSecond{0.5}) << s;
+    ASSERT_EQ(outputs.setpoint->speed, MetersPerSecond{0.5}) << s;
     EXPECT_NEAR(outputs.setpoint->heading.value, 1.0 + std::acos(0.0), 1e-12) << "a quarter of a turn ahead";
     EXPECT_EQ(outputs.setpoint->waypoint, at(1, 2));
   }
@@ -159,8 +159,8 @@ TEST(ComingUp, HasComeUpWhenItsDepthSaysSoOrItsTimeIsOver) {
   core.take(fix(4, 0, 1));
   EXPECT_TRUE(core.has_come_up(after(5)));
   EXPECT_FALSE(core.has_come_up(after(60))) << "an old depth is none";
-  EXPECT_FALSE(core.has_come_up(after(3200)));
-  EXPECT_TRUE(core.has_come_up(after(3261))) << "320 m at 0.1 m/s, and a minute";
+  EXPECT_FALSE(core.has_come_up(after(3509)));
+  EXPECT_TRUE(core.has_come_up(after(3511))) << "320 m and 25 m more at 0.1 m/s, and a minute";
 }
 
 TEST(ComingUp, AnswersAnAbortAndRefusesEveryOtherOrder) {

@@ -134,8 +134,8 @@ TEST_F(SafetyLogTest, AFlightThatIsStoppedBelowStaysUnderWayUntilDepthAndTimeSay
   sail(0, 0, 5);  // a depth that says so at once
   EXPECT_FALSE(log_.close(kPatient));
   EXPECT_TRUE(host::is_under_way(on_disk()));
-  sail(0, 0, 700);
-  EXPECT_TRUE(log_.close(kPatient)) << "325 m at 0.5 m/s";
+  sail(0, 0, 710);
+  EXPECT_TRUE(log_.close(kPatient)) << "a minute, and 325 m at 0.5 m/s";
   EXPECT_FALSE(host::is_under_way(on_disk()));
 }
 
