@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "firmware/messages/dictionary/command_words.hpp"
+
 namespace earshot::authority {
 namespace {
 
@@ -10,10 +12,6 @@ using messages::CommandOutcome;
 using messages::Order;
 
 constexpr Duration kMaxAge{config::kCommandMaxAge_us};
-
-bool is_known(Order order) {
-  return order >= Order::kStart && order <= messages::kLastOrder;
-}
 
 /// As serial numbers do (RFC 1982): after 2^32 - 1 comes 0, and half of all numbers are ahead of any. Whatever number an issuer has used,
 /// or somebody in its name, leaves it two thousand million to go on with.

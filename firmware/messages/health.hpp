@@ -27,7 +27,6 @@ enum class EndReason : std::uint8_t {
   kFound = 10,       ///< the vehicle itself says that it has found the source; its last decision says why
   kOutage = 11,      ///< after an outage of the vehicle's computer the mission could not go on
 };
-inline constexpr EndReason kLastEndReason = EndReason::kOutage;
 
 /// Between Earshot and the autopilot.
 enum class Authority : std::uint8_t {
@@ -37,7 +36,6 @@ enum class Authority : std::uint8_t {
   kCommand = 3,       ///< set-points leave
   kAbort = 4,         ///< the mission has ended for good; set-points leave (come up) if they did before
 };
-inline constexpr Authority kLastAuthority = Authority::kAbort;
 
 /// Counters of what was refused; they only grow. At a million a second 64 bits last for half a million years.
 struct Counters {

@@ -18,7 +18,6 @@ enum class Order : std::uint8_t {
   kResume = 6,    ///< the search goes on, from where the vehicle is
   kTighten = 7,   ///< limits of the mission become tighter, never looser
 };
-inline constexpr Order kLastOrder = Order::kTighten;
 
 /// What a TIGHTEN says; what it does not say stays as it is.
 struct OperatorLimits {
@@ -63,7 +62,6 @@ enum class CommandOutcome : std::uint8_t {
   /// Done, but no disk has it yet: a power cut may make it forgotten. Said on the bus in place of kObeyed; the runtime never says it.
   kObeyedNotDurable = 13
 };
-inline constexpr CommandOutcome kLastCommandOutcome = CommandOutcome::kObeyedNotDurable;
 [[nodiscard]] constexpr bool was_obeyed(CommandOutcome outcome) {
   return outcome == CommandOutcome::kObeyed || outcome == CommandOutcome::kObeyedNotDurable;
 }

@@ -67,7 +67,4 @@ struct Case {
 /// The key of a rule in files: "leak".
 [[nodiscard]] std::string key_of(config::Condition rule);
 
-/// The words for reasons of an end in files, in the order of messages::EndReason; that of kNone is "under_way".
-[[nodiscard]] std::vector<std::string> end_words();
-
 }  // namespace earshot::hil

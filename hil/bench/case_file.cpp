@@ -7,6 +7,7 @@
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/toml/table_reader.hpp"
+#include "firmware/messages/dictionary/mission_words.hpp"
 #include "firmware/safety/supervisor.hpp"
 #include "hil/bench/case.hpp"
 #include "hil/bench/lcm/bad_messages.hpp"
@@ -18,6 +19,9 @@ namespace {
 using host::PortKind;
 using host::Range;
 using host::TableReader;
+
+using EndWord = messages::Word<messages::EndReason>;
+constexpr const auto& kEnds = messages::WordsOf<messages::EndReason>::kTable;
 
 template <class Traits>
 std::vector<std::string> words_of(const Traits& all, std::string_view Traits::value_type::*word) {
@@ -117,7 +121,7 @@ TimedFault read_fault(TableReader table, const Case& c) {
 /// @param mission  nothing: that of the case cannot be read
 Expectation read_expectation(TableReader table, const std::optional<host::MissionFile>& mission, bool is_at_sea) {
   Expectation expected;
-  expected.end = static_cast<messages::EndReason>(table.choice("end", end_words()));
+  expected.end = kEnds.at(table.choice("end", words_of(kEnds, &EndWord::key))).value;
   if (table.has("rules")) {
     for (const std::size_t index : table.choices("rules", words_of(config::kConditionTraits, &config::ConditionTraits::key)))
       expected.rules.push_back(static_cast<config::Condition>(index));
@@ -154,11 +158,6 @@ bool Case::has(Fault fault) const {
 
 std::string key_of(config::Condition rule) {
   return std::string(config::kConditionTraits.at(static_cast<std::size_t>(rule)).key);
-}
-
-std::vector<std::string> end_words() {
-  return {"under_way",           "found",        "steps_used_up", "operator_abort", "navigation_stale", "snr_stale",
-          "left_operating_area", "time_used_up", "safety_rule",   "memory_fault"};
 }
 
 Case load_case(const std::filesystem::path& path, const std::filesystem::path& usual_mission) {

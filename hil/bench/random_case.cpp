@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "firmware/core/random.hpp"
+#include "firmware/messages/dictionary/mission_words.hpp"
 
 namespace earshot::hil {
 namespace {
@@ -67,7 +68,7 @@ void write_fault(std::ostream& out, const TimedFault& fault) {
 }
 
 void write_expectation(std::ostream& out, const Expectation& expected) {
-  out << std::boolalpha << "\n[expect]\nend = \"" << end_words().at(static_cast<std::size_t>(expected.end)) << "\"\n";
+  out << std::boolalpha << "\n[expect]\nend = \"" << messages::key_of(expected.end) << "\"\n";
   std::string rules;
   for (const config::Condition rule : expected.rules) rules += (rules.empty() ? "\"" : ", \"") + key_of(rule) + "\"";
   if (!rules.empty()) out << "rules = [" << rules << "]\n";

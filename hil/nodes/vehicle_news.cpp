@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "firmware/core/math.hpp"
-#include "firmware/messages/health_words.hpp"
-#include "firmware/wire/n2k/table/proprietary.hpp"
+#include "firmware/messages/dictionary/command_words.hpp"
+#include "firmware/messages/dictionary/mission_words.hpp"
 
 namespace earshot::hil {
 namespace {
@@ -20,13 +20,6 @@ std::string printed(const char* format, Values... values) {
   std::array<char, 160> text{};
   (void)std::snprintf(text.data(), text.size(), format, values...);
   return text.data();
-}
-
-/// The name of a raw value, as the bus's own list has it.
-template <class Enum>
-std::string word_of(std::span<const n2k::Choice> choices, Enum value) {
-  const auto found = std::ranges::find(choices, static_cast<std::int64_t>(value), &n2k::Choice::raw);
-  return found == choices.end() ? "?" : std::string(found->name);
 }
 
 long whole_degrees(Radians angle) {
@@ -67,7 +60,7 @@ std::vector<std::string> VehicleNews::lines(Time now) {
 void VehicleNews::tell_of_earshot(const Operator& ashore, std::vector<std::string>& lines) {
   for (; answers_ < ashore.answers().size(); ++answers_) {
     const messages::CommandAcknowledgement& answer = ashore.answers()[answers_];
-    lines.push_back("operator: " + word_of(n2k::table::kOrders, answer.order) + ": " + word_of(n2k::table::kOutcomes, answer.outcome));
+    lines.push_back("operator: " + std::string(messages::name_of(answer.order)) + ": " + std::string(messages::name_of(answer.outcome)));
   }
   if (ashore.decisions() != decisions_) {
     decisions_ = ashore.decisions();

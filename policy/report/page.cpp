@@ -4,6 +4,7 @@
 
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/toml/table_reader.hpp"
+#include "firmware/messages/dictionary/mission_words.hpp"
 #include "firmware/policy/action_draw.hpp"
 #include "policy/explain/wording.hpp"
 #include "policy/report/belief_pictures.hpp"
@@ -37,6 +38,12 @@ std::string unfinished_step(const Flight& flight, std::size_t steps) {
   return "<p>The mission ended within the step of the last of " + std::to_string(decisions) + " decisions, which does not count.</p>\n";
 }
 
+/// "declared_found" is what a summary of an earlier version says.
+bool is_ended_by_declaration(const nlohmann::json& summary) {
+  const nlohmann::json& reason = summary.at("end_reason");
+  return reason == messages::key_of(messages::EndReason::kFound) || reason == "declared_found";
+}
+
 /// The flight's summary counts a step that the source cut short as the others: one count, with a word about the last.
 std::string headline(const Flight& flight) {
   const nlohmann::json& s = flight.summary;
@@ -48,7 +55,7 @@ std::string headline(const Flight& flight) {
   std::string text;
   if (s.at("found").get<bool>())
     text = "<h1 class=\"found\">Source found after " + count + "</h1>\n";
-  else if (s.at("end_reason") == "declared_found" && account.declared_range_m)
+  else if (is_ended_by_declaration(s) && account.declared_range_m)
     text = "<h1 class=\"missed\">After " + count + " declared found" + declared_where(account) + "</h1>\n";
   else
     text = "<h1 class=\"missed\">Source not found in " + count +

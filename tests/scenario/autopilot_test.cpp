@@ -29,8 +29,8 @@
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/transport/lcm_endpoint.hpp"
+#include "firmware/messages/dictionary/command_words.hpp"
 #include "firmware/messages/health.hpp"
-#include "firmware/messages/operator_command.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
@@ -330,7 +330,7 @@ TEST_F(Autopilot, GivenAnOutcomeThatThePythonExamplesDoNotKnowTheySaySo) {
   EXPECT_EQ(python.output(),
             "OBEYED REPEATED TOO_OLD EXPIRED NOT_IN_THIS_STATE UNKNOWN_ORDER NOT_CONFIGURED OUT_OF_ORDER NOT_VERIFIED NOT_TIGHTER "
             "AUTOPILOT_SILENT OLD_MARK UNREADABLE OBEYED_NOT_DURABLE outcome 14, which this program does not know\n");
-  EXPECT_EQ(static_cast<int>(messages::kLastCommandOutcome), 13) << "the Python examples know all";
+  EXPECT_EQ(static_cast<int>(messages::kHighest<messages::CommandOutcome>), 13) << "the Python examples know all";
 }
 
 TEST_F(Autopilot, GivenANetworkThatComesAfterItEarshotdWaitsAndThenHearsNavigation) {

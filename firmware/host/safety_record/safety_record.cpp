@@ -6,6 +6,7 @@
 
 #include "firmware/core/big_endian.hpp"
 #include "firmware/core/crc32.hpp"
+#include "firmware/messages/dictionary/mission_words.hpp"
 
 namespace earshot::host {
 namespace {
@@ -126,7 +127,7 @@ std::optional<SafetyRecord> read_safety_record(std::span<const std::uint8_t> byt
   if (load_big_endian(bytes.subspan(checksum_at, kChecksumBytes)) != crc32(bytes.first(checksum_at))) return std::nullopt;
   SafetyRecord record;
   for_each_field(record, format, reader);
-  if (record.state > messages::MissionState::kAbort || record.end_reason > messages::kLastEndReason) return std::nullopt;
+  if (!messages::is_known(record.state) || !messages::is_known(record.end_reason)) return std::nullopt;
   return record;
 }
 

@@ -1,6 +1,7 @@
 #include "firmware/wire/journal/closing_record.hpp"
 
 #include "earshot/journal_end_t.hpp"
+#include "firmware/messages/dictionary/mission_words.hpp"
 
 namespace earshot::wire {
 
@@ -24,8 +25,8 @@ Status read_closing_record(std::span<const std::uint8_t> data, ClosingRecord& re
   journal_end_t m{};
   if (const Status status = decode(data, m); status != Status::kOk) return status;
   if (m.ending < 0 || m.ending > static_cast<std::int8_t>(Ending::kClockLost)) return Status::kOutOfRange;
-  if (m.state < 0 || m.state > static_cast<std::int8_t>(MissionState::kAbort)) return Status::kOutOfRange;
-  if (m.end_reason < 0 || m.end_reason > static_cast<std::int8_t>(messages::kLastEndReason)) return Status::kOutOfRange;
+  if (!messages::is_value_of<MissionState>(m.state)) return Status::kOutOfRange;
+  if (!messages::is_value_of<EndReason>(m.end_reason)) return Status::kOutOfRange;
   if (m.steps_taken < 0 || m.streams_lost < 0 || m.steering_lost < 0 || m.orders_lost < 0) return Status::kOutOfRange;
   record = {.time = Time{m.utime},
             .ending = static_cast<Ending>(m.ending),

@@ -5,6 +5,7 @@
 #include "earshot/operator_command_t.hpp"
 #include "firmware/core/big_endian.hpp"
 #include "firmware/core/status.hpp"
+#include "firmware/messages/dictionary/command_words.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 
@@ -20,9 +21,8 @@ std::uint64_t number_at(std::span<const std::uint8_t> head, std::size_t offset, 
 bool is_head(std::span<const std::uint8_t> head) {
   if (number_at(head, 0, 8) == static_cast<std::uint64_t>(operator_command_t::getHash())) return true;
   const std::uint64_t order = head[32];
-  const bool is_known =
-      order >= static_cast<std::uint64_t>(messages::Order::kStart) && order <= static_cast<std::uint64_t>(messages::kLastOrder);
-  return is_known && number_at(head, 8, 8) <= kLatestDate_us && number_at(head, 16, 8) <= kLatestDate_us;
+  return messages::is_value_of<messages::Order>(order) && number_at(head, 8, 8) <= kLatestDate_us &&
+         number_at(head, 16, 8) <= kLatestDate_us;
 }
 
 messages::OperatorCommand command_in(std::span<const std::uint8_t> head) {

@@ -21,7 +21,7 @@
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/host/journal/rule_event_words.hpp"
 #include "firmware/host/safety_record/words/record_words.hpp"
-#include "firmware/messages/command_words.hpp"
+#include "firmware/messages/dictionary/command_words.hpp"
 #include "firmware/messages/health_words.hpp"
 #include "firmware/messages/input.hpp"
 #include "firmware/messages/safety_event.hpp"

@@ -1,6 +1,5 @@
 #include "sim/apps/fly/flight_record.hpp"
 
-#include <array>
 #include <cerrno>
 #include <fstream>
 #include <iterator>
@@ -8,6 +7,7 @@
 #include <system_error>
 
 #include "firmware/core/geometry.hpp"
+#include "firmware/messages/dictionary/mission_words.hpp"
 #include "sim/search/reward/step_reward.hpp"
 
 namespace earshot::fly {
@@ -27,11 +27,6 @@ void cut_to_whole_rows(const std::filesystem::path& path) {
   std::filesystem::resize_file(path, text.rfind('\n') + 1);
 }
 
-const char* name_of(messages::MissionState state) {
-  constexpr std::array<const char*, 4> kNames{"standby", "search", "done", "abort"};
-  return kNames[static_cast<std::size_t>(state) % kNames.size()];
-}
-
 }  // namespace
 
 TrackFile::TrackFile(const std::filesystem::path& path)
@@ -44,7 +39,7 @@ void TrackFile::add(const TrackPoint& p) {
   const int written = std::fprintf(file_.get(), "%.3f,%.6f,%.6f,%.6f,%.6f,%.6f,%.4f,%.4f,%s,%u\n", (p.time - Time{}).to_seconds(),
                                    p.vehicle.position.north.value, p.vehicle.position.east.value, p.vehicle.depth.value,
                                    p.vehicle.heading.value * 180.0 / std::numbers::pi, p.vehicle.speed.value, p.reception.snr.value,
-                                   p.range.value, name_of(p.state), p.steps_taken);
+                                   p.range.value, messages::key_of(p.state).data(), p.steps_taken);
   if (written >= 0) return;
   is_cut_ = true;
   fail(path_);

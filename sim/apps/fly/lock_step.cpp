@@ -10,6 +10,7 @@
 
 #include "firmware/boards/linux/waiting.hpp"
 #include "firmware/host/program/live_line.hpp"
+#include "firmware/messages/dictionary/mission_words.hpp"
 #include "firmware/runtime/runtime.hpp"
 #include "sim/apps/fly/flight_progress.hpp"
 
@@ -26,34 +27,9 @@ constexpr milliseconds kLookUp{100};
 /// For a set-point that was sent before its answer.
 constexpr milliseconds kBusPatience{2000};
 
-const char* word_for(messages::EndReason reason) {
-  switch (reason) {
-    case messages::EndReason::kNone:
-      return "none";
-    case messages::EndReason::kCompleted:
-      return "found";
-    case messages::EndReason::kStepsUsedUp:
-      return "steps_used_up";
-    case messages::EndReason::kOperatorAbort:
-      return "interrupted";
-    case messages::EndReason::kNavigationStale:
-      return "navigation_stale";
-    case messages::EndReason::kSnrStale:
-      return "snr_stale";
-    case messages::EndReason::kLeftOperatingArea:
-      return "left_operating_area";
-    case messages::EndReason::kTimeUsedUp:
-      return "time_used_up";
-    case messages::EndReason::kSafetyRule:
-      return "safety_rule";
-    case messages::EndReason::kFound:
-      return "declared_found";
-    case messages::EndReason::kMemoryFault:
-      return "memory_fault";
-    case messages::EndReason::kOutage:
-      return "outage";
-  }
-  return "unknown";
+/// One word of summary.json. The simulator aborts when it is interrupted, and else nobody does.
+std::string word_for(messages::EndReason reason) {
+  return reason == messages::EndReason::kOperatorAbort ? "interrupted" : std::string(messages::key_of(reason));
 }
 
 /// One flight in the making.

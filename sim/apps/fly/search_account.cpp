@@ -7,7 +7,8 @@
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/journal/rule_event_words.hpp"
 #include "firmware/host/program/wrapped.hpp"
-#include "firmware/messages/health.hpp"
+#include "firmware/messages/dictionary/mission_words.hpp"
+#include "firmware/messages/dictionary/safety_words.hpp"
 #include "sim/apps/fly/hearing/hear_option.hpp"
 
 namespace earshot::fly {
@@ -109,20 +110,31 @@ nlohmann::ordered_json ending_rule_to_json(const std::optional<messages::SafetyE
   return json;
 }
 
+namespace {
+
+/// That the vehicle says it has found the source; a summary of an earlier version calls it otherwise.
+bool is_declaration(const std::string& reason) {
+  return reason == messages::key_of(messages::EndReason::kFound) || reason == "declared_found";
+}
+
+}  // namespace
+
 std::string outcome(const nlohmann::json& s) {
+  using messages::EndReason;
   if (s.at("found").get<bool>()) return "source found";
   const std::string reason = s.at("end_reason");
   if (reason == "earshotd_lost") return "the flight was lost: earshotd ended or did not answer";
   if (reason == "bus_lost") return "the flight was lost: a set-point did not arrive over the bus";
   if (reason == "nothing_heard") return "the flight was lost: the vehicle's detector gave no SNR";
   if (reason == "simulator_failed") return "the flight was lost: the simulator failed";
-  if (reason == "steps_used_up") return "source not found: all " + std::to_string(s.at("steps").get<int>()) + " steps taken";
-  if (const nlohmann::json declared = value_in(s, "declared_found"); reason == "declared_found" && !declared.is_null())
+  if (reason == messages::key_of(EndReason::kStepsUsedUp))
+    return "source not found: all " + std::to_string(s.at("steps").get<int>()) + " steps taken";
+  if (const nlohmann::json declared = value_in(s, "declared_found"); is_declaration(reason) && !declared.is_null())
     return "declared found, wrongly: " + decimals(declared.at("range_m"), 0) + " m from the source";
   const nlohmann::json rule = value_in(s, "ended_by");
   if (rule.is_null()) return "source not found: " + host::spelled_apart(reason);
   const std::string what = "safety " + rule.at("what").get<std::string>();
-  return "source not found: " + (reason == "safety_rule" ? what : host::spelled_apart(reason) + ": " + what);
+  return "source not found: " + (reason == messages::key_of(EndReason::kSafetyRule) ? what : host::spelled_apart(reason) + ": " + what);
 }
 
 std::string account_lines(const nlohmann::json& s) {

@@ -13,7 +13,7 @@ namespace {
 
 const std::string kWords = "given = \"a search\"\nwhen = \"nothing fails\"\nthen = \"it finds the source\"\n";
 const std::filesystem::path kMissions = std::filesystem::path(EARSHOT_SOURCE_DIR) / "hil/missions";
-const std::string kExpect = "[expect]\nend = \"found\"\n";
+const std::string kExpect = "[expect]\nend = \"completed\"\n";
 
 class CaseFileTest : public testing::Test {
  protected:
@@ -125,10 +125,9 @@ TEST_F(CaseFileTest, KnowsTheTroublesOfAControllerAtSeaAlone) {
 }
 
 TEST_F(CaseFileTest, KnowsEveryEnd) {
-  EXPECT_EQ(end_words().size(), 10U);
   const auto end_of = [this](const std::string& word) { return load(kWords + "[expect]\nend = \"" + word + "\"\n").expected.end; };
   EXPECT_EQ(end_of("under_way"), messages::EndReason::kNone);
-  EXPECT_EQ(end_of("found"), messages::EndReason::kCompleted);
+  EXPECT_EQ(end_of("completed"), messages::EndReason::kCompleted);
   EXPECT_EQ(end_of("steps_used_up"), messages::EndReason::kStepsUsedUp);
   EXPECT_EQ(end_of("operator_abort"), messages::EndReason::kOperatorAbort);
   EXPECT_EQ(end_of("navigation_stale"), messages::EndReason::kNavigationStale);
@@ -137,6 +136,8 @@ TEST_F(CaseFileTest, KnowsEveryEnd) {
   EXPECT_EQ(end_of("time_used_up"), messages::EndReason::kTimeUsedUp);
   EXPECT_EQ(end_of("safety_rule"), messages::EndReason::kSafetyRule);
   EXPECT_EQ(end_of("memory_fault"), messages::EndReason::kMemoryFault);
+  EXPECT_EQ(end_of("found"), messages::EndReason::kFound) << "the vehicle says so itself";
+  EXPECT_EQ(end_of("outage"), messages::EndReason::kOutage);
 }
 
 TEST_F(CaseFileTest, NamesEverythingThatIsWrongAtOnceWithFileLineAndKey) {
@@ -144,8 +145,9 @@ TEST_F(CaseFileTest, NamesEverythingThatIsWrongAtOnceWithFileLineAndKey) {
             "cases.toml:1: given = 7: must be a text of at least one character\n"
             "cases.toml:2: when = '': must be a text of at least one character\n"
             "cases.toml:1: then is missing: must be a text of at least one character\n"
-            "cases.toml:3: expect.end is missing: must be one of \"under_way\", \"found\", \"steps_used_up\", \"operator_abort\", "
-            "\"navigation_stale\", \"snr_stale\", \"left_operating_area\", \"time_used_up\", \"safety_rule\", \"memory_fault\"\n"
+            "cases.toml:3: expect.end is missing: must be one of \"under_way\", \"completed\", \"steps_used_up\", \"operator_abort\", "
+            "\"navigation_stale\", \"snr_stale\", \"left_operating_area\", \"time_used_up\", \"safety_rule\", \"memory_fault\", \"found\", "
+            "\"outage\"\n"
             "cases.toml:4: expect.ends: unknown key");
 }
 

@@ -163,7 +163,7 @@ TEST_F(VerdictTest, WantsTheVehicleWithinInACurrentThatItsMissionKnows) {
 
 TEST_F(VerdictTest, WantsTheEndOfTheCase) {
   case_.expected.end = messages::EndReason::kNavigationStale;
-  EXPECT_EQ(unmet(), Words{"the mission ended otherwise: the source is reached, not: navigation went silent"});
+  EXPECT_EQ(unmet(), Words{"the mission ended otherwise: completed, the source is reached, not: navigation went silent"});
 }
 
 TEST_F(VerdictTest, WantsOneEndInTheJournalAndInTheLastAnswer) {

@@ -65,6 +65,16 @@ class DecodesWithCantools(unittest.TestCase):
             self.assertIn(said, text)
         self.assertIn("State: wet", self.plain["leak of a sensor"])
 
+    def test_health_says_why_a_mission_ended_and_what_its_search_found(self):
+        recorded = (DBC.parents[2] / "tests/reference/messages/can.txt").read_text(encoding="utf-8")
+        frames = next(line for line in recorded.splitlines() if line.startswith("health.all: ")).split()[1:]
+        data = b"".join(bytes.fromhex(frame.partition("#")[2])[1:] for frame in frames)
+        size, data = data[0], data[1:]
+        said = cantools.database.load_file(DBC).decode_message(0x19FF8640, data[:size])
+        self.assertEqual([str(said[name]) for name in ("State", "EndReason", "Authority")], ["ABORT", "found", "ABORT"])
+        self.assertEqual([str(said[name]) for name in ("Found", "Sweeping", "Response")], ["Yes", "Yes", "release"])
+        self.assertEqual(said["Surprise"], 13.5)
+
     def test_messages_that_share_a_group_are_told_apart_by_their_kind(self):
         database = cantools.database.load_file(DBC)
         abort = bytes.fromhex("FC9F0334129A7856")

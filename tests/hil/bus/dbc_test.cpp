@@ -5,6 +5,10 @@
 #include <sstream>
 #include <string>
 
+#include "firmware/messages/dictionary/command_words.hpp"
+#include "firmware/messages/dictionary/mission_words.hpp"
+#include "firmware/messages/dictionary/safety_words.hpp"
+
 namespace earshot::hil {
 namespace {
 
@@ -16,6 +20,32 @@ TEST(Dbc, DescribesVesselHeadingAsTheStandardDoes) {
   EXPECT_NE(dbc.find("\nBO_ 2314277411 VesselHeading: 8 Vehicle\n"), std::string::npos);
   EXPECT_NE(dbc.find("\n SG_ Heading : 8|16@1+ (0.0001,0) [0|6.28318530717959] \"rad\" Earshot\n"), std::string::npos);
   EXPECT_NE(dbc.find("\n SG_ Deviation : 24|16@1- "), std::string::npos);
+}
+
+/// Some line names the values of a signal of that name, all that there are.
+template <class Enum>
+void expect_all_named(const std::string& dbc, const std::string& signal) {
+  std::istringstream lines(dbc);
+  for (std::string line; std::getline(lines, line);) {
+    const bool names_all = std::ranges::all_of(messages::WordsOf<Enum>::kTable, [&line](const messages::Word<Enum>& word) {
+      const std::string named = " " + std::to_string(static_cast<int>(word.value)) + " \"" + std::string(word.name) + "\"";
+      return line.find(named) != std::string::npos;
+    });
+    if (line.starts_with("VAL_ ") && line.find(" " + signal + " ") != std::string::npos && names_all) return;
+  }
+  ADD_FAILURE() << signal << " has a value without a name";
+}
+
+TEST(Dbc, NamesEveryValueThatEarshotSends) {
+  std::ostringstream out;
+  print_dbc(out);
+  const std::string dbc = out.str();
+  expect_all_named<messages::MissionState>(dbc, "State");
+  expect_all_named<messages::EndReason>(dbc, "EndReason");
+  expect_all_named<messages::Authority>(dbc, "Authority");
+  expect_all_named<config::Response>(dbc, "Response");
+  expect_all_named<messages::Order>(dbc, "Order");
+  expect_all_named<messages::CommandOutcome>(dbc, "Outcome");
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ TEST_F(VehicleNewsTest, TellsOfEachStateOnceAndWhyASearchEnded) {
   say(messages::MissionState::kStandby, messages::EndReason::kNone);
   EXPECT_EQ(news_.lines(Time{2'000'000}), Lines{});
   say(messages::MissionState::kDone, messages::EndReason::kCompleted);
-  EXPECT_EQ(news_.lines(Time{4'830'000'000}), Lines{"1:20:30  Earshot, address 64, is in DONE: the source is reached"});
+  EXPECT_EQ(news_.lines(Time{4'830'000'000}), Lines{"1:20:30  Earshot, address 64, is in DONE: completed, the source is reached"});
 }
 
 TEST_F(VehicleNewsTest, TellsOfADecisionWithHowFarTheSourceReallyIs) {

@@ -66,7 +66,7 @@ class Page(unittest.TestCase):
             "the hydrophone is open for a while",
             "deaf from 500 s for 500 s",
             "Rules fire: hydrophone_deaf; no other may.",
-            "End of the mission: the source is reached, after 1750 s at sea",
+            "End of the mission: completed, the source is reached, after 1750 s at sea",
             "at most 310 m deep, and 12.5 m at the end, 500 m from the source",
             "the rule hydrophone_deaf did not fire",
             "the rule leak fired at 600 s",

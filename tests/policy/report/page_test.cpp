@@ -79,12 +79,14 @@ TEST_F(PageTest, SaysInItsHeadHowSurprisedTheVehicleWasThatItSweptAndThatItDecla
             "<p>From step 9 on what it heard was unlikely in every ocean of its tables (surprise 13.2 bits at the end, which counts from "
             "6.75 on). Swept from step 11 of 100 on: what it heard fitted no ocean of its tables.</p>"),
       1U);
-  flight.summary["end_reason"] = "declared_found";
+  flight.summary["end_reason"] = "found";
   flight.summary["step_length_m"] = 1'000.0;
   flight.summary["declared_found"] = {{"step", 3}, {"range_m", 1'020.6}};
   const std::string declared = page(flight, {}, {});
   EXPECT_EQ(count(declared, "<h1 class=\"missed\">After 3 steps declared found, wrongly: 1021 m from the source</h1>"), 1U);
   EXPECT_EQ(count(declared, "The mission ended because"), 0U);
+  flight.summary["end_reason"] = "declared_found";
+  EXPECT_EQ(page(flight, {}, {}), declared) << "of a summary that was written before";
 }
 
 TEST_F(PageTest, SaysWhichRuleEndedASimulatedFlightWhatHappenedBeforeAndWhatIsLeftOfTheBattery) {

@@ -9,7 +9,7 @@
 #include "firmware/boards/linux/journal_view/wording.hpp"
 #include "firmware/core/geometry.hpp"
 #include "firmware/host/file/printable.hpp"
-#include "firmware/messages/command_words.hpp"
+#include "firmware/messages/dictionary/command_words.hpp"
 #include "firmware/messages/health_words.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 

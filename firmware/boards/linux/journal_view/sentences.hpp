@@ -30,7 +30,7 @@ enum class AbortedBy : std::uint8_t { kOperator, kProgram };
 /// "ABORT: navigation went silent, after 12 steps"; "SEARCH, listening: it commands nothing"
 [[nodiscard]] std::string to_string(const health_t& health, bool was_surprised, AbortedBy by = AbortedBy::kOperator);
 
-/// "end: the mission was over; DONE: the source is reached, after 37 steps; no record was lost"
+/// "end: the mission was over; DONE: completed, the source is reached, after 37 steps; no record was lost"
 [[nodiscard]] std::string to_string(const wire::ClosingRecord& closing, AbortedBy by = AbortedBy::kOperator);
 [[nodiscard]] std::string to_string(const journal_resumed_t& resumed);
 

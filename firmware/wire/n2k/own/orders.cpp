@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "firmware/messages/dictionary/command_words.hpp"
 #include "firmware/wire/n2k/identifier.hpp"
 #include "firmware/wire/n2k/own/ownership.hpp"
 
@@ -141,7 +142,7 @@ Result<CommandAcknowledgement> read_acknowledgement(std::span<const std::uint8_t
   acknowledgement.issuer = static_cast<std::uint32_t>(reader.raw("Issuer"));
   acknowledgement.number = static_cast<std::uint32_t>(reader.raw("Number"));
   if (reader.status() != Status::kOk) return reader.status();
-  if (outcome > static_cast<std::int64_t>(messages::kLastCommandOutcome)) return Status::kUnsupported;
+  if (!messages::is_value_of<CommandOutcome>(outcome)) return Status::kUnsupported;
   acknowledgement.order = static_cast<Order>(order);
   acknowledgement.outcome = static_cast<CommandOutcome>(outcome);
   return acknowledgement;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "firmware/messages/dictionary/mission_words.hpp"
+#include "firmware/messages/dictionary/safety_words.hpp"
 #include "firmware/wire/n2k/own/ownership.hpp"
 
 namespace earshot::n2k {
@@ -21,6 +23,33 @@ Status cut(const MessageWriter& writer, const Sender& sender, FastPacketFrames& 
 
 std::uint64_t count_in(MessageReader& reader, FieldName signal) {
   return static_cast<std::uint64_t>(reader.raw(signal));
+}
+
+/// What its field can hold of it; a NaN stays "not available".
+void set_surprise(float surprise_bits, MessageWriter& writer) {
+  constexpr Signal kSurprise = table::field(table::kHealth, "Surprise");
+  if (surprise_bits != surprise_bits) return;
+  writer.set("Surprise", std::clamp(double{surprise_bits}, kSurprise.lowest, kSurprise.highest));
+}
+
+/// The rest of a health message, which vehicles of before do not send: what is not there stays as it is.
+Status read_search(std::span<const std::uint8_t> bytes, messages::Health& health) {
+  constexpr Signal kSweeping = table::field(table::kHealth, "Sweeping");
+  constexpr Signal kFound = table::field(table::kHealth, "Found");
+  constexpr Signal kResponse = table::field(table::kHealth, "Response");
+  constexpr Signal kSurprise = table::field(table::kHealth, "Surprise");
+  const auto says_yes = [bytes](const Signal& signal) {
+    const Result<std::int64_t> raw = decode_raw(signal, bytes);
+    return raw.ok() && raw.value() == 1;
+  };
+  health.is_sweeping = says_yes(kSweeping);
+  health.is_found = says_yes(kFound);
+  if (const Result<double> surprise = decode(kSurprise, bytes); surprise.ok()) health.surprise_bits = static_cast<float>(surprise.value());
+  const Result<std::int64_t> response = decode_raw(kResponse, bytes);
+  if (!response.ok()) return Status::kOk;
+  if (!messages::is_value_of<config::Response>(response.value())) return Status::kUnsupported;
+  health.response = static_cast<config::Response>(response.value());
+  return Status::kOk;
 }
 
 NorthEast place_in(MessageReader& reader, FieldName north, FieldName east) {
@@ -45,7 +74,11 @@ Status compose_health(const messages::Health& health, Time now, const Sender& se
       .set_raw("Turn", counted(health.turn))
       .set_raw("Decisions", health.decisions)
       .set_raw("Authority", static_cast<std::int64_t>(health.authority))
-      .set_raw("Paused", health.is_paused ? 1 : 0);
+      .set_raw("Paused", health.is_paused ? 1 : 0)
+      .set_raw("Sweeping", health.is_sweeping ? 1 : 0)
+      .set_raw("Found", health.is_found ? 1 : 0)
+      .set_raw("Response", static_cast<std::int64_t>(health.response));
+  set_surprise(health.surprise_bits, writer);
   return cut(writer, sender, frames);
 }
 
@@ -68,10 +101,10 @@ Result<HealthReport> read_health(std::span<const std::uint8_t> bytes) {
   const std::int64_t authority = reader.raw("Authority");
   report.port_count = static_cast<std::uint8_t>(reader.raw("Ports"));
   if (reader.status() != Status::kOk) return reader.status();
-  const bool known = state <= static_cast<std::int64_t>(messages::MissionState::kAbort) &&
-                     reason <= static_cast<std::int64_t>(messages::kLastEndReason) &&
-                     authority <= static_cast<std::int64_t>(messages::kLastAuthority);
+  const bool known = messages::is_value_of<messages::MissionState>(state) && messages::is_value_of<messages::EndReason>(reason) &&
+                     messages::is_value_of<messages::Authority>(authority);
   if (!known) return Status::kUnsupported;
+  if (const Status status = read_search(bytes, report.health); status != Status::kOk) return status;
   report.health.authority = static_cast<messages::Authority>(authority);
   report.health.state = static_cast<messages::MissionState>(state);
   report.health.end_reason = static_cast<messages::EndReason>(reason);

@@ -133,7 +133,7 @@ inline constexpr Message kAltitude = single("EarshotAltitude", kAltitudePgn, 5, 
 inline constexpr Message kLeak = single("EarshotLeak", kLeakPgn, 1, kToRuntime, kSecond, kLeakSignals);
 inline constexpr Message kAutopilotStatus =
     single("EarshotAutopilotStatus", kAutopilotStatusPgn, 3, kToRuntime, kSecond, kAutopilotStatusSignals);
-inline constexpr Message kHealth = fast("EarshotHealth", kHealthPgn, 6, kFromRuntime, kSecond, kHealthSignals, 58);
+inline constexpr Message kHealth = fast("EarshotHealth", kHealthPgn, 6, kFromRuntime, kSecond, kHealthSignals, 61);
 inline constexpr Message kPortHealth = fast("EarshotPortHealth", kPortHealthPgn, 6, kFromRuntime, kSecond, kPortHealthSignals, 28);
 inline constexpr Message kDecision = fast("EarshotDecision", kDecisionPgn, 6, kFromRuntime, kOnOccasion, kDecisionSignals, 60);
 inline constexpr Message kChallenge = fast("EarshotChallenge", kChallengePgn, 6, kFromRuntime, kSecond, kChallengeSignals, 106);

@@ -1,5 +1,13 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "firmware/messages/dictionary/command_words.hpp"
+#include "firmware/messages/dictionary/mission_words.hpp"
+#include "firmware/messages/dictionary/safety_words.hpp"
 #include "firmware/wire/n2k/table/choices.hpp"
 
 namespace earshot::n2k::table {
@@ -10,26 +18,18 @@ namespace earshot::n2k::table {
 inline constexpr std::int64_t kManufacturer = 2044;
 inline constexpr std::int64_t kMarineIndustry = raw_of(kIndustry, "Marine Industry");
 
-inline constexpr Choice kOrders[]{{1, "START"}, {2, "COMPLETE"}, {3, "ABORT"}, {4, "LISTEN"}, {5, "PAUSE"}, {6, "RESUME"}, {7, "TIGHTEN"}};
-inline constexpr Choice kOutcomes[]{{0, "obeyed"},
-                                    {1, "repeated"},
-                                    {2, "too old"},
-                                    {3, "expired"},
-                                    {4, "not in this state"},
-                                    {5, "unknown order"},
-                                    {6, "not configured"},
-                                    {7, "out of order"},
-                                    {8, "not verified"},
-                                    {9, "not tighter"},
-                                    {10, "autopilot silent"},
-                                    {11, "old mark"},
-                                    {12, "unreadable"},
-                                    {13, "obeyed, not durable"}};
-inline constexpr Choice kMissionStates[]{{0, "STANDBY"}, {1, "SEARCH"}, {2, "DONE"}, {3, "ABORT"}};
-inline constexpr Choice kEndReasons[]{{0, "not over"},         {1, "completed"},    {2, "steps used up"},       {3, "operator abort"},
-                                      {4, "navigation stale"}, {5, "SNR stale"},    {6, "left operating area"}, {7, "time used up"},
-                                      {8, "safety rule"},      {9, "memory fault"}, {10, "says found"},         {11, "outage"}};
-inline constexpr Choice kAuthorities[]{{0, "DISCONNECTED"}, {1, "STANDBY"}, {2, "LISTEN"}, {3, "COMMAND"}, {4, "ABORT"}};
+/// The names of all values of an enum (firmware/messages/dictionary).
+template <messages::HasWords Enum>
+consteval auto choices_of() {
+  constexpr const auto& kTable = messages::WordsOf<Enum>::kTable;
+  return []<std::size_t... kRows>(std::index_sequence<kRows...>) {
+    return std::array<Choice, kTable.size()>{Choice{static_cast<std::int64_t>(kTable[kRows].value), kTable[kRows].name}...};
+  }
+  (std::make_index_sequence<kTable.size()>{});
+}
+template <messages::HasWords Enum>
+inline constexpr std::array<Choice, messages::WordsOf<Enum>::kTable.size()> kChoicesOf = choices_of<Enum>();
+
 inline constexpr Choice kLeakStates[]{{0, "dry"}, {1, "wet"}};
 inline constexpr Choice kPeers[]{{1, "command"}, {2, "acknowledgement"}, {3, "abort"}};
 
@@ -98,12 +98,13 @@ inline constexpr Signal kAutopilotStatusSignals[]{
     number("HeadingSequence", 24, 8),
 };
 
+// What an older vehicle does not say is "not available" (Sweeping, whose bits were reserved) or behind the end of its 58 bytes.
 inline constexpr Signal kHealthSignals[]{
     manufacturer(),
     industry(),
     instant("Time", 16),
-    choice("State", 80, 8, kMissionStates),
-    choice("EndReason", 88, 8, kEndReasons),
+    choice("State", 80, 8, kChoicesOf<messages::MissionState>),
+    choice("EndReason", 88, 8, kChoicesOf<messages::EndReason>),
     any_number("StepsTaken", 96),
     counter("NavigationRefused", 128),
     counter("SNRRefused", 176),
@@ -112,9 +113,13 @@ inline constexpr Signal kHealthSignals[]{
     number("Ports", 320, 8),
     counter("Turn", 328),
     any_number("Decisions", 376),
-    choice("Authority", 408, 4, kAuthorities),
+    choice("Authority", 408, 4, kChoicesOf<messages::Authority>),
     choice("Paused", 412, 2, kYesNo),
+    choice("Sweeping", 414, 2, kYesNo),
     counter("StatusRefused", 416),
+    choice("Found", 464, 2, kYesNo),
+    choice("Response", 466, 6, kChoicesOf<config::Response>),
+    number("Surprise", 472, 16, kUnsigned, kHundredth, "bit"),
 };
 
 inline constexpr Signal kPortHealthSignals[]{
@@ -151,7 +156,7 @@ inline constexpr Signal kCommandSignals[]{
     manufacturer(),
     industry(),
     message_kind(),
-    choice("Order", 24, 8, kOrders),
+    choice("Order", 24, 8, kChoicesOf<messages::Order>),
     any_number("Issuer", 32),
     any_number("Number", 64),
     instant("Time", 96),
@@ -169,10 +174,10 @@ inline constexpr Signal kCommandAcknowledgementSignals[]{
     manufacturer(),
     industry(),
     message_kind(),
-    choice("Order", 24, 8, kOrders),
+    choice("Order", 24, 8, kChoicesOf<messages::Order>),
     any_number("Issuer", 32),
     any_number("Number", 64),
-    choice("Outcome", 96, 8, kOutcomes),
+    choice("Outcome", 96, 8, kChoicesOf<messages::CommandOutcome>),
     instant("Time", 104),
 };
 

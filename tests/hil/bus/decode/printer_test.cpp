@@ -8,6 +8,8 @@
 #include <sstream>
 #include <string>
 
+#include "firmware/wire/n2k/own/reports.hpp"
+
 namespace earshot::hil {
 namespace {
 
@@ -65,6 +67,26 @@ TEST(Printer, WritesTheNumberOfWhatHasNoWord) {
   EXPECT_EQ(nlohmann::json::parse(printed(Format::kJson, heard)).at("signals").at("SpeedWaterReferencedType"),
             nlohmann::json::parse(R"({"value": 9.0})"));
   EXPECT_NE(printed(Format::kCsv, heard).find(",SpeedWaterReferencedType,9,\n"), std::string::npos);
+}
+
+TEST(Printer, SaysOfAFlightWhoseVehicleDeclaredItsSourceFoundThatItEndedSo) {
+  messages::Health health;
+  health.state = messages::MissionState::kDone;
+  health.end_reason = messages::EndReason::kFound;
+  health.is_found = health.is_sweeping = true;
+  health.response = config::Response::kSteerBack;
+  health.surprise_bits = 7.25F;
+  n2k::FastPacketFrames frames;
+  ASSERT_EQ(n2k::compose_health(health, Time{5}, {.source = 0x40}, frames), Status::kOk);
+  Decoder decoder;
+  Heard heard;
+  Decoder::Taken taken{};
+  for (const n2k::Frame& frame : frames) taken = decoder.accept({.time = kTime, .interface = "can0", .frame = frame}, heard);
+  ASSERT_EQ(taken, Decoder::Taken::kMessage);
+  const std::string line = printed(Format::kText, heard);
+  for (const char* said :
+       {"State = DONE", "EndReason = found", "Found = Yes", "Sweeping = Yes", "Response = steer back", "Surprise = 7.25 bit"})
+    EXPECT_NE(line.find(said), std::string::npos) << said << " in " << line;
 }
 
 TEST(Printer, WritesAnObjectOfTextThatIsNoUtf8) {

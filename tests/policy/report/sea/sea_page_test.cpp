@@ -141,7 +141,7 @@ TEST_F(SeaPageTest, OfASearchThatASignalBrokeOffSaysThatNoOperatorAbortedIt) {
 TEST_F(SeaPageTest, DrawsTrackAndSnrOfTheJournal) {
   fly_until(MissionState::kDone, EndReason::kCompleted);
   const std::string text = page_of_it();
-  EXPECT_TRUE(has(text, "<h1 class=\"found\">Search ended after 3 steps: the source is reached"));
+  EXPECT_TRUE(has(text, "<h1 class=\"found\">Search ended after 3 steps: completed, the source is reached"));
   EXPECT_TRUE(has(text, "<title>The vehicle's track by its own navigation</title>"));
   EXPECT_TRUE(has(text, "<title>SNR against time</title>"));
   EXPECT_TRUE(has(text, "Refused as they came in: fixes 0, SNR 4, bearings 2 and 3 of a second sender, commands 0."));

@@ -69,7 +69,9 @@ TEST(SearchAccount, SaysHowFarFromTheSourceItDeclaredItFoundFirstAndWhetherWrong
   account.note({.steps_taken = 35, .is_found = true}, Meters{400.0});
   nlohmann::json s = summary_with(account);
   EXPECT_EQ(account_lines(s), "  declared    found at step 34, wrongly: 1021 m from the source\n");
-  s["end_reason"] = "declared_found";
+  s["end_reason"] = "found";
+  EXPECT_EQ(outcome(s), "declared found, wrongly: 1021 m from the source");
+  s["end_reason"] = "declared_found";  // of a summary that was written before
   EXPECT_EQ(outcome(s), "declared found, wrongly: 1021 m from the source");
   s["declared_found"]["range_m"] = 1'000.0;
   EXPECT_EQ(account_lines(s), "  declared    found at step 34: 1000 m from the source\n");
@@ -89,7 +91,7 @@ TEST(SearchAccount, SaysThatAVehicleWhichCameNearTheSourceHasNotDeclaredIt) {
 }
 
 TEST(SearchAccount, SaysInWordsWhyAFlightWasLostOrEnded) {
-  EXPECT_EQ(outcome({{"found", true}, {"end_reason", "declared_found"}}), "source found");
+  EXPECT_EQ(outcome({{"found", true}, {"end_reason", "found"}}), "source found");
   EXPECT_EQ(outcome({{"found", false}, {"end_reason", "bus_lost"}}), "the flight was lost: a set-point did not arrive over the bus");
   EXPECT_EQ(outcome({{"found", false}, {"end_reason", "time_used_up"}}), "source not found: time used up");
 }

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "firmware/boards/linux/journal_view/wording.hpp"
-#include "firmware/config/safety.hpp"
 #include "firmware/host/file/checksum_text.hpp"
-#include "firmware/messages/command_words.hpp"
-#include "firmware/messages/health_words.hpp"
+#include "firmware/messages/dictionary/command_words.hpp"
+#include "firmware/messages/dictionary/mission_words.hpp"
+#include "firmware/messages/dictionary/safety_words.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 
 namespace earshot::journal_view {
@@ -35,9 +35,16 @@ Json word_at(const std::array<std::string_view, N>& words, std::size_t index) {
   return index < N ? Json(words.at(index)) : Json(std::to_string(index));
 }
 
-std::string key_of(config::Condition condition) {
-  const auto index = static_cast<std::size_t>(condition);
-  return index < config::kConditions ? std::string(config::kConditionTraits.at(index).key) : std::to_string(index);
+/// How a value is called, or its number where there is no such value.
+template <messages::HasWords Enum>
+Json called(std::string_view messages::Word<Enum>::*how, Enum value) {
+  const messages::Word<Enum>* const word = messages::word_of(value);
+  return word != nullptr ? Json(word->*how) : Json(std::to_string(static_cast<int>(value)));
+}
+
+template <messages::HasWords Enum>
+Json key_at(Enum value) {
+  return called(&messages::Word<Enum>::key, value);
 }
 
 /// Sizes are whatever the bytes say, the arrays are not.
@@ -161,10 +168,10 @@ Json rules(const mission_t& m) {
   Json rules = Json::array();
   const std::size_t count = first_of(m.rule_limit, m.rules).size();
   for (std::size_t i = 0; i < count; ++i)
-    rules.push_back({{"condition", key_of(static_cast<config::Condition>(m.rule_condition[i]))},
+    rules.push_back({{"condition", key_at(static_cast<config::Condition>(m.rule_condition[i]))},
                      {"limit", m.rule_limit[i]},
                      {"persistence_s", seconds_at(m.rule_persistence_us[i])},
-                     {"response", word_at(config::kResponseWords, static_cast<std::uint8_t>(m.rule_response[i]))},
+                     {"response", key_at(static_cast<config::Response>(m.rule_response[i]))},
                      {"latched", m.rule_latched[i] != 0}});
   return rules;
 }
@@ -248,8 +255,8 @@ Json fields(const decision_t& m) {
 
 Json fields(const messages::SafetyEvent& m) {
   return {{"rule", m.rule + 1},
-          {"condition", key_of(m.condition)},
-          {"response", word_at(config::kResponseWords, static_cast<std::size_t>(m.response))},
+          {"condition", key_at(m.condition)},
+          {"response", key_at(m.response)},
           {"begins", m.begins},
           {"measure", m.measure},
           {"limit", m.limit}};
@@ -263,7 +270,6 @@ Json fields(const command_acknowledgement_t& m) {
 }
 
 Json fields(const health_t& m) {
-  static constexpr std::array<std::string_view, 5> kAuthorityWords{"DISCONNECTED", "STANDBY", "LISTEN", "COMMAND", "ABORT"};
   Json ports = Json::array();
   for (const port_report_t& p : first_of(m.ports, m.port_count)) {
     ports.push_back(report_fields(p.port, p.link_up != 0, static_cast<std::uint64_t>(p.received), static_cast<std::uint64_t>(p.lost),
@@ -271,7 +277,7 @@ Json fields(const health_t& m) {
   }
   return {{"turn", m.turn},
           {"state", messages::to_string(static_cast<messages::MissionState>(m.state))},
-          {"authority", word_at(kAuthorityWords, static_cast<std::uint8_t>(m.authority))},
+          {"authority", called(&messages::Word<messages::Authority>::name, static_cast<messages::Authority>(m.authority))},
           {"paused", m.paused != 0},
           {"end_reason", messages::to_string(static_cast<messages::EndReason>(m.end_reason))},
           {"decisions", m.decisions},
@@ -279,7 +285,7 @@ Json fields(const health_t& m) {
           {"surprise_bits", m.surprise_bits},
           {"sweeping", m.sweeping != 0},
           {"found", m.found != 0},
-          {"response", word_at(config::kResponseWords, static_cast<std::uint8_t>(m.response))},
+          {"response", key_at(static_cast<config::Response>(m.response))},
           {"navigation_refused", m.navigation_refused},
           {"snr_refused", m.snr_refused},
           {"status_refused", m.status_refused},

@@ -3,9 +3,9 @@
 #include <string_view>
 
 #include "firmware/boards/linux/journal_view/wording.hpp"
-#include "firmware/config/safety.hpp"
 #include "firmware/core/math.hpp"
-#include "firmware/messages/health_words.hpp"
+#include "firmware/messages/dictionary/mission_words.hpp"
+#include "firmware/messages/dictionary/safety_words.hpp"
 
 namespace earshot::journal_view {
 namespace {
@@ -91,8 +91,8 @@ void TurnTable::write_row(Time time, const health_t& health) {
       .cell(is_dated(time) ? utc(time) : "")
       .cell(messages::to_string(static_cast<messages::MissionState>(health.state)))
       .cell(std::to_string(health.steps_taken));
-  const auto response = static_cast<std::uint8_t>(health.response);
-  row.cell(response < config::kResponses ? config::kResponseWords.at(response) : std::string_view());
+  const bool is_response = messages::is_value_of<config::Response>(health.response);
+  row.cell(is_response ? messages::key_of(static_cast<config::Response>(health.response)) : std::string_view());
   if (fix_)
     put_fix(row, time, *fix_, plane_);
   else

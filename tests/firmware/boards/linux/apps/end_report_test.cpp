@@ -70,7 +70,7 @@ class EndReport : public testing::Test {
 TEST_F(EndReport, OfAMissionThatIsOverSaysHowItEndedAndWhereItsJournalIs) {
   end_in(LoopEnd::kMissionOver, messages::MissionState::kDone, messages::EndReason::kCompleted);
   EXPECT_EQ(of_loop(clock_).status, program::kDone);
-  EXPECT_EQ(of_loop(clock_).said, "earshotd: DONE, the source is reached, after 2 steps; journal out/journal.lcmlog\n");
+  EXPECT_EQ(of_loop(clock_).said, "earshotd: DONE, completed, the source is reached, after 2 steps; journal out/journal.lcmlog\n");
   EXPECT_EQ(of_loop(clock_, program::Talk::kQuiet).said, "");
   end_in(LoopEnd::kMissionOver, messages::MissionState::kAbort, messages::EndReason::kSafetyRule);
   EXPECT_EQ(of_loop(clock_).status, program::kAborted);

@@ -235,7 +235,7 @@ TEST_F(FlightNewsTest, TellsThatAnOperatorMadeTheLimitsTighterAndLastWhatTheyAre
 
 TEST_F(FlightNewsTest, TellsTheSecondsOfASimulatorsClock) {
   news_->tell(Time{4'711'900'000}, health(MissionState::kDone, EndReason::kCompleted, 37));
-  EXPECT_EQ(all_told(), "earshotd: 4711 s: DONE, the source is reached, after 37 steps\n");
+  EXPECT_EQ(all_told(), "earshotd: 4711 s: DONE, completed, the source is reached, after 37 steps\n");
 }
 
 TEST_F(FlightNewsTest, TellsEveryLinkThatGoesDownOrComesBackButNotWhatWasDownAtTheStart) {

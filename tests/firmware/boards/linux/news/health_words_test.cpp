@@ -12,7 +12,7 @@ TEST(HealthWords, TellStateReasonAndSteps) {
   health.state = messages::MissionState::kDone;
   health.end_reason = messages::EndReason::kCompleted;
   health.steps_taken = 37;
-  EXPECT_EQ(to_string(health), "DONE, the source is reached, after 37 steps");
+  EXPECT_EQ(to_string(health), "DONE, completed, the source is reached, after 37 steps");
 }
 
 TEST(HealthWords, TellNoReasonOfASearchThatIsNotOver) {

@@ -245,7 +245,7 @@ TEST_F(OrdersTest, AreNotFoundInOurOwnAnswersComeBackOrThoseOfOthers) {
 TEST_F(OrdersTest, WhoseAnswerNobodyKnowsIsRefused) {
   FastPacketFrames frames;
   const messages::CommandAcknowledgement sent{
-      .time = kNow, .port = 0, .issuer = 1, .number = 2, .order = Order::kStart, .outcome = messages::kLastCommandOutcome};
+      .time = kNow, .port = 0, .issuer = 1, .number = 2, .order = Order::kStart, .outcome = messages::kHighest<messages::CommandOutcome>};
   ASSERT_EQ(compose_acknowledgement(sent, kRoute, frames), Status::kOk);
   FastPacketAssembly assembly;
   std::span<const std::uint8_t> view;

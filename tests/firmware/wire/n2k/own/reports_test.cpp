@@ -43,10 +43,14 @@ TEST(Reports, OfHealthComeBack) {
   health.decisions = 7;
   health.authority = messages::Authority::kAbort;
   health.is_paused = true;
+  health.is_sweeping = true;
+  health.is_found = true;
+  health.surprise_bits = 13.5F;
+  health.response = config::Response::kRelease;
   ASSERT_EQ(health.ports.push_back({}), Status::kOk);
   FastPacketFrames frames;
   ASSERT_EQ(compose_health(health, Time{-5}, kSender, frames), Status::kOk);
-  EXPECT_EQ(frames.size(), 9U);  // 58 bytes: 6 and 7 times 7 and 3
+  EXPECT_EQ(frames.size(), 9U);  // 61 bytes: 6 and 7 times 7 and 6
   const Result<HealthReport> read = read_health(bytes_of(frames));
   ASSERT_TRUE(read.ok());
   EXPECT_EQ(read.value().time, Time{-5});
@@ -58,7 +62,53 @@ TEST(Reports, OfHealthComeBack) {
   EXPECT_EQ(read.value().health.decisions, 7U);
   EXPECT_EQ(read.value().health.authority, messages::Authority::kAbort);
   EXPECT_TRUE(read.value().health.is_paused);
+  EXPECT_TRUE(read.value().health.is_sweeping);
+  EXPECT_TRUE(read.value().health.is_found);
+  EXPECT_EQ(read.value().health.surprise_bits, 13.5F);
+  EXPECT_EQ(read.value().health.response, config::Response::kRelease);
   EXPECT_EQ(read.value().port_count, 1);
+}
+
+TEST(Reports, OfTheHealthOfAnOlderVehicleComeBackWithoutWhatItDoesNotSay) {
+  messages::Health health;
+  health.steps_taken = 7;
+  health.is_sweeping = health.is_found = true;
+  health.surprise_bits = 13.5F;
+  health.response = config::Response::kHold;
+  FastPacketFrames frames;
+  ASSERT_EQ(compose_health(health, Time{5}, kSender, frames), Status::kOk);
+  std::vector<std::uint8_t> bytes = bytes_of(frames);
+  bytes.resize(58);    // what there was
+  bytes[51] |= 0xC0U;  // reserved bits were ones
+  const Result<HealthReport> read = read_health(bytes);
+  ASSERT_TRUE(read.ok());
+  EXPECT_EQ(read.value().health.steps_taken, 7U);
+  EXPECT_FALSE(read.value().health.is_sweeping);
+  EXPECT_FALSE(read.value().health.is_found);
+  EXPECT_EQ(read.value().health.surprise_bits, 0.0F);
+  EXPECT_EQ(read.value().health.response, config::Response::kWarn);
+}
+
+TEST(Reports, OfHealthLeaveWhereTheyCanTheSurpriseThatNoFieldHolds) {
+  constexpr float kInfinite = std::numeric_limits<float>::infinity();
+  const auto told = [](float surprise_bits) {
+    messages::Health health;
+    health.surprise_bits = surprise_bits;
+    FastPacketFrames frames;
+    EXPECT_EQ(compose_health(health, Time{5}, kSender, frames), Status::kOk);
+    return read_health(bytes_of(frames)).value().health.surprise_bits;
+  };
+  EXPECT_EQ(told(kInfinite), 655.32F) << "16 bits of hundredths, below reserved, out of range and not available";
+  EXPECT_EQ(told(-1.0F), 0.0F);
+  EXPECT_EQ(told(std::numeric_limits<float>::quiet_NaN()), 0.0F) << "not said";
+}
+
+TEST(Reports, OfHealthDoNotPassAnUnknownResponseForAnother) {
+  FastPacketFrames frames;
+  ASSERT_EQ(compose_health({}, Time{5}, kSender, frames), Status::kOk);
+  std::vector<std::uint8_t> bytes = bytes_of(frames);
+  bytes[58] = static_cast<std::uint8_t>(bytes[58] | 7U << 2U);  // one more than there is
+  EXPECT_EQ(read_health(bytes).status(), Status::kUnsupported);
 }
 
 TEST(Reports, StopCountingWhereTheirFieldEnds) {
@@ -89,13 +139,16 @@ TEST(Reports, LieByteForByteWhereOtherProgramsExpectThem) {
                      .setpoints_limited = 0x363534333231};
   health.turn = 0x565554535251;
   health.decisions = 0x64636261;
-  health.authority = messages::Authority::kAbort;  // 4, below paused in two bits (1) and two ones: 1101'0100
+  health.authority = messages::Authority::kAbort;  // 4, below paused (1) and sweeping (0) in two bits each: 0001'0100
   health.is_paused = true;
+  health.is_found = true;                        // 1, below the response in six bits: 0001'1001
+  health.response = config::Response::kRelease;  // 6
+  health.surprise_bits = 47.87F;                 // 4787 is 0x12B3
   ASSERT_EQ(compose_health(health, Time{0x0807060504030201}, kSender, frames), Status::kOk);
-  EXPECT_EQ(bytes_of(frames),
-            (Bytes{0xFC, 0x9F, 1,    2,    3,    4,    5,    6,    7,    8,    3,    7,    1,    2,    3,    4,    1,    2,    3,    4,
-                   5,    6,    0x11, 0x12, 0x13, 0x14, 0x15, 0x16, 0x21, 0x22, 0x23, 0x24, 0x25, 0x26, 0x31, 0x32, 0x33, 0x34, 0x35, 0x36,
-                   0,    0x51, 0x52, 0x53, 0x54, 0x55, 0x56, 0x61, 0x62, 0x63, 0x64, 0xD4, 0x41, 0x42, 0x43, 0x44, 0x45, 0x46}));
+  EXPECT_EQ(bytes_of(frames), (Bytes{0xFC, 0x9F, 1,    2,    3,    4,    5,    6,    7,    8,    3,    7,    1,    2,    3,    4,
+                                     1,    2,    3,    4,    5,    6,    0x11, 0x12, 0x13, 0x14, 0x15, 0x16, 0x21, 0x22, 0x23, 0x24,
+                                     0x25, 0x26, 0x31, 0x32, 0x33, 0x34, 0x35, 0x36, 0,    0x51, 0x52, 0x53, 0x54, 0x55, 0x56, 0x61,
+                                     0x62, 0x63, 0x64, 0x14, 0x41, 0x42, 0x43, 0x44, 0x45, 0x46, 0x19, 0xB3, 0x12}));
 
   // The link in two bits below six ones: 1 for up.
   const messages::PortReport report{.port = 9,

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "firmware/config/safety.hpp"
+#include "firmware/messages/dictionary/words.hpp"
+
+namespace earshot::messages {
+
+// Keys of rules are a mission's: firmware/config/safety.hpp has them.
+
+template <>
+struct WordsOf<config::Response> {
+  static constexpr std::string_view kUnknown = "?";
+  static constexpr auto kTable = [] {
+    constexpr std::array<std::string_view, config::kResponses> kNames{"warn",    "steer back", "hold",   "return",
+                                                                      "surface", "abort",      "release"};
+    std::array<Word<config::Response>, config::kResponses> table{};
+    for (std::size_t i = 0; i < table.size(); ++i)
+      table[i] = {static_cast<config::Response>(i), config::kResponseWords[i], kNames[i], config::kResponseWords[i]};
+    return table;
+  }();
+};
+
+template <>
+struct WordsOf<config::Condition> {
+  static constexpr std::string_view kUnknown = "?";
+  static constexpr auto kTable = [] {
+    std::array<Word<config::Condition>, config::kConditions> table{};
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      const config::ConditionTraits& traits = config::kConditionTraits[i];
+      table[i] = {static_cast<config::Condition>(i), traits.key, traits.key, traits.meaning};
+    }
+    return table;
+  }();
+};
+
+}  // namespace earshot::messages
