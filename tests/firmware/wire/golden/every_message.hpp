@@ -19,6 +19,7 @@
 #include "firmware/messages/setpoint.hpp"
 #include "firmware/messages/snr_measurement.hpp"
 #include "firmware/messages/sound_detection.hpp"
+#include "firmware/messages/unsent_setpoints.hpp"
 #include "firmware/messages/vehicle_status.hpp"
 #include "firmware/wire/journal/closing_record.hpp"
 #include "tests/firmware/place.hpp"
@@ -211,6 +212,7 @@ void for_each_sample_input(Take&& take) {
   take("order.old_mark", recorded);
   take("port_report", kSampleReport);
   take("port_report.down", PortReport{.port = 1, .link_up = false});
+  take("unsent_setpoints", UnsentSetpoints{.count = 4'294'967'301});
   take("vehicle_status", VehicleStatus{.time = kSampleTime, .altitude = Meters{20.5}, .battery_percent = 80.25, .has_leak = true});
   take("vehicle_status.unknown", VehicleStatus{.time = kSampleTime, .has_ground_fault = true});
   for (const bool yes : {false, true}) {
