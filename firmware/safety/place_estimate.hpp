@@ -66,6 +66,8 @@ class PlaceEstimate {
   static constexpr double kShare = 0.2;
   /// Where the speed is not known, or fixes are further apart than this, the vehicle may have gone anywhere.
   static constexpr Duration kFarApart = Duration::seconds(3);
+  /// While nobody hears of it for longer, its own computers may have been away: it may have stopped, and needs to come to its speed again.
+  static constexpr Duration kUnheard = Duration::seconds(5);
   /// Until it has the speed that it is told.
   static constexpr Duration kGathersWay = Duration::seconds(10);
   /// Where nobody says how strong it may be: tides in straits.

@@ -1,5 +1,6 @@
 // Loaded into a program by LD_PRELOAD: the disk under its journals (files that end with .lcmlog) is sick in the way of EARSHOT_TEST_DISK
-// ("slow", "full", "read-only") while the file of EARSHOT_TEST_DISK_IS_SICK is there.
+// ("slow", "full", "read-only") while the file of EARSHOT_TEST_DISK_IS_SICK is there. With EARSHOT_TEST_DISK_HAS_RECORD the safety record
+// beside them (journal.safety) is on it, too: one that is full takes it all the same, for it is written in place.
 
 #include <fcntl.h>
 #include <sys/syscall.h>
@@ -18,10 +19,15 @@ namespace {
 
 constexpr std::size_t kMostFiles = 1024;
 std::array<bool, kMostFiles> is_journal{};
+std::array<bool, kMostFiles> is_record{};
 std::array<off_t, kMostFiles> held{};  ///< bytes for which the disk has promised room
 
+bool is_among(const std::array<bool, kMostFiles>& files, int file) {
+  return file >= 0 && static_cast<std::size_t>(file) < kMostFiles && files[static_cast<std::size_t>(file)];
+}
+
 bool is_of_journal(int file) {
-  return file >= 0 && static_cast<std::size_t>(file) < kMostFiles && is_journal[static_cast<std::size_t>(file)];
+  return is_among(is_journal, file);
 }
 
 /// "" while it is well.
@@ -34,6 +40,14 @@ std::string_view present_sickness() {
 
 std::string_view sickness_of(int file) {
   return is_of_journal(file) ? present_sickness() : std::string_view{};
+}
+
+bool has_record() {
+  return std::getenv("EARSHOT_TEST_DISK_HAS_RECORD") != nullptr;
+}
+
+std::string_view sickness_of_record(int file) {
+  return is_among(is_record, file) ? present_sickness() : std::string_view{};
 }
 
 int refuse(int error) {
@@ -55,12 +69,23 @@ int open(const char* path, int flags, ...) {
   va_start(rest, flags);
   const int mode = va_arg(rest, int);
   va_end(rest);
-  const bool is_to_write = std::string_view(path).ends_with(".lcmlog") && (flags & O_ACCMODE) != O_RDONLY;
+  const std::string_view name = path;
+  const bool is_of_record = has_record() && name.ends_with("/journal.safety") && (flags & O_ACCMODE) != O_RDONLY;
+  const bool is_to_write = is_of_record || (name.ends_with(".lcmlog") && (flags & O_ACCMODE) != O_RDONLY);
   if (is_to_write && present_sickness() == "read-only") return refuse(EROFS);
   const int file = static_cast<int>(::syscall(SYS_openat, AT_FDCWD, path, flags, mode));
-  if (file >= 0 && static_cast<std::size_t>(file) < kMostFiles)
-    is_journal[static_cast<std::size_t>(file)] = std::string_view(path).ends_with(".lcmlog") && (flags & O_ACCMODE) == O_WRONLY;
+  if (file >= 0 && static_cast<std::size_t>(file) < kMostFiles) {
+    is_journal[static_cast<std::size_t>(file)] = name.ends_with(".lcmlog") && (flags & O_ACCMODE) == O_WRONLY;
+    is_record[static_cast<std::size_t>(file)] = is_of_record;
+  }
   return file;
+}
+
+ssize_t pwrite(int file, const void* bytes, std::size_t size, off_t offset) {
+  const std::string_view sickness = sickness_of_record(file);
+  if (sickness == "read-only") return refuse(EROFS);
+  if (sickness == "slow") take_a_second();
+  return ::syscall(SYS_pwrite64, file, bytes, size, offset);
 }
 
 ssize_t write(int file, const void* bytes, std::size_t size) {
@@ -88,7 +113,7 @@ int fallocate(int file, int mode, off_t offset, off_t size) {
 }
 
 int fdatasync(int file) {
-  const std::string_view sickness = sickness_of(file);
+  const std::string_view sickness = is_among(is_record, file) ? sickness_of_record(file) : sickness_of(file);
   if (sickness == "read-only") return refuse(EROFS);
   if (sickness == "slow") take_a_second();
   return static_cast<int>(::syscall(SYS_fdatasync, file));

@@ -1,7 +1,9 @@
 #include "hil/bench/lcm/message_intruders.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -9,6 +11,7 @@
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
+#include "firmware/wire/lcm/order_reader.hpp"
 
 namespace earshot::hil {
 namespace {
@@ -92,6 +95,17 @@ void MessageIntruders::say(const TimedFault& fault, Time now, double passed_s, L
     case Fault::kUnknownOrder:
       say_on(wire::kOperatorCommandChannel, order(kNoOrder, now.us, now.us, ++orders_), said);
       break;
+    case Fault::kCutAbort:
+      say_on(wire::kOperatorCommandChannel, order(operator_command_t::ABORT, now.us, now.us, ++orders_), said);
+      said.back().data.resize(wire::kOrderHeadBytes);
+      break;
+    case Fault::kRecordedOrder: {
+      operator_command_t recorded = order(operator_command_t::PAUSE, now.us, now.us, ++orders_);
+      const messages::CommandMark mark = key_.old_mark_of(wire::from_message(recorded));
+      std::ranges::copy(mark, std::begin(recorded.mark));
+      say_on(wire::kOperatorCommandChannel, recorded, said);
+      break;
+    }
     default:
       break;
   }

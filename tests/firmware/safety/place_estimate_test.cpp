@@ -65,6 +65,20 @@ TEST_F(Places, FindsAPlaceThatStandsStillOrGoesAnotherWay) {
   EXPECT_EQ(told_after(0.0, 2.0), 25) << "2.03 m/s";
 }
 
+// Its computers begin again: for 80 s it says nothing and lies still, and then it comes to its speed in ten seconds.
+TEST_F(Places, ExplainsAVehicleThatNobodyHeardOfForAWhile) {
+  PlaceEstimate estimate;
+  double north_m = 0.0;
+  estimate.begin(fix(0, at(0, 0), 2.0));
+  for (int s = 1; s <= 300; ++s) {
+    if (s > 100 && s < 180) continue;
+    const double speed_mps = s < 180 ? 2.0 : std::min(0.2 * (s - 180), 2.0);
+    if (s != 180) north_m += speed_mps;
+    estimate.take(fix(s, at(north_m, 0), speed_mps), order(0.0), vehicle_);
+    ASSERT_EQ(estimate.unexplained(vehicle_), Meters{0}) << s;
+  }
+}
+
 // 1 m/s off: 0.2 m/s more than is explained, 50 m in 251 s.
 TEST_F(Places, FindsASlowDriftOverTenMinutes) {
   EXPECT_EQ(told_after(2.0, 1.0), 251);

@@ -252,6 +252,19 @@ TEST_F(CaseFileTest, WithASpeedIsFlownAsAtSeaWhereSignalsBefallEitherProgram) {
   EXPECT_EQ(c.faults.at(1), (TimedFault{.fault = Fault::kPause, .from = at_s(80), .until = at_s(120), .device = "vehicle"}));
 }
 
+TEST_F(CaseFileTest, SaysOfFaultsAtSeaWhichFileIsGoneAndWhichOrderIsGiven) {
+  const auto subject = [this](const std::string& keys) {
+    return load(kWords + "speed = 20\n[[fault]]\nat_s = 1\n" + keys + "\n" + kExpect).faults.at(0).device;
+  };
+  EXPECT_EQ(subject("kind = \"file_gone\""), "policy");
+  EXPECT_EQ(subject("kind = \"file_gone\"\nof = \"mission\""), "mission");
+  EXPECT_EQ(subject("kind = \"order\""), "abort");
+  EXPECT_EQ(subject("kind = \"order\"\nof = \"pause\""), "pause");
+  EXPECT_EQ(refusal(kWords + "speed = 20\n[[fault]]\nat_s = 1\nkind = \"order\"\nof = \"start\"\n" + kExpect),
+            "cases.toml:8: fault 1: of = 'start': must be one of \"abort\", \"pause\"");
+  EXPECT_NE(refusal_of_fault("kind = \"file_gone\"\nat_s = 1").find("there is no file_gone in lock-step"), std::string::npos);
+}
+
 TEST_F(CaseFileTest, MayExpectFramesRefusedAndNoFlightAtAll) {
   EXPECT_FALSE(load(kWords + kExpect).expected.refuses_frames);
   EXPECT_FALSE(load(kWords + kExpect).expected.refuses_to_fly);

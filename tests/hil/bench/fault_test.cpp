@@ -13,7 +13,7 @@ namespace {
 TEST(Fault, HasAWordOfItsOwnForEveryKindInTheOrderOfKinds) {
   std::set<std::string_view> words;
   for (const FaultTraits& traits : kFaultTraits) words.insert(traits.word);
-  EXPECT_EQ(words.size(), 57U);
+  EXPECT_EQ(words.size(), 65U);
   const auto word_of = [](Fault fault) { return kFaultTraits.at(static_cast<std::size_t>(fault)).word; };
   EXPECT_EQ(word_of(Fault::kLoss), "loss");
   EXPECT_EQ(word_of(Fault::kReplay), "replay");
@@ -26,6 +26,7 @@ TEST(Fault, HasAWordOfItsOwnForEveryKindInTheOrderOfKinds) {
   EXPECT_EQ(word_of(Fault::kSoundShorted), "sound_shorted");
   EXPECT_EQ(word_of(Fault::kFullDisk), "full_disk");
   EXPECT_EQ(word_of(Fault::kNoRoom), "no_room");
+  EXPECT_EQ(word_of(Fault::kOrder), "order");
 }
 
 TEST(Fault, ActsFromItsBeginningUntilBeforeItsEnd) {

@@ -90,8 +90,8 @@ int come_up(const Options& o, host::SafetyCopies& copies, const HostClock& host,
     if (!open_what_opens(over_default_lcm(), host, ports)) return program::kLost;  // and the service begins again
   }
   ports.settle(std::chrono::seconds(1));
-  HostMissionClock clock(host);
-  clock.go_on_at(record.mission_time + outage_since(record, host).passed);
+  HostMissionClock clock(host, o.speed);
+  clock.go_on_since(record.mission_time, outage_since(record, host).passed);
   ComingUp core(vehicle.mission, record);
   SafetyLog safety(copies, host, record);
   ServiceManager manager = service_manager(o);

@@ -177,8 +177,7 @@ std::unique_ptr<board::Clock> clock_at_sea(const Options& o, const host::SafetyC
                                            const board::Outage& outage) {
   auto clock = std::make_unique<board::HostMissionClock>(host, o.speed, rehearsal_began(o, host.utc()));
   const bool goes_on = o.resume && safety.found() && !safety.found()->is_closed;
-  if (goes_on && !o.speed_since)
-    clock->go_on_at(safety.found()->mission_time + Duration{static_cast<std::int64_t>(static_cast<double>(outage.passed.us) * o.speed)});
+  if (goes_on && !o.speed_since) clock->go_on_since(safety.found()->mission_time, outage.passed);
   return clock;
 }
 
