@@ -14,9 +14,9 @@ namespace earshot::config {
 
 /// What the vehicle is asked to do and the limits it must keep. Plain data: read from a file on Linux, a constant on bare metal.
 ///
-/// A new limit is a field here, its check in mission.cpp, its key in firmware/host/mission/mission_file.cpp, and a field of
-/// firmware/wire/lcm/mission_t.lcm with both its conversions (wire/lcm/conversion.cpp): the journal keeps the mission as that message, and
-/// a replay without it would be one of another mission (Oracle: Conversion.GivesEveryFieldOfAMissionBack).
+/// A new limit is a field here, its check in mission.cpp, its key in firmware/host/mission/mission_file.cpp, and a line in
+/// firmware/messages/dictionary/mission_fields.hpp, without which nothing compiles: the journal keeps the mission as that message, and a
+/// replay without it would be one of another mission.
 struct Mission {
   Rectangle operating_area;       ///< the search domain; leaving it ends the mission (ABORT)
   Meters edge_margin;             ///< no way-point nearer to the edge than this, >= 0

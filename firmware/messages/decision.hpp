@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/core/geometry.hpp"
@@ -35,5 +38,11 @@ struct Decision {
   std::optional<FoundDeclaration> found =
       std::nullopt;  ///< the vehicle says that it has found the source here; its place in the mission's frame
 };
+
+/// The first so many of a decision's floats. A size that came from outside may be any: more than there is room for is cut, and what others
+/// read as below zero is none.
+[[nodiscard]] constexpr std::span<const float> counted(std::span<const float> floats, std::uint8_t count) {
+  return floats.first(static_cast<std::int8_t>(count) < 0 ? 0 : std::min<std::size_t>(count, floats.size()));
+}
 
 }  // namespace earshot::messages

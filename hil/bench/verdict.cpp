@@ -9,10 +9,6 @@
 #include <sstream>
 #include <string_view>
 
-#include "earshot/controller_trouble_t.hpp"
-#include "earshot/health_t.hpp"
-#include "earshot/safety_event_t.hpp"
-#include "earshot/setpoint_t.hpp"
 #include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/core/math.hpp"
 #include "firmware/host/file/bad_input.hpp"
@@ -21,8 +17,7 @@
 #include "firmware/messages/health_words.hpp"
 #include "firmware/safety/fence.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
-#include "firmware/wire/lcm/encoding.hpp"
+#include "firmware/wire/lcm/codec.hpp"
 #include "hil/bench/vehicle_bus.hpp"
 
 namespace earshot::hil {
@@ -59,26 +54,25 @@ Time since(Time began, Time time) {
 void read_records(const std::filesystem::path& journal, const config::Mission& mission, Time began, JournalFindings& found) {
   host::JournalReader reader(journal);
   for (host::JournalRecord record; reader.next(record);) {
-    health_t health{};
-    setpoint_t setpoint{};
-    safety_event_t event{};
-    controller_trouble_t trouble{};
+    messages::Health health;
+    messages::Setpoint setpoint;
+    messages::SafetyEvent event;
+    messages::ControllerTrouble trouble;
     if (record.channel == wire::kHealthChannel && wire::decode(record.data, health) == Status::kOk) {
-      found.end = static_cast<messages::EndReason>(health.end_reason);
-      found.counters.navigation_refused = static_cast<std::uint64_t>(health.navigation_refused);
-      found.counters.commands_refused = static_cast<std::uint64_t>(health.commands_refused);
-      for (const port_report_t& port : std::span(health.ports).first(static_cast<std::size_t>(health.port_count)))
-        found.lost.at(static_cast<std::size_t>(port.port)) = static_cast<std::uint64_t>(port.lost);
+      found.end = health.end_reason;
+      found.counters.navigation_refused = health.counters.navigation_refused;
+      found.counters.commands_refused = health.counters.commands_refused;
+      for (const messages::PortReport& port : health.ports) found.lost.at(port.port) = port.lost;
     } else if (record.channel == wire::kControllerTroubleChannel && wire::decode(record.data, trouble) == Status::kOk) {
-      found.troubles.push_back({.is_bus_off = trouble.trouble == controller_trouble_t::BUS_OFF, .begins = trouble.is_there != 0});
+      found.troubles.push_back({.is_bus_off = trouble.trouble == messages::ControllerState::kBusOff, .begins = trouble.is_there});
     } else if (record.channel == wire::kDecisionChannel) {
       found.decisions.push_back(since(began, record.time));
     } else if (record.channel == wire::kSafetyEventChannel && wire::decode(record.data, event) == Status::kOk) {
-      found.events.push_back(wire::from_message(event));
+      found.events.push_back(event);
       found.events.back().time = since(began, found.events.back().time);
     } else if (record.channel == wire::kJournalledSetpointChannel && wire::decode(record.data, setpoint) == Status::kOk) {
       ++found.setpoints;
-      judge(wire::from_message(setpoint), since(began, record.time), mission, found.beyond_limits);
+      judge(setpoint, since(began, record.time), mission, found.beyond_limits);
     }
   }
 }

@@ -8,7 +8,6 @@
 #include <string>
 #include <utility>
 
-#include "earshot/decision_t.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/journal/journal_parts.hpp"
@@ -16,8 +15,7 @@
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
-#include "firmware/wire/lcm/encoding.hpp"
+#include "firmware/wire/lcm/codec.hpp"
 #include "policy/description/json_fault.hpp"
 #include "policy/report/search_account.hpp"
 
@@ -114,29 +112,27 @@ std::vector<SnrRow> read_snr(const std::filesystem::path& path) {
   return rows;
 }
 
-/// Sizes are whatever the bytes say, the arrays are not.
-template <std::size_t N>
-std::vector<float> first_of(const float (&values)[N], std::int8_t count) {
-  return {values, values + std::clamp<std::size_t>(static_cast<std::uint8_t>(count), 0, N)};
+std::vector<float> copied(std::span<const float> floats) {
+  return {floats.begin(), floats.end()};
 }
 
-explain::RecordedDecision decision_of(const decision_t& m) {
-  return {.step = static_cast<std::uint32_t>(m.step),
-          .time_s = static_cast<double>(m.utime) * 1e-6,
-          .position = {Meters{m.north_m}, Meters{m.east_m}},
-          .reception = {.snr = Decibels{m.snr_db}, .too_faint = m.too_faint != 0, .bearing = wire::bearing_in(m)},
-          .detected = m.detected != 0,
-          .action = static_cast<std::uint8_t>(m.action),
-          .overridden = m.overridden != 0,
-          .sweeping = m.sweeping != 0,
-          .surprise_bits = m.surprise_bits,
-          .found_probability = m.found != 0 ? std::optional(m.found_probability) : std::nullopt,
-          .waypoint = {Meters{m.waypoint_north_m}, Meters{m.waypoint_east_m}},
-          .observation = first_of(m.observation, m.observation_size),
-          .logits = first_of(m.logits, m.action_count)};
+explain::RecordedDecision decision_of(const messages::Decision& m) {
+  return {.step = m.step,
+          .time_s = static_cast<double>(m.time.us) * 1e-6,
+          .position = m.position,
+          .reception = {.snr = m.snr, .too_faint = m.too_faint, .bearing = m.bearing},
+          .detected = m.detected,
+          .action = m.action,
+          .overridden = m.overridden,
+          .sweeping = m.sweeping,
+          .surprise_bits = m.belief ? m.belief->surprise_bits : 0.0F,
+          .found_probability = m.found ? std::optional(m.found->probability) : std::nullopt,
+          .waypoint = m.waypoint,
+          .observation = copied(messages::counted(m.observation, m.observation_size)),
+          .logits = copied(messages::counted(m.logits, m.action_count))};
 }
 
-std::string lost_to_string(const wire::ClosingRecord::Lost& lost) {
+std::string lost_to_string(const messages::LostRecords& lost) {
   return "Lost were " + std::to_string(lost.streams) + " of navigation, SNR and health, " + std::to_string(lost.steering) +
          " set-points and decisions, and " + std::to_string(lost.orders) + " commands and changes of state.";
 }
@@ -208,10 +204,10 @@ JournalledSearch read_journal(const std::filesystem::path& path) {
       search.missing += record.number - expected_number;
     }
     expected_number = record.number + std::uint64_t{1};
-    if (wire::ClosingRecord closing;
+    if (messages::ClosingRecord closing;
         record.channel == wire::kJournalEndChannel && wire::read_closing_record(record.data, closing) == Status::kOk)
       search.closing = closing;
-    decision_t decision{};
+    messages::Decision decision;
     if (record.channel != wire::kDecisionChannel || wire::decode(record.data, decision) != Status::kOk) continue;
     explain::RecordedDecision recorded = decision_of(decision);
     const bool was_before = recorded.step > 0 && !search.decisions.empty() && search.decisions.back().was_surprised;

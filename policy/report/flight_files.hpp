@@ -39,7 +39,7 @@ struct JournalledSearch {
   std::uint64_t bytes = 0;                   ///< of the file
   std::uint64_t missing = 0;                 ///< records that are not there, by their numbers
   std::uint64_t first_missing = 0;
-  std::optional<wire::ClosingRecord> closing;  ///< nothing: the program that wrote it did not end in order
+  std::optional<messages::ClosingRecord> closing;  ///< nothing: the program that wrote it did not end in order
 
   [[nodiscard]] bool is_whole() const { return damages.empty() && missing == 0 && closing; }
   /// False: no record at all.

@@ -24,6 +24,7 @@
 #include "sim/link/simulator_end.hpp"
 #include "tests/bench/busy_loops.hpp"
 #include "tests/bench/short_form.hpp"
+#include "tests/support/lcm_peer.hpp"
 
 namespace {
 
@@ -53,8 +54,8 @@ int answer(const link::RunSlot& slot, std::uint64_t ticks) {
   while (tick.number < ticks) {
     if (link.receive(tick, 10s) != link::Delivery::kArrived) return 1;
     take_one(bus, wire::kNavStateChannel);
-    (void)bus.publish(wire::kSetpointChannel, wire::Encoded(setpoint_t{}).bytes());
-    (void)bus.publish(wire::kHealthChannel, wire::Encoded(health_t{}).bytes());
+    (void)bus.publish(wire::kSetpointChannel, support::bytes_of(setpoint_t{}));
+    (void)bus.publish(wire::kHealthChannel, support::bytes_of(health_t{}));
     link::Answer reply;
     reply.number = tick.number;
     link.send(reply);
@@ -68,7 +69,7 @@ double measure(const link::RunSlot& slot, std::uint64_t ticks) {
   if (!link.wait_for_runtime(10s)) throw std::runtime_error("the other process does not come");
   const auto began = std::chrono::steady_clock::now();
   for (std::uint64_t n = 1; n <= ticks; ++n) {
-    (void)bus.publish(wire::kNavStateChannel, wire::Encoded(nav_state_t{}).bytes());
+    (void)bus.publish(wire::kNavStateChannel, support::bytes_of(nav_state_t{}));
     link::Tick tick;
     tick.number = n;
     link.send(tick);

@@ -29,7 +29,6 @@
 #include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/messages/health_words.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/bench/short_form.hpp"
 #include "tests/support/private_network.hpp"
@@ -54,7 +53,7 @@ constexpr int kFixesPerLook = 300;
   lcm_t* const bus = lcm_create(kEchoUrl);
   if (bus == nullptr) std::_Exit(1);
   const auto answer = [](const lcm_recv_buf_t* /*fix*/, const char* /*channel*/, void* user) {
-    const wire::Encoded setpoint(wire::to_message(messages::Setpoint{}, Time{}));
+    const wire::Encoded setpoint(messages::Setpoint{}, Time{});
     const auto bytes = setpoint.bytes();
     (void)lcm_publish(static_cast<lcm_t*>(user), wire::kSetpointChannel.data(), bytes.data(), static_cast<unsigned>(bytes.size()));
   };
@@ -76,13 +75,13 @@ class Vehicle {
     while (take()) {
     }
     const Time now = clock_.utc();
-    const wire::Encoded fix(wire::to_message(messages::Navigation{
+    const wire::Encoded fix(messages::Navigation{
         .time = now,
         .position = {.north = Meters{12'500 + (bench::is_wrong_on_purpose() ? 0.0 : 2.0) * (now - began_).to_seconds()},
                      .east = Meters{12'500}},
         .depth = Meters{300},
         .heading = Radians{0},
-        .speed = MetersPerSecond{2}}));
+        .speed = MetersPerSecond{2}});
     const auto sent = steady_clock::now();
     (void)bus_.publish(wire::kNavStateChannel, fix.bytes());
     while (!take()) {
@@ -93,14 +92,14 @@ class Vehicle {
   }
   void look() {
     (void)bus_.publish(wire::kSnrEstimateChannel,
-                       wire::Encoded(wire::to_message(messages::SnrMeasurement{.time = clock_.utc(), .snr = Decibels{3}})).bytes());
+                       wire::Encoded(messages::SnrMeasurement{.time = clock_.utc(), .snr = Decibels{3}}).bytes());
   }
   [[nodiscard]] int healths_in_search() const { return healths_in_search_; }
   void start() {
     const Time now = clock_.utc();
     const messages::OperatorCommand command{
         .time = now, .expiry = now + Duration::seconds(20), .issuer = 4711, .number = ++orders_, .order = messages::Order::kStart};
-    (void)bus_.publish(wire::kOperatorCommandChannel, wire::Encoded(wire::to_message(command)).bytes());
+    (void)bus_.publish(wire::kOperatorCommandChannel, wire::Encoded(command).bytes());
   }
 
  private:
@@ -119,13 +118,12 @@ class Vehicle {
   }
   /// @throws std::runtime_error: a search that was under way is so no more
   void judge(std::span<const std::uint8_t> bytes) {
-    health_t health{};
+    messages::Health health;
     if (wire::decode(bytes, health) != Status::kOk) throw std::runtime_error("earshotd's health cannot be read");
-    if (health.state == health_t::SEARCH) {
+    if (health.state == messages::MissionState::kSearch) {
       ++healths_in_search_;
     } else if (healths_in_search_ > 0) {
-      throw std::runtime_error(std::string("the search is over: state ") + to_string(static_cast<messages::MissionState>(health.state)) +
-                               ", " + to_string(static_cast<messages::EndReason>(health.end_reason)));
+      throw std::runtime_error(std::string("the search is over: state ") + to_string(health.state) + ", " + to_string(health.end_reason));
     }
   }
 

@@ -16,7 +16,7 @@
 #include "firmware/host/transport/serial_line.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 #include "firmware/wire/serial/channels.hpp"
 #include "firmware/wire/serial/cobs.hpp"
 #include "firmware/wire/serial/record_frame.hpp"

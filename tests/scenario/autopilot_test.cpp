@@ -33,8 +33,8 @@
 #include "firmware/messages/health.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/encoding.hpp"
 #include "tests/scenario/walk_at_sea.hpp"
+#include "tests/support/lcm_peer.hpp"
 #include "tests/support/private_network.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/signed_policy.hpp"
@@ -77,14 +77,14 @@ class Ashore {
     order.issuer = kIssuer;
     order.number = number;
     order.command = command;
-    EXPECT_EQ(endpoint_.publish(wire::kOperatorCommandChannel, wire::Encoded(order).bytes()), Status::kOk);
+    EXPECT_EQ(endpoint_.publish(wire::kOperatorCommandChannel, support::bytes_of(order)), Status::kOk);
   }
 
   void send_snr() {
     snr_estimate_t estimate{};
     estimate.utime = clock_.utc().us;
     estimate.snr_db = 3.0;
-    EXPECT_EQ(endpoint_.publish(wire::kSnrEstimateChannel, wire::Encoded(estimate).bytes()), Status::kOk);
+    EXPECT_EQ(endpoint_.publish(wire::kSnrEstimateChannel, support::bytes_of(estimate)), Status::kOk);
   }
 
   /// Of a vehicle that lies still in the middle of the mission's area.
@@ -92,7 +92,7 @@ class Ashore {
     nav_state_t fix{};
     fix.utime = clock_.utc().us;
     fix.north_m = fix.east_m = 12'500.0;
-    EXPECT_EQ(endpoint_.publish(wire::kNavStateChannel, wire::Encoded(fix).bytes()), Status::kOk);
+    EXPECT_EQ(endpoint_.publish(wire::kNavStateChannel, support::bytes_of(fix)), Status::kOk);
   }
 
   [[nodiscard]] MissionState state() const { return static_cast<MissionState>(health.state); }
@@ -111,12 +111,12 @@ class Ashore {
     decision_t decision{};
     command_acknowledgement_t acknowledgement{};
     if (message.channel == wire::kHealthChannel) {
-      EXPECT_EQ(wire::decode(message.data, health), Status::kOk);
+      EXPECT_EQ(support::read_peer(message.data, health), Status::kOk);
     } else if (message.channel == wire::kSetpointChannel) {
       ++setpoints;
-    } else if (wire::decode(message.data, decision) == Status::kOk) {
+    } else if (support::read_peer(message.data, decision) == Status::kOk) {
       decisions.push_back(decision);
-    } else if (wire::decode(message.data, acknowledgement) == Status::kOk && acknowledgement.issuer == kIssuer) {
+    } else if (support::read_peer(message.data, acknowledgement) == Status::kOk && acknowledgement.issuer == kIssuer) {
       acknowledgements.push_back({.number = acknowledgement.number, .outcome = static_cast<CommandOutcome>(acknowledgement.outcome)});
     }
   }

@@ -16,6 +16,7 @@
 #include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
+#include "tests/support/lcm_peer.hpp"
 
 namespace earshot {
 namespace {
@@ -107,7 +108,7 @@ TEST_F(Flight, GivenASourceReachedInTheMiddleOfAStepJournalSummaryAndConsoleCoun
   host::JournalReader reader(folder_ / "out/journal.lcmlog");
   for (host::JournalRecord record; reader.next(record);) {
     if (record.channel == wire::kDecisionChannel) ++decisions;
-    if (record.channel == wire::kHealthChannel) (void)wire::decode(record.data, health);
+    if (record.channel == wire::kHealthChannel) (void)support::read_peer(record.data, health);
   }
   EXPECT_EQ(s.at("steps"), decisions);
   EXPECT_EQ(health.steps_taken, decisions);
@@ -131,7 +132,7 @@ TEST_F(Flight, GivenAnotherFlightsNavigationOnItsBusItRefusesItAndSaysSoInHealth
     nav_state_t outside{};  // of the operating area: believed, it would end the mission
     outside.utime = 1 + i;
     outside.north_m = -1e6;
-    ASSERT_EQ(other.publish(wire::kNavStateChannel, wire::Encoded(outside).bytes()), Status::kOk);
+    ASSERT_EQ(other.publish(wire::kNavStateChannel, support::bytes_of(outside)), Status::kOk);
     std::this_thread::sleep_for(5ms);
   }
   simulator_->signal(SIGINT);
@@ -140,7 +141,7 @@ TEST_F(Flight, GivenAnotherFlightsNavigationOnItsBusItRefusesItAndSaysSoInHealth
   health_t health{};
   host::JournalReader reader(folder_ / "journal.lcmlog");
   for (host::JournalRecord record; reader.next(record);) {
-    if (record.channel == wire::kHealthChannel) (void)wire::decode(record.data, health);
+    if (record.channel == wire::kHealthChannel) (void)support::read_peer(record.data, health);
   }
   EXPECT_EQ(health.navigation_refused, 20);
 }

@@ -13,6 +13,7 @@
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/scenario/flight.hpp"
+#include "tests/support/lcm_peer.hpp"
 
 namespace earshot {
 namespace {
@@ -69,7 +70,7 @@ class HeardFlight : public Flight {
     host::JournalReader reader(folder_ / out / "journal.lcmlog");
     for (host::JournalRecord record; reader.next(record);) {
       snr_estimate_t look{};
-      if (!record.channel.starts_with(wire::kSnrEstimateChannel) || wire::decode(record.data, look) != Status::kOk) continue;
+      if (!record.channel.starts_with(wire::kSnrEstimateChannel) || support::read_peer(record.data, look) != Status::kOk) continue;
       looks.push_back({look.utime, std::lround(1e4 * look.snr_db), look.too_faint != 0 ? 1 : 0});
     }
     return looks;

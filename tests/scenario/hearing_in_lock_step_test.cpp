@@ -17,7 +17,6 @@
 #include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "sim/link/run_slot.hpp"
 #include "sim/link/simulator_end.hpp"
@@ -95,7 +94,7 @@ void fly(const support::TemporaryFolder& folder) {
                                    .depth = Meters{300},
                                    .heading = Radians{0},
                                    .speed = MetersPerSecond{2}};
-    ASSERT_EQ(bus.publish(wire::kNavStateChannel, wire::Encoded(wire::to_message(fix)).bytes()), Status::kOk);
+    ASSERT_EQ(bus.publish(wire::kNavStateChannel, wire::Encoded(fix).bytes()), Status::kOk);
     sea.sound_for_a_second();
     const messages::Order order = tick == kTicks ? messages::Order::kAbort : messages::Order::kStart;
     const auto number = static_cast<std::uint64_t>(tick);

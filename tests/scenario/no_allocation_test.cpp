@@ -16,13 +16,10 @@
 #include <thread>
 #include <vector>
 
-#include "earshot/health_t.hpp"
-#include "earshot/setpoint_t.hpp"
 #include "firmware/boards/linux/host_clock.hpp"
 #include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/scenario/payload_over_can.hpp"
 #include "tests/scenario/vehicle_over_lcm.hpp"

@@ -23,11 +23,11 @@
 #include "firmware/messages/input.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "hil/nodes/bus_connection.hpp"
 #include "hil/nodes/emulated_vehicle.hpp"
 #include "hil/nodes/scaled_clock.hpp"
+#include "tests/support/lcm_peer.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/signed_policy.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -53,11 +53,11 @@ struct Voyage {
  private:
   void add(const host::JournalRecord& record) {
     messages::Input input;
-    setpoint_t setpoint{};
+    messages::Setpoint setpoint;
     command_acknowledgement_t answer{};
     if (record.channel == wire::kJournalledSetpointChannel && wire::decode(record.data, setpoint) == Status::kOk) {
-      setpoints.push_back(wire::from_message(setpoint));
-    } else if (record.channel == wire::kAcknowledgementChannel && wire::decode(record.data, answer) == Status::kOk) {
+      setpoints.push_back(setpoint);
+    } else if (record.channel == wire::kAcknowledgementChannel && support::read_peer(record.data, answer) == Status::kOk) {
       answers.push_back(static_cast<messages::CommandOutcome>(answer.outcome));
     } else if (wire::read_input(record.channel, record.time, record.data, 0, input) == Status::kOk) {
       if (const auto* fix = std::get_if<messages::Navigation>(&input.value)) fixes.push_back(*fix);

@@ -11,6 +11,7 @@
 #include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/messages/health.hpp"
 #include "tests/scenario/sea_over_can.hpp"
+#include "tests/support/lcm_peer.hpp"
 
 namespace earshot {
 
@@ -23,13 +24,13 @@ class PayloadOverLcm {
   void turn(Decibels snr) {
     endpoint_.collect();
     for (wire::Lc02Message message; endpoint_.take(message) == Status::kOk;) {
-      EXPECT_EQ(wire::decode(message.data, health), Status::kOk);
+      EXPECT_EQ(support::read_peer(message.data, health), Status::kOk);
       is_heard_ = true;
     }
     snr_estimate_t estimate{};
     estimate.utime = hil::ScaledClock::utc().us;
     estimate.snr_db = snr.value;
-    EXPECT_EQ(endpoint_.publish(wire::kSnrEstimateChannel, wire::Encoded(estimate).bytes()), Status::kOk);
+    EXPECT_EQ(endpoint_.publish(wire::kSnrEstimateChannel, support::bytes_of(estimate)), Status::kOk);
     if (is_heard_ && state() == messages::MissionState::kStandby) start();
   }
 
@@ -44,7 +45,7 @@ class PayloadOverLcm {
     order.issuer = 4711;
     order.number = 1;
     order.command = operator_command_t::START;
-    EXPECT_EQ(endpoint_.publish(wire::kOperatorCommandChannel, wire::Encoded(order).bytes()), Status::kOk);
+    EXPECT_EQ(endpoint_.publish(wire::kOperatorCommandChannel, support::bytes_of(order)), Status::kOk);
   }
 
   host::LcmEndpoint endpoint_;

@@ -31,6 +31,7 @@
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/support/hydrophone_driver.hpp"
+#include "tests/support/lcm_peer.hpp"
 #include "tests/support/private_network.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/signed_policy.hpp"
@@ -97,7 +98,7 @@ class Sound : public testing::Test {
       shore_->collect();
       for (wire::Lc02Message message; shore_->take(message) == Status::kOk;) {
         health_t health{};
-        if (wire::decode(message.data, health) == Status::kOk && is_true(health)) return true;
+        if (support::read_peer(message.data, health) == Status::kOk && is_true(health)) return true;
       }
     }
     return false;
@@ -122,7 +123,7 @@ class Sound : public testing::Test {
     operator_command_t order{};
     order.utime = board::HostClock().utc().us;
     order.command = operator_command_t::ABORT;
-    EXPECT_EQ(shore_->publish(wire::kOperatorCommandChannel, wire::Encoded(order).bytes()), Status::kOk);
+    EXPECT_EQ(shore_->publish(wire::kOperatorCommandChannel, support::bytes_of(order)), Status::kOk);
   }
 
   /// What the hydrophone's port brought, by the journal.

@@ -19,8 +19,8 @@
 #include "firmware/messages/operator_command.hpp"
 #include "firmware/messages/vehicle_status.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
+#include "tests/support/lcm_peer.hpp"
 
 namespace earshot {
 
@@ -53,7 +53,7 @@ class VehicleOverLcm {
         .time = now, .expiry = now + Duration::seconds(1000), .issuer = 4711, .number = ++orders_, .order = order};
     command.limits = limits;
     outcome.reset();
-    publish(wire::kOperatorCommandChannel, wire::to_message(command));
+    publish(wire::kOperatorCommandChannel, command);
   }
   /// Whether there is water in the hull, from now on.
   void leak(bool has_leak = true) { has_leak_ = has_leak; }
@@ -85,10 +85,9 @@ class VehicleOverLcm {
   void listen() {
     endpoint_.collect();
     for (wire::Lc02Message message; endpoint_.take(message) == Status::kOk;) {
-      setpoint_t setpoint{};
-      if (message.channel == wire::kHealthChannel && wire::decode(message.data, health) == Status::kOk) ++turns;
-      if (message.channel == wire::kSetpointChannel && wire::decode(message.data, setpoint) == Status::kOk) {
-        const messages::Setpoint wanted = wire::from_message(setpoint);
+      messages::Setpoint wanted;
+      if (message.channel == wire::kHealthChannel && support::read_peer(message.data, health) == Status::kOk) ++turns;
+      if (message.channel == wire::kSetpointChannel && wire::decode(message.data, wanted) == Status::kOk) {
         fix_.heading = wanted.heading;
         fix_.speed = wanted.speed;
         fix_.depth = wanted.depth;
@@ -96,7 +95,7 @@ class VehicleOverLcm {
         ++setpoints;
       }
       command_acknowledgement_t answer{};
-      if (message.channel == wire::kAcknowledgementChannel && wire::decode(message.data, answer) == Status::kOk &&
+      if (message.channel == wire::kAcknowledgementChannel && support::read_peer(message.data, answer) == Status::kOk &&
           answer.number == static_cast<std::int32_t>(orders_))
         outcome = static_cast<messages::CommandOutcome>(answer.outcome);
     }
@@ -111,11 +110,10 @@ class VehicleOverLcm {
   void send_measurements() {
     if (is_silent_) return;
     fix_.time = utc();
-    publish(wire::kNavStateChannel, wire::to_message(fix_));
-    publish(wire::kSnrEstimateChannel, wire::to_message(messages::SnrMeasurement{.time = utc(), .snr = Decibels{3}}));
+    publish(wire::kNavStateChannel, fix_);
+    publish(wire::kSnrEstimateChannel, messages::SnrMeasurement{.time = utc(), .snr = Decibels{3}});
     tells_of_hull_ = tells_of_hull_ || has_leak_;
-    if (tells_of_hull_)
-      publish(wire::kVehicleStatusChannel, wire::to_message(messages::VehicleStatus{.time = utc(), .has_leak = has_leak_}));
+    if (tells_of_hull_) publish(wire::kVehicleStatusChannel, messages::VehicleStatus{.time = utc(), .has_leak = has_leak_});
   }
 
   [[nodiscard]] Time utc() const { return clock_.utc() + clock_is_ahead; }

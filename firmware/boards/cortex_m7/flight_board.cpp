@@ -5,20 +5,22 @@
 #include <optional>
 #include <variant>
 
-#include "earshot/board_t.hpp"
-#include "firmware/boards/cortex_m7/hearing.hpp"
 #include "firmware/boards/cortex_m7/machine.hpp"
 #include "firmware/boards/cortex_m7/stack.hpp"
 #include "firmware/config/capacities.hpp"
 #include "firmware/core/big_endian.hpp"
 #include "firmware/core/crc32.hpp"
+#include "firmware/detector/hydrophone/settings_fields.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 #include "firmware/wire/lcm/hydrophone_block.hpp"
 #include "firmware/wire/serial/channels.hpp"
 
 namespace earshot::board {
+
+using messages::BoardEvent;
+
 namespace {
 
 /// Of the store: policy and tables have a half each.
@@ -29,9 +31,10 @@ std::span<std::uint8_t> place_of_tables() {
   return machine::store().subspan(machine::store().size() / 2);
 }
 
+/// Dated with the turn.
 template <class Message>
 void send(Time time, std::string_view channel, const Message& message) {
-  machine::send(wire::RecordFrame(time, channel, wire::Encoded(message).bytes()).bytes());
+  machine::send(wire::RecordFrame(time, channel, wire::Encoded(message, time).bytes()).bytes());
 }
 
 /// The channel of an acknowledgement with the port that it leaves by.
@@ -58,27 +61,15 @@ std::optional<std::uint8_t> port_of_sound(std::string_view channel) {
   return static_cast<std::uint8_t>(port);
 }
 
-/// A mission, and the files that it is flown with.
-struct Ordered {
-  config::Mission mission;
-  std::uint32_t policy_crc32 = 0;
-  std::uint32_t tables_crc32 = 0;
-};
-
-/// Its message is gone from the stack when the mission is judged.
-__attribute__((noinline)) Status read(std::span<const std::uint8_t> bytes, Ordered& ordered) {
-  mission_t message{};
-  if (const Status status = wire::decode(bytes, message); status != Status::kOk) return status;
-  ordered.mission = wire::from_message(message);
-  ordered.policy_crc32 = static_cast<std::uint32_t>(message.policy_crc32);
-  ordered.tables_crc32 = static_cast<std::uint32_t>(message.tables_crc32);
-  return Status::kOk;
+/// What reads it is gone from the stack when the mission is judged.
+__attribute__((noinline)) Status read(std::span<const std::uint8_t> bytes, messages::MissionRecord& ordered) {
+  return wire::decode(bytes, ordered);
 }
 
 }  // namespace
 
 void FlightBoard::begin() {
-  report(Time{}, board_t::STARTED);
+  report(Time{}, BoardEvent::kStarted);
 }
 
 void FlightBoard::take(std::span<const std::uint8_t> bytes) {
@@ -119,12 +110,12 @@ void FlightBoard::take(const messages::Input& input) {
 }
 
 void FlightBoard::listen_for(Time time, std::span<const std::uint8_t> bytes) {
-  hearing_t message{};
-  Status status = wire::decode(bytes, message);
-  if (status == Status::kOk) status = detector_.configure(to_settings(message));
+  detector::SoundSettings settings;
+  Status status = wire::decode(bytes, settings);
+  if (status == Status::kOk) status = detector_.configure(settings);
   hears_ = status == Status::kOk;
   is_deaf_ = false;
-  if (!hears_) report(time, board_t::REFUSED, status);
+  if (!hears_) report(time, BoardEvent::kRefused, status);
 }
 
 void FlightBoard::hear(std::uint8_t port, const wire::FramedRecord& record) {
@@ -187,12 +178,12 @@ void FlightBoard::keep_piece(std::span<const std::uint8_t> piece, std::span<std:
 void FlightBoard::arm(Time time, std::span<const std::uint8_t> bytes) {
   const Status status = configure(bytes);
   if (status == Status::kOk) machine::begin_watchdog();  // from here on a mission depends on it
-  report(time, status == Status::kOk ? board_t::ARMED : board_t::REFUSED, status);
+  report(time, status == Status::kOk ? BoardEvent::kArmed : BoardEvent::kRefused, status);
 }
 
 /// The mission is gone from the stack when it is told what became of it.
 __attribute__((noinline)) Status FlightBoard::configure(std::span<const std::uint8_t> bytes) {
-  Ordered ordered;
+  messages::MissionRecord ordered;
   if (const Status status = read(bytes, ordered); status != Status::kOk) return status;
   if (policy_.size > place_of_policy().size() || tables_.size > place_of_tables().size()) return Status::kFull;
   const std::span<const std::uint8_t> policy = place_of_policy().first(policy_.size);
@@ -206,35 +197,35 @@ __attribute__((noinline)) Status FlightBoard::configure(std::span<const std::uin
 
 void FlightBoard::turn(Time now, std::span<const std::uint8_t> count) {
   if (count.size() != sizeof(std::uint64_t) || load_big_endian(count) != taken_) {
-    report(now, board_t::INPUTS_LOST);
+    report(now, BoardEvent::kInputsLost);
     if (count.size() == sizeof(std::uint64_t)) taken_ = load_big_endian(count);
   }
   const std::uint32_t began = machine::microseconds();
   const runtime::Outputs outputs = runtime_.step(now);
   turn_us_ = machine::microseconds() - began;
-  if (outputs.decision) report(now, board_t::DECIDED);
+  if (outputs.decision) report(now, BoardEvent::kDecided);
   say(now, outputs);
 }
 
 void FlightBoard::say(Time now, const runtime::Outputs& outputs) {
-  if (outputs.setpoint) send(now, wire::kJournalledSetpointChannel, wire::to_message(*outputs.setpoint, now));
-  if (outputs.decision) send(now, wire::kDecisionChannel, wire::to_message(*outputs.decision));
-  for (const messages::SafetyEvent& event : outputs.safety_events) send(now, wire::kSafetyEventChannel, wire::to_message(event));
+  if (outputs.setpoint) send(now, wire::kJournalledSetpointChannel, *outputs.setpoint);
+  if (outputs.decision) send(now, wire::kDecisionChannel, *outputs.decision);
+  for (const messages::SafetyEvent& event : outputs.safety_events) send(now, wire::kSafetyEventChannel, event);
   for (const messages::CommandAcknowledgement& acknowledgement : outputs.acknowledgements)
-    send(now, PortChannel(wire::kAcknowledgementChannel, acknowledgement.port).view(), wire::to_message(acknowledgement));
-  send(now, wire::kHealthChannel, wire::to_message(outputs.health, now));
+    send(now, PortChannel(wire::kAcknowledgementChannel, acknowledgement.port).view(), acknowledgement);
+  send(now, wire::kHealthChannel, outputs.health);
 }
 
-void FlightBoard::report(Time time, std::int8_t event, Status status) {
-  const board_t message{.utime = time.us,
-                        .event = event,
-                        .status = static_cast<std::int8_t>(status),
-                        .frames_refused = static_cast<std::int32_t>(frames_refused_),
-                        .bytes_lost = static_cast<std::int32_t>(machine::bytes_lost()),
-                        .turn_us = static_cast<std::int32_t>(turn_us_),
-                        .stack_bytes = static_cast<std::int32_t>(stack::size()),
-                        .stack_used_bytes = static_cast<std::int32_t>(stack::most_used())};
-  send(time, wire::kBoardChannel, message);
+void FlightBoard::report(Time time, BoardEvent event, Status status) {
+  const messages::BoardReport report{.time = time,
+                                     .event = event,
+                                     .status = status,
+                                     .frames_refused = static_cast<std::uint32_t>(frames_refused_),
+                                     .bytes_lost = static_cast<std::uint32_t>(machine::bytes_lost()),
+                                     .turn_us = turn_us_,
+                                     .stack_bytes = static_cast<std::uint32_t>(stack::size()),
+                                     .stack_used_bytes = static_cast<std::uint32_t>(stack::most_used())};
+  send(time, wire::kBoardChannel, report);
 }
 
 }  // namespace earshot::board

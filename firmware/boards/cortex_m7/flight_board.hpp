@@ -9,6 +9,7 @@
 #include "firmware/core/status.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/detector/hydrophone/sound_detector.hpp"
+#include "firmware/messages/board_report.hpp"
 #include "firmware/messages/input.hpp"
 #include "firmware/runtime/runtime.hpp"
 #include "firmware/wire/serial/cobs.hpp"
@@ -49,7 +50,7 @@ class FlightBoard {
   void take(const messages::Input& input);
   void turn(Time now, std::span<const std::uint8_t> count);
   void say(Time now, const runtime::Outputs& outputs);
-  void report(Time time, std::int8_t event, Status status = Status::kOk);
+  void report(Time time, messages::BoardEvent event, Status status = Status::kOk);
 
   alignas(float) std::array<std::uint8_t, wire::kFrameBytes> frame_{};
   wire::CobsReader reader_{frame_};

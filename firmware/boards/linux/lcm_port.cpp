@@ -9,7 +9,6 @@
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "firmware/wire/lcm/order_reader.hpp"
 
@@ -44,6 +43,14 @@ bool is_abort(std::string_view channel, std::span<const std::uint8_t> data) {
   return channel == wire::kOperatorCommandChannel && wire::read_order(data).command.order == messages::Order::kAbort;
 }
 
+template <class Message>
+Time& date_in(Message& message) {
+  return message.time;
+}
+Time& date_in(messages::SoundDetection& detection) {
+  return detection.begin;
+}
+
 }  // namespace
 
 LcmPort::LcmPort(std::uint8_t index, const host::PortSettings& settings, host::IfMissing if_missing)
@@ -74,9 +81,8 @@ bool LcmPort::is_strangers(const wire::Lc02Message& message) {
 /// @return whether it is a whole message of that type
 template <class Message>
 bool LcmPort::takes(Clock& clock, std::span<const std::uint8_t> data, InputSink& sink) {
-  Message message{};
-  if (wire::decode(data, message) != Status::kOk) return false;
-  auto value = wire::from_message(message);
+  Message value;
+  if (wire::decode(data, value) != Status::kOk) return false;
   value.time = clock.mission_time_of(value.time);
   sink.take(index(), value);
   return true;
@@ -110,27 +116,28 @@ void LcmPort::answer_unreadable(Clock& clock, const messages::OperatorCommand& c
 }
 
 bool LcmPort::take(Clock& clock, const wire::Lc02Message& message, InputSink& sink) {
-  if (message.channel == wire::kNavStateChannel) return takes<nav_state_t>(clock, message.data, sink);
-  if (message.channel == wire::kSnrEstimateChannel) return takes<snr_estimate_t>(clock, message.data, sink);
-  if (message.channel == wire::kBearingChannel) return takes<bearing_t>(clock, message.data, sink);
+  if (message.channel == wire::kNavStateChannel) return takes<messages::Navigation>(clock, message.data, sink);
+  if (message.channel == wire::kSnrEstimateChannel) return takes<messages::SnrMeasurement>(clock, message.data, sink);
+  if (message.channel == wire::kBearingChannel) return takes<messages::BearingMeasurement>(clock, message.data, sink);
   if (message.channel == wire::kOperatorCommandChannel) return take_order(clock, message.data, sink);
-  if (message.channel == wire::kVehicleStatusChannel) return takes<vehicle_status_t>(clock, message.data, sink);
-  if (message.channel == wire::kAutopilotStatusChannel) return takes<autopilot_status_t>(clock, message.data, sink);
-  if (message.channel == wire::kHydrophoneStatusChannel) return takes<hydrophone_status_t>(clock, message.data, sink);
+  if (message.channel == wire::kVehicleStatusChannel) return takes<messages::VehicleStatus>(clock, message.data, sink);
+  if (message.channel == wire::kAutopilotStatusChannel) return takes<messages::AutopilotStatus>(clock, message.data, sink);
+  if (message.channel == wire::kHydrophoneStatusChannel) return takes<messages::HydrophoneStatus>(clock, message.data, sink);
   return false;
 }
 
 template <class Message>
-bool LcmPort::send(std::string_view channel, const Message& message) {
-  const bool sent = endpoint_.publish(channel, wire::Encoded(message).bytes()) == Status::kOk;
+bool LcmPort::send(std::string_view channel, const Message& message, Time now) {
+  const bool sent = endpoint_.publish(channel, wire::Encoded(message, now).bytes()) == Status::kOk;
   if (!sent) ++report_.unsent;
   return sent;
 }
 
-template <class Value>
-void LcmPort::send_dated(std::string_view channel, const Value& value) {
-  auto message = wire::to_message(value);
-  message.utime = date_of(Time{message.utime}).us;
+/// In place of its own date, which is the mission clock's, it bears the host's.
+template <class Message>
+void LcmPort::send_dated(std::string_view channel, Message message) {
+  Time& own = date_in(message);
+  own = date_of(own);
   (void)send(channel, message);
 }
 
@@ -138,10 +145,10 @@ std::uint64_t LcmPort::publish(Time now, const runtime::Outputs& outputs) {
   std::uint64_t setpoints = 0;
   unreadable_answered_ = 0;
   if (has(host::Role::kAutopilot) && outputs.setpoint) {
-    if (send(wire::kSetpointChannel, wire::to_message(*outputs.setpoint, date_of(now)))) ++setpoints;
+    if (send(wire::kSetpointChannel, *outputs.setpoint, date_of(now))) ++setpoints;
   }
   if (has(host::Role::kOperator)) {
-    if (command_proof_) (void)send(wire::kChallengeChannel, wire::to_message(command_proof_->told(date_of(now))));
+    if (command_proof_) (void)send(wire::kChallengeChannel, command_proof_->told(date_of(now)));
     for (const messages::CommandAcknowledgement& acknowledgement : outputs.acknowledgements) {
       if (acknowledgement.port == index()) send_dated(wire::kAcknowledgementChannel, acknowledgement);
     }
@@ -149,7 +156,7 @@ std::uint64_t LcmPort::publish(Time now, const runtime::Outputs& outputs) {
   if (has(host::Role::kStatus)) {
     if (outputs.decision) send_dated(wire::kDecisionChannel, *outputs.decision);
     for (const messages::SafetyEvent& event : outputs.safety_events) send_dated(wire::kSafetyEventChannel, event);
-    (void)send(wire::kHealthChannel, wire::to_message(outputs.health, date_of(now)));
+    (void)send(wire::kHealthChannel, outputs.health, date_of(now));
   }
   return setpoints;
 }

@@ -35,10 +35,10 @@ class LcmPort final : public Port {
   /// On the bus.
   [[nodiscard]] Time date_of(Time mission_time) const { return clock_ == nullptr ? mission_time : clock_->utc_of(mission_time); }
   template <class Message>
-  bool send(std::string_view channel, const Message& message);
+  bool send(std::string_view channel, const Message& message, Time now = {});
   /// What bears a date of its own.
-  template <class Value>
-  void send_dated(std::string_view channel, const Value& value);
+  template <class Message>
+  void send_dated(std::string_view channel, Message message);
   /// @return whether it is one that this port brings
   [[nodiscard]] bool take(Clock& clock, const wire::Lc02Message& message, InputSink& sink);
   /// @return whether it is none of this flight's: then it is counted here, and nowhere else, so that the flight stays what it is

@@ -102,22 +102,22 @@ class Stopping {
   Clock& clock_;
 };
 
-wire::Ending ending_of(LoopEnd end) {
+messages::Ending ending_of(LoopEnd end) {
   switch (end) {
     case LoopEnd::kMissionOver:
-      return wire::Ending::kMissionOver;
+      return messages::Ending::kMissionOver;
     case LoopEnd::kStopped:
-      return wire::Ending::kStopped;
+      return messages::Ending::kStopped;
     case LoopEnd::kClockLost:
     case LoopEnd::kOvertaken:
-      return wire::Ending::kClockLost;
+      return messages::Ending::kClockLost;
   }
-  return wire::Ending::kStopped;
+  return messages::Ending::kStopped;
 }
 
 }  // namespace
 
-wire::ClosingRecord closing_record_of(const LoopResult& result) {
+messages::ClosingRecord closing_record_of(const LoopResult& result) {
   const messages::Health& health = result.last.health;
   return {.time = result.time,
           .ending = ending_of(result.end),

@@ -49,7 +49,7 @@ struct Hold {
 };
 
 /// The record that ends the journal of a flight that ended so.
-[[nodiscard]] wire::ClosingRecord closing_record_of(const LoopResult& result);
+[[nodiscard]] messages::ClosingRecord closing_record_of(const LoopResult& result);
 
 /// The one loop of a mission, at sea and in simulation: takes what the ports bring as it comes, makes a turn when the clock says so, tries
 /// to open again what is down. Missed turns are not made up for.

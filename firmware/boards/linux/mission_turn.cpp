@@ -6,14 +6,11 @@
 #include <iterator>
 #include <variant>
 
-#include "earshot/controller_trouble_t.hpp"
-#include "earshot/journal_resumed_t.hpp"
 #include "firmware/boards/linux/turn_records.hpp"
 #include "firmware/core/crc32.hpp"
 #include "firmware/core/math.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 
 namespace earshot::board {
@@ -39,9 +36,10 @@ constexpr Duration kJournalDownAtLeast = Duration::seconds(60);
 /// With a disk that is asleep, for a record from before Earshot steers: nobody goes by its set-points yet.
 constexpr std::chrono::milliseconds kPatienceBeforeSteering{1000};
 
-template <class Bytes>
-void write_build(std::string_view build, Bytes& bytes) {
-  std::copy_n(build.begin(), std::min(build.size(), std::size(bytes)), std::begin(bytes));
+messages::Build bytes_of(std::string_view build) {
+  messages::Build bytes{};
+  std::copy_n(build.begin(), std::min(build.size(), bytes.size()), bytes.begin());
+  return bytes;
 }
 
 }  // namespace
@@ -52,11 +50,10 @@ void MissionTurn::append(Time time, std::string_view channel, std::span<const st
 
 std::uint32_t MissionTurn::record_mission(const config::Mission& mission, const FlownWith& with) {
   const Time begin = memory_.last = clock_.now();
-  mission_t m = wire::to_message(mission, begin);
-  m.policy_crc32 = static_cast<std::int32_t>(crc32(with.policy));
-  m.tables_crc32 = static_cast<std::int32_t>(crc32(with.tables));
-  write_build(with.build, m.build);
-  const wire::Encoded encoded(m);
+  const wire::Encoded encoded(
+      messages::MissionRecord{
+          .mission = mission, .policy_crc32 = crc32(with.policy), .tables_crc32 = crc32(with.tables), .build = bytes_of(with.build)},
+      begin);
   append(begin, wire::kMissionChannel, encoded.bytes(), Weight::kOrder);
   append(begin, wire::kPolicyChannel, with.policy, Weight::kOrder);
   append(begin, wire::kTablesChannel, with.tables, Weight::kOrder);
@@ -113,11 +110,12 @@ void MissionTurn::tell_order_trouble(std::uint8_t port, OrderTrouble trouble) {
 /// flight in lock-step would not give the same journal twice.
 void MissionTurn::record_trouble(std::uint8_t port, BusTrouble trouble, bool is_there) {
   if (trouble != BusTrouble::kErrorPassive && trouble != BusTrouble::kBusOff) return;
-  const controller_trouble_t record{
-      .utime = now().us,
-      .port = static_cast<std::int8_t>(port),
-      .trouble = trouble == BusTrouble::kBusOff ? controller_trouble_t::BUS_OFF : controller_trouble_t::ERROR_PASSIVE,
-      .is_there = static_cast<std::int8_t>(is_there)};
+  using messages::ControllerState;
+  const messages::ControllerTrouble record{
+      .time = now(),
+      .port = port,
+      .trouble = trouble == BusTrouble::kBusOff ? ControllerState::kBusOff : ControllerState::kErrorPassive,
+      .is_there = is_there};
   append(memory_.last, wire::kControllerTroubleChannel, wire::Encoded(record).bytes(), Weight::kSteering);
 }
 
@@ -125,8 +123,7 @@ void MissionTurn::go_on_after(const Resumption& before, std::string_view build) 
   memory_ = before.memory;
   outputs_ = before.last;
   for (const Playback::Unwritten& record : before.unwritten) append(memory_.last, record.channel, record.message.bytes(), record.weight);
-  journal_resumed_t resumed{.utime = now().us, .cut_bytes = static_cast<std::int64_t>(before.cut_bytes), .build = {}};
-  write_build(build, resumed.build);
+  const messages::JournalResumed resumed{.time = now(), .cut_bytes = before.cut_bytes, .build = bytes_of(build)};
   append(memory_.last, wire::kJournalResumedChannel, wire::Encoded(resumed).bytes(), Weight::kOrder);
 }
 
@@ -200,8 +197,8 @@ const runtime::Outputs& MissionTurn::as_told(bool is_durable) {
 
 bool MissionTurn::record(Time now, const runtime::Outputs& outputs) {
   const bool is_new_state = memory_.recorded_state != outputs.health.state;
-  for_each_record(now, outputs, is_new_state, [&](std::string_view channel, const auto& message, Weight weight) {
-    append(now, channel, wire::Encoded(message).bytes(), weight);
+  for_each_record(outputs, is_new_state, [&](std::string_view channel, const auto& message, Weight weight) {
+    append(now, channel, wire::Encoded(message, now).bytes(), weight);
   });
   return is_new_state;
 }

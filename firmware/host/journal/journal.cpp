@@ -16,6 +16,7 @@
 #include "firmware/core/crc32.hpp"
 #include "firmware/host/journal/journal_format.hpp"
 #include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 #include "firmware/wire/lcm/lc02.hpp"
 
 namespace earshot::host {
@@ -28,7 +29,7 @@ constexpr std::chrono::milliseconds kRetry{100};  ///< after a write that failed
 
 /// Of the reserve, kept from what steers: for orders that are still to come, and for the closing record.
 constexpr std::uint64_t kReserveForOrders = kJournalReserveBytes / 2;
-constexpr std::size_t kClosingBytes = kRecordHeaderSize + wire::kJournalEndChannel.size() + wire::kClosingRecordBytes;
+constexpr std::size_t kClosingBytes = kRecordHeaderSize + wire::kJournalEndChannel.size() + wire::kLcmSize<messages::ClosingRecord>;
 
 std::span<const std::uint8_t> bytes_of(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
@@ -75,9 +76,9 @@ struct Journal::Writer {
   std::atomic<Clock::duration> longest_wait{};
   std::uint32_t next_number = 0;
   PerWeight lost{};
-  std::uint64_t accepted = 0;                  ///< of the appender
-  std::uint64_t refused = 0;                   ///< likewise
-  std::optional<wire::ClosingRecord> closing;  ///< likewise
+  std::uint64_t accepted = 0;                      ///< of the appender
+  std::uint64_t refused = 0;                       ///< likewise
+  std::optional<messages::ClosingRecord> closing;  ///< likewise
   std::atomic<std::uint64_t> write_errors = 0;
   std::atomic<bool> is_part_asked_for = false;
   std::atomic<std::uint64_t> deleted = 0;  ///< older journals
@@ -284,7 +285,7 @@ struct Journal::Writer {
   bool write_closing_record() {
     if (!closing) return true;
     closing->lost = {.streams = of(lost, Weight::kStream), .steering = of(lost, Weight::kSteering), .orders = of(lost, Weight::kOrder)};
-    const wire::Encoded data = encoded(*closing);
+    const wire::Encoded data(*closing);
     const LoneRecord record(next_number, closing->time, wire::kJournalEndChannel, data.bytes());
     return file.write_some(record.bytes(), 0) == record.bytes().size();
   }
@@ -323,7 +324,7 @@ void Journal::begin_part() {
   writer_->is_part_asked_for = true;
 }
 
-void Journal::conclude(const wire::ClosingRecord& closing) {
+void Journal::conclude(const messages::ClosingRecord& closing) {
   writer_->closing = closing;
 }
 

@@ -15,7 +15,7 @@
 #include "firmware/host/journal/journal_file.hpp"
 #include "firmware/host/journal/journal_format.hpp"
 #include "firmware/host/journal/record_ring.hpp"
-#include "firmware/wire/journal/closing_record.hpp"
+#include "firmware/messages/journal_records.hpp"
 
 namespace earshot::host {
 
@@ -75,8 +75,8 @@ enum class JournalTrouble : std::uint8_t {
 /// decisions a part that streams cannot take, orders a part of their own. Once an order is among what waits, the orders and what steered
 /// before them go into the reserve, of which half is kept from what steers, and the streams between them are given up. A record that is
 /// given up or finds no room is lost and counted; its number is missing in the file, so that a gap in the numbers says what is missing and
-/// where. The last record of a journal that was concluded is its closing record (wire::ClosingRecord), for which there is always room in
-/// the reserve: its number, too, shows what is missing before it.
+/// where. The last record of a journal that was concluded is its closing record (messages::ClosingRecord), for which there is always room
+/// in the reserve: its number, too, shows what is missing before it.
 class Journal {
  public:
   /// What is to be replaced may be anything: who has that from a person asks require_writable(path, kJournalOutput, ...) first.
@@ -105,7 +105,7 @@ class Journal {
   void begin_part();
 
   /// From now on close() ends the file with this record; what was lost is filled in by close(). Of the appending thread.
-  void conclude(const wire::ClosingRecord& closing);
+  void conclude(const messages::ClosingRecord& closing);
 
   /// Writes what is left, ends the thread and closes the file; nothing can be appended afterwards. Of what does not fit on the disk the
   /// heaviest records are written, the older before the newer, whole ones only; the others are lost and counted. kNotReady if not

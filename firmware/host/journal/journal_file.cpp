@@ -15,7 +15,6 @@
 #include <utility>
 #include <vector>
 
-#include "earshot/journal_part_t.hpp"
 #include "firmware/host/file/folder_lock.hpp"
 #include "firmware/host/journal/journal_format.hpp"
 #include "firmware/host/journal/journal_name.hpp"
@@ -199,8 +198,8 @@ PartBegun JournalFile::begin_part(bool is_to_survive) {
     next = FileDescriptor(::open(name, O_WRONLY | O_CLOEXEC | O_CREAT | O_EXCL | O_NOFOLLOW, 0644));
   } while (next.number() < 0 && errno == EEXIST);
   if (next.number() < 0) return refuse_part();
-  const journal_part_t part{.part = number,
-                            .first_record_crc32 = static_cast<std::int32_t>(load_big_endian(std::span(beginning_).subspan(4)))};
+  const messages::JournalPart part{.part = static_cast<std::uint32_t>(number),
+                                   .first_record_crc32 = static_cast<std::uint32_t>(load_big_endian(std::span(beginning_).subspan(4)))};
   const wire::Encoded data(part);
   const LoneRecord record(0, Time{}, wire::kJournalPartChannel, data.bytes());
   const bool is_held = !can_hold_ || ::fallocate(next.number(), FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(2 * kJournalReserveBytes)) == 0;

@@ -6,7 +6,6 @@
 #include <system_error>
 #include <utility>
 
-#include "earshot/journal_part_t.hpp"
 #include "firmware/core/crc32.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/journal/journal_format.hpp"
@@ -31,11 +30,11 @@ std::vector<std::uint8_t> first_record(InputFile& file) {
 }
 
 /// What the first record of a later part says. Nothing: it is no such record.
-std::optional<journal_part_t> beginning_of_part(std::span<const std::uint8_t> record) {
+std::optional<messages::JournalPart> beginning_of_part(std::span<const std::uint8_t> record) {
   if (record.empty()) return std::nullopt;
   const auto channel_size = static_cast<std::size_t>(load_big_endian(record.subspan(20, 4)));
   const std::string_view channel(reinterpret_cast<const char*>(record.data()) + kRecordHeaderSize, channel_size);
-  journal_part_t beginning{};
+  messages::JournalPart beginning;
   if (channel != wire::kJournalPartChannel || wire::decode(record.subspan(kRecordHeaderSize + channel_size), beginning) != Status::kOk)
     return std::nullopt;
   return beginning;
@@ -106,8 +105,8 @@ std::optional<InputFile> JournalParts::open(int number) const {
 bool JournalParts::belongs(InputFile& file, int number) const {
   const std::vector<std::uint8_t> record = first_record(file);
   if (record.empty()) return true;
-  const std::optional<journal_part_t> beginning = beginning_of_part(record);
-  return beginning && beginning->part == number && (!id_ || static_cast<std::uint32_t>(beginning->first_record_crc32) == *id_);
+  const std::optional<messages::JournalPart> beginning = beginning_of_part(record);
+  return beginning && beginning->part == static_cast<std::uint32_t>(number) && (!id_ || beginning->first_record_crc32 == *id_);
 }
 
 std::optional<std::filesystem::path> JournalParts::misplaced() const {
@@ -117,8 +116,8 @@ std::optional<std::filesystem::path> JournalParts::misplaced() const {
     if (name.journal != 1 || name.part == 1 || !id_ || !std::filesystem::is_regular_file(path, error)) continue;
     try {
       InputFile file(path, kAnySize);
-      const std::optional<journal_part_t> beginning = beginning_of_part(first_record(file));
-      if (beginning && beginning->part != name.part && static_cast<std::uint32_t>(beginning->first_record_crc32) == *id_) return path;
+      const std::optional<messages::JournalPart> beginning = beginning_of_part(first_record(file));
+      if (beginning && beginning->part != static_cast<std::uint32_t>(name.part) && beginning->first_record_crc32 == *id_) return path;
     } catch (const BadInput&) {
       continue;  // what cannot be read is none of its parts
     }

@@ -8,6 +8,8 @@ namespace earshot::messages {
 template <>
 struct WordsOf<Order> {
   static constexpr std::string_view kUnknown = "an unknown order";
+  static constexpr bool kMayBeUnknown = true;  ///< who gave it is to hear so
+  static constexpr auto kInRecords = &Word<Order>::name;
   static constexpr auto kTable = std::to_array<Word<Order>>({
       {Order::kStart, "start", "START", "START"},
       {Order::kComplete, "complete", "COMPLETE", "COMPLETE"},
@@ -22,6 +24,7 @@ struct WordsOf<Order> {
 template <>
 struct WordsOf<CommandOutcome> {
   static constexpr std::string_view kUnknown = "refused";
+  static constexpr auto kInRecords = &Word<CommandOutcome>::words;
   static constexpr auto kTable = std::to_array<Word<CommandOutcome>>({
       {CommandOutcome::kObeyed, "obeyed", "obeyed", "obeyed"},
       {CommandOutcome::kRepeated, "repeated", "repeated", "repeated"},

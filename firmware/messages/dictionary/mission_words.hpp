@@ -8,6 +8,7 @@ namespace earshot::messages {
 template <>
 struct WordsOf<MissionState> {
   static constexpr std::string_view kUnknown = "?";
+  static constexpr auto kInRecords = &Word<MissionState>::name;
   static constexpr auto kTable = std::to_array<Word<MissionState>>({
       {MissionState::kStandby, "standby", "STANDBY", "STANDBY"},
       {MissionState::kSearch, "search", "SEARCH", "SEARCH"},
@@ -19,6 +20,7 @@ struct WordsOf<MissionState> {
 template <>
 struct WordsOf<EndReason> {
   static constexpr std::string_view kUnknown = "?";
+  static constexpr auto kInRecords = &Word<EndReason>::words;
   static constexpr auto kTable = std::to_array<Word<EndReason>>({
       {EndReason::kNone, "under_way", "under way", "under way"},
       {EndReason::kCompleted, "completed", "completed", "completed, the source is reached"},
@@ -38,6 +40,7 @@ struct WordsOf<EndReason> {
 template <>
 struct WordsOf<Authority> {
   static constexpr std::string_view kUnknown = "?";
+  static constexpr auto kInRecords = &Word<Authority>::name;
   static constexpr auto kTable = std::to_array<Word<Authority>>({
       {Authority::kDisconnected, "disconnected", "DISCONNECTED", "DISCONNECTED"},
       {Authority::kStandby, "standby", "STANDBY", "STANDBY"},

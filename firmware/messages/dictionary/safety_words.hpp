@@ -10,6 +10,7 @@ namespace earshot::messages {
 template <>
 struct WordsOf<config::Response> {
   static constexpr std::string_view kUnknown = "?";
+  static constexpr auto kInRecords = &Word<config::Response>::key;
   static constexpr auto kTable = [] {
     constexpr std::array<std::string_view, config::kResponses> kNames{"warn",    "steer back", "hold",   "return",
                                                                       "surface", "abort",      "release"};
@@ -23,6 +24,7 @@ struct WordsOf<config::Response> {
 template <>
 struct WordsOf<config::Condition> {
   static constexpr std::string_view kUnknown = "?";
+  static constexpr auto kInRecords = &Word<config::Condition>::key;
   static constexpr auto kTable = [] {
     std::array<Word<config::Condition>, config::kConditions> table{};
     for (std::size_t i = 0; i < table.size(); ++i) {

@@ -17,8 +17,10 @@ struct Word {
   std::string_view words;  ///< in a sentence: "navigation went silent"
 };
 
-/// The words of an enum: kTable has a row for each value, in their order and without a gap; kUnknown is said of what is none. Every enum
-/// that a message bears has its words in this folder, and complete.cpp does not compile while one of its values has none.
+/// The words of an enum: kTable has a row for each value, in their order and without a gap; kUnknown is said of what is none; kInRecords is
+/// how a journal's records say it when they are exported. Every enum that a message bears has its words in this folder, and complete.cpp
+/// does not compile while one of its values has none. kMayBeUnknown, where there is one: a message that names another value is taken all
+/// the same.
 template <class Enum>
 struct WordsOf;
 

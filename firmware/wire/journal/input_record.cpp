@@ -7,7 +7,6 @@
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 
 namespace earshot::wire {
 namespace {
@@ -15,21 +14,20 @@ namespace {
 using messages::Input;
 using Value = decltype(Input::value);
 
-/// In the order of the alternatives of a value; the channel of its kind on the bus, where there is one.
-constexpr std::array<std::string_view, std::variant_size_v<Value>> kChannels{
-    kNavStateChannel,        kSnrEstimateChannel,      kOperatorCommandChannel, kPortReportChannel,     kVehicleStatusChannel,
-    kAutopilotStatusChannel, kHydrophoneStatusChannel, kBearingChannel,         kUnsentSetpointsChannel};
-
-Encoded encode(const Input& input) {
-  return std::visit([](const auto& value) { return Encoded(to_message(value)); }, input.value);
+template <class... Values>
+constexpr std::array<std::string_view, sizeof...(Values)> channels_of(std::variant<Values...>* /*kinds*/) {
+  return {channel_of<Values>...};
 }
+
+/// In the order of the alternatives of a value.
+constexpr auto kChannels = channels_of(static_cast<Value*>(nullptr));
 
 template <std::size_t kKind>
 Status read(std::span<const std::uint8_t> data, Value& value) {
-  decltype(to_message(std::variant_alternative_t<kKind, Value>{})) message{};
-  if (const Status status = decode(data, message); status != Status::kOk) return status;
-  value.emplace<kKind>(from_message(message));
-  return Status::kOk;
+  std::variant_alternative_t<kKind, Value> read;
+  const Status status = decode(data, read);
+  if (status == Status::kOk) value.emplace<kKind>(read);
+  return status;
 }
 
 /// Without calls through pointers, whose stack no compiler knows.
@@ -44,7 +42,7 @@ Status read(std::size_t kind, std::span<const std::uint8_t> data, Value& value) 
 
 }  // namespace
 
-InputRecord::InputRecord(const Input& input) : encoded_(encode(input)) {
+InputRecord::InputRecord(const Input& input) : encoded_(std::visit([](const auto& value) { return Encoded(value); }, input.value)) {
   static_assert(config::kMaxPorts <= 10, "one digit");
   const std::string_view channel = kChannels[input.value.index()];
   const auto end = std::copy(channel.begin(), channel.end(), channel_.begin());

@@ -5,12 +5,15 @@
 #include <cstddef>
 
 #include "firmware/config/capacities.hpp"
+#include "firmware/core/big_endian.hpp"
+#include "firmware/messages/dictionary/sound_fields.hpp"
+#include "firmware/wire/lcm/codec.hpp"
 
 namespace earshot::wire {
 namespace {
 
-constexpr std::uint64_t kFingerprint = 0x80cc238159a4ead2;  // lcm-gen's, of the type's fields
-constexpr std::size_t kHeadBytes = 57;
+constexpr std::uint64_t kFingerprint = lcm_fingerprint<messages::HydrophoneBlock>();
+constexpr std::size_t kHeadBytes = kLcmSize<messages::HydrophoneBlock>;
 
 /// Reads big-endian numbers one after the other; the caller has looked that they are there.
 class HeadReader {
@@ -77,6 +80,20 @@ void copy_samples(const HydrophoneMessage& message, std::span<float> samples) {
     sample = std::bit_cast<float>(std::uint32_t{from[0]} << 24U | std::uint32_t{from[1]} << 16U | std::uint32_t{from[2]} << 8U |
                                   std::uint32_t{from[3]});
     from += sizeof(float);
+  }
+}
+
+std::size_t hydrophone_block_bytes(std::size_t sample_count) {
+  return kHeadBytes + sample_count * sizeof(float);
+}
+
+void write_hydrophone_block(const messages::HydrophoneBlock& block, std::span<const float> samples, std::span<std::uint8_t> bytes) {
+  assert(bytes.size() == hydrophone_block_bytes(samples.size()));
+  encode(block, bytes.first<kHeadBytes>());
+  std::size_t at = kHeadBytes;
+  for (const float sample : samples) {
+    store_big_endian(bytes.subspan(at, sizeof(float)), std::bit_cast<std::uint32_t>(sample));
+    at += sizeof(float);
   }
 }
 

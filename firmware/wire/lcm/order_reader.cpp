@@ -2,12 +2,10 @@
 
 #include <cstddef>
 
-#include "earshot/operator_command_t.hpp"
 #include "firmware/core/big_endian.hpp"
 #include "firmware/core/status.hpp"
-#include "firmware/messages/dictionary/command_words.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
-#include "firmware/wire/lcm/encoding.hpp"
+#include "firmware/messages/dictionary/command_fields.hpp"
+#include "firmware/wire/lcm/codec.hpp"
 
 namespace earshot::wire {
 namespace {
@@ -19,7 +17,7 @@ std::uint64_t number_at(std::span<const std::uint8_t> head, std::size_t offset, 
 }
 
 bool is_head(std::span<const std::uint8_t> head) {
-  if (number_at(head, 0, 8) == static_cast<std::uint64_t>(operator_command_t::getHash())) return true;
+  if (number_at(head, 0, 8) == lcm_fingerprint<messages::OperatorCommand>()) return true;
   const std::uint64_t order = head[32];
   return messages::is_value_of<messages::Order>(order) && number_at(head, 8, 8) <= kLatestDate_us &&
          number_at(head, 16, 8) <= kLatestDate_us;
@@ -36,8 +34,8 @@ messages::OperatorCommand command_in(std::span<const std::uint8_t> head) {
 }  // namespace
 
 ReadOrder read_order(std::span<const std::uint8_t> bytes) {
-  operator_command_t whole{};
-  if (decode(bytes, whole) == Status::kOk) return {.form = OrderForm::kWhole, .command = from_message(whole)};
+  messages::OperatorCommand whole;
+  if (decode(bytes, whole) == Status::kOk) return {.form = OrderForm::kWhole, .command = whole};
   if (bytes.size() < kOrderHeadBytes) return {};
   const std::span<const std::uint8_t> head = bytes.first(kOrderHeadBytes);
   if (!is_head(head)) return {};

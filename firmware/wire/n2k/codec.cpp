@@ -66,6 +66,24 @@ double MessageReader::value(FieldName signal) {
   return remember(decode(*found, bytes_));
 }
 
+Result<double> MessageReader::decode_of(FieldName signal) const {
+  const Signal* found = find_signal(message_, signal);
+  assert(found != nullptr);
+  return decode(*found, bytes_);
+}
+
+std::optional<double> MessageReader::value_if_any(FieldName signal) const {
+  const Result<double> said = decode_of(signal);
+  return said.ok() ? std::optional(said.value()) : std::nullopt;
+}
+
+std::optional<std::int64_t> MessageReader::raw_if_any(FieldName signal) const {
+  const Signal* found = find_signal(message_, signal);
+  assert(found != nullptr);
+  const Result<std::int64_t> said = decode_raw(*found, bytes_);
+  return said.ok() ? std::optional(said.value()) : std::nullopt;
+}
+
 std::int64_t MessageReader::raw(FieldName signal) {
   const Signal* found = find_signal(message_, signal);
   assert(found != nullptr);

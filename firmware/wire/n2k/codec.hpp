@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -48,11 +49,23 @@ class MessageReader {
   [[nodiscard]] std::int64_t raw(FieldName signal);
   [[nodiscard]] bool yes(FieldName signal) { return raw(signal) == 1; }  ///< of a choice between No and Yes
 
+  /// Of what may be missing: nothing where it is, or is no number; no failure of it is remembered.
+  [[nodiscard]] std::optional<double> value_if_any(FieldName signal) const;
+  [[nodiscard]] std::optional<std::int64_t> raw_if_any(FieldName signal) const;
+  /// Likewise, but any other failure than "not available" is remembered. Calls `take(value)` if there is one.
+  template <class Take>
+  void take_if_any(FieldName signal, Take&& take) {
+    const Result<double> said = decode_of(signal);
+    if (said.ok()) take(said.value());
+    if (status_ == Status::kOk && !said.ok() && said.status() != Status::kNotReady) status_ = said.status();
+  }
+
   [[nodiscard]] Status status() const { return status_; }
 
  private:
   template <class T>
   [[nodiscard]] T remember(const Result<T>& result);
+  [[nodiscard]] Result<double> decode_of(FieldName signal) const;
 
   const Message& message_;
   std::span<const std::uint8_t> bytes_;

@@ -21,6 +21,7 @@ struct FieldName {
   std::uint32_t key;
   consteval FieldName(const char* name) : key(key_of(name)) {}  // NOLINT(google-explicit-constructor): in a name's place
   constexpr explicit FieldName(std::string_view name) : key(key_of(name)) {}
+  constexpr explicit FieldName(std::uint32_t key_of_name) : key(key_of_name) {}
 };
 
 /// Every message Earshot reads or writes.

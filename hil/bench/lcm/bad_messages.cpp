@@ -2,14 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
-#include "earshot/autopilot_status_t.hpp"
-#include "earshot/hydrophone_status_t.hpp"
-#include "earshot/nav_state_t.hpp"
-#include "earshot/setpoint_t.hpp"
-#include "earshot/snr_estimate_t.hpp"
-#include "earshot/vehicle_status_t.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "firmware/wire/lcm/lc02.hpp"
@@ -19,39 +14,45 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-void lose_numbers(nav_state_t& m) {
-  m.north_m = m.east_m = m.depth_m = m.heading_rad = m.speed_mps = kNaN;
+/// What a message has in place of every number that may have a fraction.
+template <class Message>
+void lose_numbers(Message& message) {
+  messages::for_each_line_type<Message>([&message]<class Line>() {
+    if constexpr (requires { typename Line::Number; }) {
+      if constexpr (std::is_same_v<typename Line::Number, double>) *Line::value_in(message) = messages::made_of<typename Line::Value>(kNaN);
+    }
+  });
 }
-void lose_numbers(snr_estimate_t& m) {
-  m.snr_db = kNaN;
-}
-void lose_numbers(vehicle_status_t& m) {
-  m.altitude_m = m.battery_percent = kNaN;
-}
-void lose_numbers(setpoint_t& m) {
-  m.heading_rad = m.speed_mps = m.depth_m = m.waypoint_north_m = m.waypoint_east_m = kNaN;
-}
-void lose_numbers(autopilot_status_t& /*has none*/) {}
-void lose_numbers(hydrophone_status_t& /*has none*/) {}
 
-/// @param change  takes a reference to the message, of its channel's type
+/// Its sender's.
+template <class Message>
+Time& date_in(Message& message, Time& sent) {
+  if constexpr (requires { message.time; }) {
+    return message.time;
+  } else {
+    return sent;
+  }
+}
+
+/// @param change  takes references to the message, of its channel's type, and to when it was sent
 template <class Type, class Change>
 void change_as(LcmMessage& message, Change change) {
-  Type value{};
-  if (wire::decode(message.data, value) != Status::kOk) return;
-  change(value);
-  const wire::Encoded encoded(value);
+  Type value;
+  Time sent;
+  if (wire::decode(message.data, value, &sent) != Status::kOk) return;
+  change(value, sent);
+  const wire::Encoded encoded(value, sent);
   message.data.assign(encoded.bytes().begin(), encoded.bytes().end());
 }
 
 template <class Change>
 void change(LcmMessage& message, Change how) {
-  if (message.channel == wire::kNavStateChannel) change_as<nav_state_t>(message, how);
-  if (message.channel == wire::kSnrEstimateChannel) change_as<snr_estimate_t>(message, how);
-  if (message.channel == wire::kVehicleStatusChannel) change_as<vehicle_status_t>(message, how);
-  if (message.channel == wire::kAutopilotStatusChannel) change_as<autopilot_status_t>(message, how);
-  if (message.channel == wire::kHydrophoneStatusChannel) change_as<hydrophone_status_t>(message, how);
-  if (message.channel == wire::kSetpointChannel) change_as<setpoint_t>(message, how);
+  if (message.channel == wire::kNavStateChannel) change_as<messages::Navigation>(message, how);
+  if (message.channel == wire::kSnrEstimateChannel) change_as<messages::SnrMeasurement>(message, how);
+  if (message.channel == wire::kVehicleStatusChannel) change_as<messages::VehicleStatus>(message, how);
+  if (message.channel == wire::kAutopilotStatusChannel) change_as<messages::AutopilotStatus>(message, how);
+  if (message.channel == wire::kHydrophoneStatusChannel) change_as<messages::HydrophoneStatus>(message, how);
+  if (message.channel == wire::kSetpointChannel) change_as<messages::Setpoint>(message, how);
 }
 
 }  // namespace
@@ -119,7 +120,7 @@ void BadMessages::befall(const MessageAffliction& affliction, Fate& fate) {
       fate.is_flipped = true;
       break;
     case FrameFault::kNotAvailable:
-      change(fate.message, [](auto& value) { lose_numbers(value); });
+      change(fate.message, [](auto& value, Time& /*sent*/) { lose_numbers(value); });
       break;
     case FrameFault::kTruncation:
       fate.is_cut = true;
@@ -133,7 +134,10 @@ void BadMessages::befall(const MessageAffliction& affliction, Fate& fate) {
       fate.is_shuffled = true;
       break;
     case FrameFault::kDateError:
-      change(fate.message, [&affliction](auto& value) { value.utime += affliction.seconds.us; });
+      change(fate.message, [&affliction](auto& value, Time& sent) {
+        Time& date = date_in(value, sent);
+        date = date + affliction.seconds;
+      });
       break;
   }
 }

@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "earshot/health_t.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 
@@ -26,8 +25,9 @@ LcmVehicleSetup setup_of(const Case& c, const Bench& bench, const host::MissionF
 
 /// Earshot's health is the last thing that it says in a turn.
 bool is_end_of_turn(const LcmMessage& message, Time now) {
-  health_t health{};
-  return message.channel == wire::kHealthChannel && wire::decode(message.data, health) == Status::kOk && health.utime == now.us;
+  messages::Health health;
+  Time sent;
+  return message.channel == wire::kHealthChannel && wire::decode(message.data, health, &sent) == Status::kOk && sent == now;
 }
 
 /// What LCM makes of a datagram, if it is whole.

@@ -36,7 +36,7 @@ class MessageIntruders {
   Pcg32 random_;
   std::optional<Time> last_;
   double owed_ = 0.0;  ///< messages of a flood
-  std::int32_t orders_ = 0;
+  std::uint32_t orders_ = 0;
   const host::CommandKey key_ = bench_key();
 };
 

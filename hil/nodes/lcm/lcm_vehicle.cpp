@@ -1,7 +1,6 @@
 #include "hil/nodes/lcm/lcm_vehicle.hpp"
 
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 
 namespace earshot::hil {
@@ -9,7 +8,7 @@ namespace {
 
 template <class Value>
 void say(std::string_view channel, const Value& value, LcmMessages& said) {
-  const wire::Encoded encoded(wire::to_message(value));
+  const wire::Encoded encoded(value);
   said.push_back({.channel = std::string(channel), .data = {encoded.bytes().begin(), encoded.bytes().end()}});
 }
 
@@ -32,9 +31,9 @@ void LcmVehicle::disturb(const Disturbance& disturbance) {
 }
 
 void LcmVehicle::accept(const LcmMessage& message, Time now) {
-  setpoint_t raw{};
-  if (message.channel != wire::kSetpointChannel || wire::decode(message.data, raw) != Status::kOk) return;
-  helm_.take(wire::from_message(raw), now);
+  messages::Setpoint setpoint;
+  if (message.channel != wire::kSetpointChannel || wire::decode(message.data, setpoint) != Status::kOk) return;
+  helm_.take(setpoint, now);
 }
 
 void LcmVehicle::step(Time now, LcmMessages& said) {

@@ -11,12 +11,6 @@
 #include <sstream>
 #include <variant>
 
-#include "earshot/command_acknowledgement_t.hpp"
-#include "earshot/decision_t.hpp"
-#include "earshot/health_t.hpp"
-#include "earshot/journal_resumed_t.hpp"
-#include "earshot/mission_t.hpp"
-#include "earshot/safety_event_t.hpp"
 #include "firmware/config/safety.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/host/journal/rule_event_words.hpp"
@@ -27,53 +21,49 @@
 #include "firmware/messages/safety_event.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 
 namespace earshot::report {
 namespace {
 
-using messages::CommandOutcome;
 using messages::EndReason;
 using messages::MissionState;
-using messages::Order;
 
 constexpr double kSecondsPerMicrosecond = 1e-6;
 /// By which come the vehicle computer's own orders: the ABORT of a program that is told to stop.
 constexpr std::uint8_t kEarshotItself = 0;
 
 std::optional<SeaFlight> begun_with(const host::JournalRecord& record) {
-  mission_t mission{};
-  if (record.channel != wire::kMissionChannel || wire::decode(record.data, mission) != Status::kOk) return std::nullopt;
+  messages::MissionRecord said;
+  if (record.channel != wire::kMissionChannel || wire::decode(record.data, said) != Status::kOk) return std::nullopt;
   SeaFlight flight;
   flight.began_s = static_cast<double>(record.time.us) * kSecondsPerMicrosecond;
-  flight.area = {{Meters{mission.south_m}, Meters{mission.west_m}}, {Meters{mission.north_m}, Meters{mission.east_m}}};
+  flight.area = said.mission.operating_area;
   if (!is_finite(flight.area.south_west) || !is_finite(flight.area.north_east)) return std::nullopt;
-  flight.threshold = Decibels{mission.detection_threshold_db};
-  flight.account.max_steps = static_cast<std::uint32_t>(mission.max_steps);
-  const char* const build = reinterpret_cast<const char*>(mission.build);
-  flight.build.assign(build, ::strnlen(build, std::size(mission.build)));
+  flight.threshold = said.mission.detection_threshold;
+  flight.account.max_steps = said.mission.max_steps;
+  flight.build = messages::text_of(said.build);
   return flight;
 }
 
-void note_account(const health_t& health, SearchAccount& account) {
-  const auto step = static_cast<std::uint32_t>(health.steps_taken);
+void note_account(const messages::Health& health, SearchAccount& account) {
+  const std::uint32_t step = health.steps_taken;
   account.surprise_bits = double{health.surprise_bits};
   if (health.surprise_bits >= messages::kSurprising_bits && !account.surprised_step) account.surprised_step = step;
-  if (health.sweeping != 0 && !account.sweep_step) account.sweep_step = step;
-  if (health.found != 0 && !account.declared_step) account.declared_step = step;
+  if (health.is_sweeping && !account.sweep_step) account.sweep_step = step;
+  if (health.is_found && !account.declared_step) account.declared_step = step;
 }
 
-void note_health(double time_s, const health_t& health, SeaFlight& flight) {
+void note_health(double time_s, const messages::Health& health, SeaFlight& flight) {
   const MissionState before = flight.state;
-  flight.state = static_cast<MissionState>(health.state);
-  flight.end_reason = static_cast<EndReason>(health.end_reason);
-  flight.steps_taken = static_cast<std::uint32_t>(health.steps_taken);
-  flight.counters.navigation_refused = static_cast<std::uint64_t>(health.navigation_refused);
-  flight.counters.snr_refused = static_cast<std::uint64_t>(health.snr_refused);
-  flight.counters.bearings_refused = static_cast<std::uint64_t>(health.bearings_refused);
-  flight.counters.bearings_of_others = static_cast<std::uint64_t>(health.bearings_of_others);
-  flight.counters.commands_refused = static_cast<std::uint64_t>(health.commands_refused);
+  flight.state = health.state;
+  flight.end_reason = health.end_reason;
+  flight.steps_taken = health.steps_taken;
+  flight.counters.navigation_refused = health.counters.navigation_refused;
+  flight.counters.snr_refused = health.counters.snr_refused;
+  flight.counters.bearings_refused = health.counters.bearings_refused;
+  flight.counters.bearings_of_others = health.counters.bearings_of_others;
+  flight.counters.commands_refused = health.counters.commands_refused;
   if (flight.state == MissionState::kSearch && before != MissionState::kSearch)
     flight.account = {.believes = flight.account.believes, .max_steps = flight.account.max_steps};
   if (flight.state != MissionState::kStandby) note_account(health, flight.account);
@@ -84,14 +74,13 @@ void note_health(double time_s, const health_t& health, SeaFlight& flight) {
   if (before == MissionState::kSearch) flight.search_ended_s = time_s;
 }
 
-void note_answer(double time_s, const command_acknowledgement_t& answer, SeaFlight& flight) {
+void note_answer(double time_s, const messages::CommandAcknowledgement& answer, SeaFlight& flight) {
   std::optional<SeaFlight::Answer>& last = flight.last_answer;
   if (last && last->issuer == answer.issuer && last->number == answer.number && last->outcome == answer.outcome) {
     flight.events.at(last->event).what = last->what + " (" + std::to_string(++last->times) + " times)";
     return;
   }
-  const std::string what = std::string("order ") + messages::to_string(static_cast<Order>(answer.command)) + ", " +
-                           messages::to_string(static_cast<CommandOutcome>(answer.outcome));
+  const std::string what = std::string("order ") + messages::to_string(answer.order) + ", " + messages::to_string(answer.outcome);
   last = {.issuer = answer.issuer, .number = answer.number, .outcome = answer.outcome, .what = what, .event = flight.events.size()};
   flight.events.push_back({time_s, what});
 }
@@ -109,11 +98,11 @@ void note(const host::JournalRecord& record, SeaFlight& flight) {
   const double last_s = flight.ended_s;
   flight.ended_s = std::max(flight.ended_s, time_s);
   messages::Input input;
-  health_t health{};
-  decision_t decision{};
-  command_acknowledgement_t acknowledgement{};
-  safety_event_t event{};
-  journal_resumed_t resumed{};
+  messages::Health health;
+  messages::Decision decision;
+  messages::CommandAcknowledgement acknowledgement;
+  messages::SafetyEvent event;
+  messages::JournalResumed resumed;
   if (wire::read_input(record.channel, record.time, record.data, 0, input) == Status::kOk) {
     if (const auto* fix = std::get_if<messages::Navigation>(&input.value); fix != nullptr && messages::is_usable(*fix))
       flight.fixes.push_back({.time_s = time_s, .position = fix->position, .depth = fix->depth});
@@ -125,12 +114,11 @@ void note(const host::JournalRecord& record, SeaFlight& flight) {
   } else if (record.channel == wire::kHealthChannel && wire::decode(record.data, health) == Status::kOk) {
     note_health(time_s, health, flight);
   } else if (record.channel == wire::kDecisionChannel && wire::decode(record.data, decision) == Status::kOk) {
-    flight.account.believes = decision.believes != 0;
+    flight.account.believes = decision.belief.has_value();
   } else if (record.channel == wire::kSafetyEventChannel && wire::decode(record.data, event) == Status::kOk) {
-    const messages::SafetyEvent told = wire::from_message(event);
-    flight.events.push_back({time_s, host::to_string(told)});
-    if (flight.state == MissionState::kSearch && told.begins && told.response >= config::Response::kAbort)
-      flight.ending_rule = host::to_string(told);
+    flight.events.push_back({time_s, host::to_string(event)});
+    if (flight.state == MissionState::kSearch && event.begins && event.response >= config::Response::kAbort)
+      flight.ending_rule = host::to_string(event);
   } else if (record.channel == wire::kJournalResumedChannel && wire::decode(record.data, resumed) == Status::kOk) {
     flight.events.push_back({time_s, words_for_resuming(last_s, time_s)});
   } else if (record.channel == wire::kAcknowledgementChannel && wire::decode(record.data, acknowledgement) == Status::kOk) {

@@ -9,6 +9,7 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
 #include "firmware/messages/health.hpp"
+#include "firmware/messages/operator_command.hpp"
 #include "policy/report/search_account.hpp"
 
 namespace earshot::report {
@@ -43,9 +44,9 @@ struct SeaFlight {
   std::vector<Event> events;
   /// The last answer to an order, which is given again as often as the order is sent.
   struct Answer {
-    std::int32_t issuer = 0;
-    std::int32_t number = 0;
-    std::int8_t outcome = 0;
+    std::uint32_t issuer = 0;
+    std::uint32_t number = 0;
+    messages::CommandOutcome outcome{};
     std::string what;
     std::size_t event = 0;  ///< its place among `events`
     std::size_t times = 1;

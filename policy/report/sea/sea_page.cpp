@@ -9,8 +9,8 @@ namespace earshot::report {
 namespace {
 
 using explain::fixed;
+using messages::Ending;
 using messages::MissionState;
-using wire::Ending;
 
 std::string ending_to_string(const SeaFlight& flight) {
   const std::string steps = std::to_string(flight.steps_taken) + (flight.steps_taken == 1 ? " step" : " steps");

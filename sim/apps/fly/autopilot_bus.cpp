@@ -9,7 +9,6 @@
 #include "firmware/host/transport/can_socket.hpp"
 #include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "firmware/wire/n2k/navigation.hpp"
 #include "firmware/wire/n2k/setpoint.hpp"
@@ -30,7 +29,7 @@ class LcmAutopilot final : public AutopilotPort {
   explicit LcmAutopilot(const host::PortSettings& port) : endpoint_(host::parse_lcm_url(port.address), {wire::kSetpointChannel}) {}
 
   void publish(Time now, const vehicle::State& state) override {
-    if (endpoint_.publish(wire::kNavStateChannel, wire::Encoded(wire::to_message(navigation_of(now, state))).bytes()) != Status::kOk)
+    if (endpoint_.publish(wire::kNavStateChannel, wire::Encoded(navigation_of(now, state)).bytes()) != Status::kOk)
       throw std::runtime_error("navigation cannot be put on the LCM bus");
   }
 
@@ -38,10 +37,10 @@ class LcmAutopilot final : public AutopilotPort {
     std::uint64_t taken = 0;
     endpoint_.collect();
     for (wire::Lc02Message message; endpoint_.take(message) == Status::kOk;) {
-      setpoint_t setpoint{};
+      messages::Setpoint setpoint;
       if (wire::decode(message.data, setpoint) != Status::kOk) continue;
       ++taken;
-      command = command_of(wire::from_message(setpoint));
+      command = command_of(setpoint);
     }
     return taken;
   }

@@ -23,7 +23,7 @@
 #include "firmware/policy/format/policy_format.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 #include "firmware/wire/lcm/lc02.hpp"
 #include "tests/fuzz/policy_flight.hpp"
 #include "tests/fuzz/targets/fuzz_target.hpp"
@@ -42,9 +42,7 @@ Bytes good_journal(const std::filesystem::path& path) {
   require(policy::parse(policy_bytes, policy, complaint) == Status::kOk, "a good policy is none");
   const config::Mission flown = support::mission_for(policy);
   const Bytes tables_bytes = support::signed_bytes(*support::three_oceans(policy.area_size, flown.search_depth, flown.source_frequency));
-  mission_t mission = wire::to_message(flown, Time{});
-  mission.policy_crc32 = static_cast<std::int32_t>(crc32(policy_bytes));
-  mission.tables_crc32 = static_cast<std::int32_t>(crc32(tables_bytes));
+  const messages::MissionRecord mission{.mission = flown, .policy_crc32 = crc32(policy_bytes), .tables_crc32 = crc32(tables_bytes)};
   {
     host::Journal journal(path, {.when_full = host::JournalOptions::WhenFull::kWait});
     const auto append = [&](Time time, std::string_view channel, std::span<const std::uint8_t> data) {
@@ -61,7 +59,7 @@ Bytes good_journal(const std::filesystem::path& path) {
     take(dated<messages::Navigation>(now));
     take(dated<messages::SnrMeasurement>(now));
     take(messages::OperatorCommand{.time = now, .expiry = now, .issuer = 1, .number = 1, .order = messages::Order::kStart});
-    append(now, wire::kHealthChannel, wire::Encoded(wire::to_message(messages::Health{}, now)).bytes());
+    append(now, wire::kHealthChannel, wire::Encoded(messages::Health{}, now).bytes());
   }
   return host::read_bytes(path, host::kAnySize);
 }

@@ -9,20 +9,18 @@
 
 #include "earshot/hydrophone_block_t.hpp"
 #include "firmware/safety/check.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "firmware/wire/lcm/hydrophone_block.hpp"
 #include "firmware/wire/lcm/order_reader.hpp"
 #include "tests/fuzz/targets/flown_runtime.hpp"
+#include "tests/support/lcm_peer.hpp"
 
 namespace earshot::fuzz {
 namespace {
 
-/// A message of zeros with the input's bytes over it; its last byte is cut off now and then.
-template <class Message>
-std::vector<std::uint8_t> bytes_in(Input& input, const Message& message = {}) {
-  const wire::Encoded encoded(message);
-  std::vector<std::uint8_t> bytes(encoded.bytes().begin(), encoded.bytes().end());
+/// These with the input's bytes over them; the last is cut off now and then.
+std::vector<std::uint8_t> bytes_in(Input& input, std::span<const std::uint8_t> message) {
+  std::vector<std::uint8_t> bytes(message.begin(), message.end());
   spoil(bytes, input);
   if (!input.is_used_up() && input.byte() % 16 == 1) bytes.pop_back();
   return bytes;
@@ -42,10 +40,14 @@ void judge_order(const std::vector<std::uint8_t>& bytes, Status whole) {
 template <class Message>
 void give(FlownRuntime& runtime, Input& input, Duration later, const Message& zeros) {
   Message message = zeros;
-  const std::vector<std::uint8_t> bytes = bytes_in(input, zeros);
-  const Status status = wire::decode(bytes, message);
-  if constexpr (std::is_same_v<Message, operator_command_t>) judge_order(bytes, status);
-  if (status == Status::kOk) runtime.take(wire::from_message(message), later);
+  const std::vector<std::uint8_t> bytes = bytes_in(input, wire::Encoded(zeros).bytes());
+  Status status = Status::kOk;
+  {
+    const WithoutHeap without;
+    status = wire::decode(bytes, message);
+  }
+  if constexpr (std::is_same_v<Message, messages::OperatorCommand>) judge_order(bytes, status);
+  if (status == Status::kOk) runtime.take(message, later);
 }
 
 void read_block(Input& input) {
@@ -54,7 +56,7 @@ void read_block(Input& input) {
   zeros.channels = 1;
   zeros.sample_count = 8;
   zeros.samples.resize(8);
-  const std::vector<std::uint8_t> bytes = bytes_in(input, zeros);
+  const std::vector<std::uint8_t> bytes = bytes_in(input, support::bytes_of(zeros));
   wire::HydrophoneMessage message;
   Status status = Status::kOk;
   {
@@ -71,13 +73,15 @@ void read_block(Input& input) {
 }
 
 void read_mission(Input& input) {
-  static const mission_t zeros = wire::to_message(support::mission_for(support::random_walk_policy()), Time{});
-  mission_t message{};
-  if (wire::decode(bytes_in(input, zeros), message) != Status::kOk) return;
-  const config::Mission mission = wire::from_message(message);
+  static const messages::MissionRecord zeros{.mission = support::mission_for(support::random_walk_policy())};
+  messages::MissionRecord message;
+  if (wire::decode(bytes_in(input, wire::Encoded(zeros).bytes()), message) != Status::kOk) return;
+  const config::Mission& mission = message.mission;
   if (config::check(mission) != Status::kOk || !safety::check(mission).is_none()) return;  // the fence is the latter's
   require(std::isfinite(mission.search_depth.value) && mission.search_depth <= mission.max_depth, "a mission dives too deep");
-  require(wire::from_message(wire::to_message(mission, Time{})) == mission, "a mission is another after it was written");
+  messages::MissionRecord again;
+  require(wire::decode(wire::Encoded(message).bytes(), again) == Status::kOk && again.mission == mission,
+          "a mission is another after it was written");
 }
 
 void start(FlownRuntime& runtime) {
@@ -97,34 +101,34 @@ void judge(std::span<const std::uint8_t> bytes) {
     const std::uint8_t kind = input.byte();
     switch (kind % 10) {
       case 0:
-        give(runtime, input, later, wire::to_message(dated<messages::Navigation>(now)));
+        give(runtime, input, later, dated<messages::Navigation>(now));
         break;
       case 1:
-        give(runtime, input, later, wire::to_message(dated<messages::SnrMeasurement>(now)));
+        give(runtime, input, later, dated<messages::SnrMeasurement>(now));
         break;
       case 2:
-        give(runtime, input, later, wire::to_message(dated<messages::OperatorCommand>(now)));
+        give(runtime, input, later, dated<messages::OperatorCommand>(now));
         break;
       case 3:
-        give(runtime, input, later, wire::to_message(dated<messages::VehicleStatus>(now)));
+        give(runtime, input, later, dated<messages::VehicleStatus>(now));
         break;
       case 4:
-        give(runtime, input, later, wire::to_message(dated<messages::AutopilotStatus>(now)));
+        give(runtime, input, later, dated<messages::AutopilotStatus>(now));
         break;
       case 5:
         if (kind < 128) {
-          give(runtime, input, later, wire::to_message(dated<messages::HydrophoneStatus>(now)));
+          give(runtime, input, later, dated<messages::HydrophoneStatus>(now));
         } else {
           auto measured = dated<messages::BearingMeasurement>(now);
           measured.bearing = {.direction = Radians{1.0}, .deviation = Radians{0.2}, .mirror_axis = Radians{0.5}};
-          give(runtime, input, later, wire::to_message(measured));
+          give(runtime, input, later, measured);
         }
         break;
       case 6:
         if (kind < 128) {
-          give(runtime, input, later, wire::to_message(messages::PortReport{}));
+          give(runtime, input, later, messages::PortReport{});
         } else {
-          give(runtime, input, later, wire::to_message(messages::UnsentSetpoints{}));
+          give(runtime, input, later, messages::UnsentSetpoints{});
         }
         break;
       case 7:

@@ -11,7 +11,6 @@
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "hil/bench/verdict.hpp"
 #include "tests/firmware/boards/linux/replay/random_mission.hpp"
@@ -25,12 +24,12 @@ class FindingsTest : public testing::Test {
  protected:
   template <class Message>
   void record(std::int64_t s, std::string_view channel, const Message& message) {
-    ASSERT_EQ(journal_->append(at_s(s), channel, wire::Encoded(message).bytes()), Status::kOk);
+    ASSERT_EQ(journal_->append(at_s(s), channel, wire::Encoded(message, at_s(s)).bytes()), Status::kOk);
   }
   void record_setpoint(std::int64_t s, double heading_rad, double speed_mps, double depth_m) {
     const messages::Setpoint setpoint{
         .heading = Radians{heading_rad}, .speed = MetersPerSecond{speed_mps}, .depth = Meters{depth_m}, .waypoint = {}};
-    record(s, wire::kJournalledSetpointChannel, wire::to_message(setpoint, at_s(s)));
+    record(s, wire::kJournalledSetpointChannel, setpoint);
   }
   [[nodiscard]] JournalFindings read() {
     journal_.reset();
@@ -45,17 +44,17 @@ class FindingsTest : public testing::Test {
 TEST_F(FindingsTest, AreTheLastHealthAndEveryEventInItsOrder) {
   messages::Health health;
   health.counters.navigation_refused = 3;
-  record(1, wire::kHealthChannel, wire::to_message(health, at_s(1)));
+  record(1, wire::kHealthChannel, health);
   const messages::SafetyEvent first = event(2, config::Condition::kLeak);
   const messages::SafetyEvent second = event(3, config::Condition::kLeak, false);
-  record(2, wire::kSafetyEventChannel, wire::to_message(first));
-  record(3, wire::kSafetyEventChannel, wire::to_message(second));
+  record(2, wire::kSafetyEventChannel, first);
+  record(3, wire::kSafetyEventChannel, second);
   health.end_reason = messages::EndReason::kSafetyRule;
   health.counters.navigation_refused = 4;
   for (const std::uint8_t port : {std::uint8_t{1}, std::uint8_t{2}})
     (void)health.ports.push_back({.port = port, .lost = port + std::uint64_t{1}});
   health.counters.commands_refused = 5;
-  record(4, wire::kHealthChannel, wire::to_message(health, at_s(4)));
+  record(4, wire::kHealthChannel, health);
   const JournalFindings found = read();
   EXPECT_EQ(found.events, (std::vector<messages::SafetyEvent>{first, second}));
   EXPECT_EQ(found.end, messages::EndReason::kSafetyRule);
@@ -67,7 +66,7 @@ TEST_F(FindingsTest, AreTheLastHealthAndEveryEventInItsOrder) {
 }
 
 TEST_F(FindingsTest, AreDatedFromWhenTheFlightBegan) {
-  record(102, wire::kSafetyEventChannel, wire::to_message(event(102, config::Condition::kLeak)));
+  record(102, wire::kSafetyEventChannel, event(102, config::Condition::kLeak));
   journal_.reset();
   const JournalFindings found = read_findings(path_, mission(), at_s(100));
   ASSERT_EQ(found.events.size(), 1U);

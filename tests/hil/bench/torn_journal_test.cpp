@@ -9,7 +9,6 @@
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -21,7 +20,7 @@ class TornJournalTest : public testing::Test {
  protected:
   TornJournalTest() {
     host::Journal journal(path_);
-    const wire::Encoded health(wire::to_message(messages::Health{}, Time{}));
+    const wire::Encoded health(messages::Health{}, Time{});
     for (std::int64_t turn = 1; turn <= 10; ++turn)
       EXPECT_EQ(journal.append(Time{turn * 1'000'000}, wire::kHealthChannel, health.bytes()), Status::kOk);
   }

@@ -5,7 +5,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "earshot/decision_t.hpp"
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
@@ -13,30 +12,22 @@
 #include "tests/support/signed_policy.hpp"
 
 namespace earshot::report {
-decision_t message_of(const explain::RecordedDecision& d) {
-  decision_t m{};
-  m.utime = static_cast<std::int64_t>(d.time_s * 1e6);
-  m.step = static_cast<std::int32_t>(d.step);
-  m.north_m = d.position.north.value;
-  m.east_m = d.position.east.value;
-  m.snr_db = d.reception.snr.value;
-  m.too_faint = d.reception.too_faint ? 1 : 0;
-  m.detected = d.detected ? 1 : 0;
-  if (const auto& bearing = d.reception.bearing) {
-    m.has_bearing = 1;
-    m.bearing_rad = bearing->direction.value;
-    m.bearing_deviation_rad = bearing->deviation.value;
-    m.bearing_ambiguous = bearing->mirror_axis ? 1 : 0;
-    m.bearing_axis_rad = bearing->mirror_axis.value_or(Radians{}).value;
-  }
-  m.action = static_cast<std::int8_t>(d.action);
-  m.overridden = d.overridden ? 1 : 0;
-  m.waypoint_north_m = d.waypoint.north.value;
-  m.waypoint_east_m = d.waypoint.east.value;
-  m.observation_size = static_cast<std::int8_t>(d.observation.size());
-  m.action_count = static_cast<std::int8_t>(d.logits.size());
-  std::ranges::copy(d.observation, m.observation);
-  std::ranges::copy(d.logits, m.logits);
+messages::Decision message_of(const explain::RecordedDecision& d) {
+  messages::Decision m;
+  m.time = Time{static_cast<std::int64_t>(d.time_s * 1e6)};
+  m.step = d.step;
+  m.position = d.position;
+  m.snr = d.reception.snr;
+  m.too_faint = d.reception.too_faint;
+  m.detected = d.detected;
+  m.bearing = d.reception.bearing;
+  m.action = static_cast<std::uint8_t>(d.action);
+  m.overridden = d.overridden;
+  m.waypoint = d.waypoint;
+  m.observation_size = static_cast<std::uint8_t>(d.observation.size());
+  m.action_count = static_cast<std::uint8_t>(d.logits.size());
+  std::ranges::copy(d.observation, m.observation.begin());
+  std::ranges::copy(d.logits, m.logits.begin());
   return m;
 }
 

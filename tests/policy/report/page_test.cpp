@@ -103,7 +103,7 @@ TEST_F(PageTest, SaysWhichRuleEndedASimulatedFlightWhatHappenedBeforeAndWhatIsLe
                        .measure = 29.998,
                        .limit = 30.0});
     journal.state(600, messages::MissionState::kAbort, messages::EndReason::kSafetyRule, 3);
-    journal.end(wire::Ending::kMissionOver);
+    journal.end(messages::Ending::kMissionOver);
   }
   Flight flight = read_flight(folder_);
   flight.summary["end_reason"] = "safety_rule";

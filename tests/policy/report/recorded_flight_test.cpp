@@ -67,7 +67,7 @@ TEST_F(RecordedFlightTest, OpensTheFolderOfAFlightAtSeaByTheCornerOfItsMission) 
   SeaJournal sea(journal(), kCorner);
   for (const explain::RecordedDecision& decision : explain::flown(*policy_, 5, kCorner))
     sea.decision(decision.time_s, message_of(decision));
-  sea.end(wire::Ending::kStopped);
+  sea.end(messages::Ending::kStopped);
   const RecordedFlight flight = open_recording(folder_, {});
   EXPECT_EQ(flight.journal.decisions.size(), 5U);
   EXPECT_EQ(flight.south_west, kCorner);

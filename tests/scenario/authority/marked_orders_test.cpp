@@ -22,6 +22,7 @@
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/scenario/walk_at_sea.hpp"
+#include "tests/support/lcm_peer.hpp"
 #include "tests/support/private_network.hpp"
 #include "tests/support/secret_file.hpp"
 
@@ -67,7 +68,7 @@ class MarkedOrders : public WalkAtSea {
     if (message.channel == wire::kOperatorCommandChannel) ++orders_;
     if (message.channel == wire::kOperatorCommandChannel) recorded_.assign(message.data.begin(), message.data.end());
     command_acknowledgement_t answer{};
-    if (message.channel == wire::kAcknowledgementChannel && wire::decode(message.data, answer) == Status::kOk)
+    if (message.channel == wire::kAcknowledgementChannel && support::read_peer(message.data, answer) == Status::kOk)
       answers_.push_back(static_cast<CommandOutcome>(answer.outcome));
   }
 

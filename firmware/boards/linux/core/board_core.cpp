@@ -5,20 +5,13 @@
 #include <stdexcept>
 #include <utility>
 
-#include "earshot/command_acknowledgement_t.hpp"
-#include "earshot/decision_t.hpp"
-#include "earshot/health_t.hpp"
-#include "earshot/safety_event_t.hpp"
-#include "earshot/setpoint_t.hpp"
 #include "firmware/core/big_endian.hpp"
 #include "firmware/core/crc32.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
-#include "firmware/wire/lcm/output_conversion.hpp"
 #include "firmware/wire/serial/channels.hpp"
 
 namespace earshot::board {
@@ -34,8 +27,8 @@ Message read(const wire::FramedRecord& record) {
   return message;
 }
 
-std::string why(std::int8_t status) {
-  switch (static_cast<Status>(status)) {
+std::string why(Status status) {
+  switch (status) {
     case Status::kCorrupt:
       return "it does not repeat what the policy's freezer computed, or a piece of it was lost on the line";
     case Status::kMalformed:
@@ -45,7 +38,7 @@ std::string why(std::int8_t status) {
     case Status::kFull:
       return "its capacities are too small for them";
     default:
-      return "status " + std::to_string(status);
+      return "status " + std::to_string(static_cast<int>(status));
   }
 }
 
@@ -57,15 +50,13 @@ BoardCore::BoardCore(host::SerialLine line, const config::Mission& mission, std:
   const std::string name = host::printable(line_.path().string());
   send_pieces(wire::kPolicyPieceChannel, policy);
   send_pieces(wire::kTablesPieceChannel, tables);
-  mission_t m = wire::to_message(mission, Time{});
-  m.policy_crc32 = static_cast<std::int32_t>(crc32(policy));
-  m.tables_crc32 = static_cast<std::int32_t>(crc32(tables));
-  const wire::Encoded encoded(m);
+  const wire::Encoded encoded(messages::MissionRecord{.mission = mission, .policy_crc32 = crc32(policy), .tables_crc32 = crc32(tables)});
   send(Time{}, wire::kMissionChannel, encoded.bytes());
-  for (board_t report{}; receive_report(report);) {
+  for (messages::BoardReport report; receive_report(report);) {
     note(report);
-    if (report.event == board_t::ARMED) return;
-    if (report.event == board_t::REFUSED) throw host::BadInput(name + ": the board refuses the mission: " + why(report.status));
+    if (report.event == messages::BoardEvent::kArmed) return;
+    if (report.event == messages::BoardEvent::kRefused)
+      throw host::BadInput(name + ": the board refuses the mission: " + why(report.status));
   }
   throw host::BadInput(name + ": no board answers");
 }
@@ -84,9 +75,9 @@ runtime::Outputs BoardCore::step(Time now) {
   runtime::Outputs outputs;
   for (wire::FramedRecord record; receive(record, patience_);) {
     if (record.channel == wire::kBoardChannel) {
-      note(read<board_t>(record));
-      if (last_.event == board_t::STARTED) throw std::runtime_error("the board has begun anew, and knows of no mission");
-      if (last_.event == board_t::INPUTS_LOST) throw std::runtime_error("inputs were lost on the way to the board");
+      note(read<messages::BoardReport>(record));
+      if (last_.event == messages::BoardEvent::kStarted) throw std::runtime_error("the board has begun anew, and knows of no mission");
+      if (last_.event == messages::BoardEvent::kInputsLost) throw std::runtime_error("inputs were lost on the way to the board");
       continue;
     }
     put(record, outputs);
@@ -98,16 +89,17 @@ runtime::Outputs BoardCore::step(Time now) {
 void BoardCore::put(const wire::FramedRecord& record, runtime::Outputs& outputs) {
   const std::string_view kind = record.channel;
   if (kind == wire::kJournalledSetpointChannel) {
-    outputs.setpoint = wire::from_message(read<setpoint_t>(record));
+    outputs.setpoint = read<messages::Setpoint>(record);
   } else if (kind == wire::kDecisionChannel) {
-    outputs.decision = wire::from_message(read<decision_t>(record));
+    outputs.decision = read<messages::Decision>(record);
   } else if (kind == wire::kSafetyEventChannel) {
-    static_cast<void>(outputs.safety_events.push_back(wire::from_message(read<safety_event_t>(record))));
+    static_cast<void>(outputs.safety_events.push_back(read<messages::SafetyEvent>(record)));
   } else if (kind.starts_with(wire::kAcknowledgementChannel)) {
-    const auto port = static_cast<std::uint8_t>(kind.back() - '0');
-    static_cast<void>(outputs.acknowledgements.push_back(wire::from_message(read<command_acknowledgement_t>(record), port)));
+    auto acknowledgement = read<messages::CommandAcknowledgement>(record);
+    acknowledgement.port = static_cast<std::uint8_t>(kind.back() - '0');
+    static_cast<void>(outputs.acknowledgements.push_back(acknowledgement));
   } else if (kind == wire::kHealthChannel) {
-    outputs.health = wire::from_message(read<health_t>(record));
+    outputs.health = read<messages::Health>(record);
   }
 }
 
@@ -147,17 +139,17 @@ bool BoardCore::receive(wire::FramedRecord& record, std::chrono::milliseconds pa
   }
 }
 
-bool BoardCore::receive_report(board_t& report) {
+bool BoardCore::receive_report(messages::BoardReport& report) {
   for (wire::FramedRecord record; receive(record, kArmingTakesLonger * patience_);) {
     if (record.channel != wire::kBoardChannel) continue;
-    report = read<board_t>(record);
+    report = read<messages::BoardReport>(record);
     return true;
   }
   return false;
 }
 
-void BoardCore::note(const board_t& report) {
-  if (report.event == board_t::DECIDED) longest_turn_us_ = std::max(longest_turn_us_, report.turn_us);
+void BoardCore::note(const messages::BoardReport& report) {
+  if (report.event == messages::BoardEvent::kDecided) longest_turn_us_ = std::max(longest_turn_us_, report.turn_us);
   last_ = report;
 }
 

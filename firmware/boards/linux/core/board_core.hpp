@@ -8,7 +8,6 @@
 #include <string>
 #include <string_view>
 
-#include "earshot/board_t.hpp"
 #include "firmware/boards/linux/core/core.hpp"
 #include "firmware/config/mission.hpp"
 #include "firmware/core/time.hpp"
@@ -46,8 +45,8 @@ class BoardCore final : public Core {
   void send_pieces(std::string_view channel, std::span<const std::uint8_t> file);
   /// @return false: none came in time
   [[nodiscard]] bool receive(wire::FramedRecord& record, std::chrono::milliseconds patience);
-  [[nodiscard]] bool receive_report(board_t& report);
-  void note(const board_t& report);
+  [[nodiscard]] bool receive_report(messages::BoardReport& report);
+  void note(const messages::BoardReport& report);
   void put(const wire::FramedRecord& record, runtime::Outputs& outputs);
 
   host::SerialLine line_;
@@ -60,8 +59,8 @@ class BoardCore final : public Core {
   std::size_t received_size_ = 0;
   std::size_t read_ = 0;  ///< of these
   std::uint64_t frames_refused_ = 0;
-  std::int32_t longest_turn_us_ = 0;
-  board_t last_{};
+  std::uint32_t longest_turn_us_ = 0;
+  messages::BoardReport last_{};
 };
 
 }  // namespace earshot::board

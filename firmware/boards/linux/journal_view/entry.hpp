@@ -5,18 +5,14 @@
 #include <string>
 #include <variant>
 
-#include "earshot/command_acknowledgement_t.hpp"
-#include "earshot/controller_trouble_t.hpp"
-#include "earshot/decision_t.hpp"
-#include "earshot/health_t.hpp"
-#include "earshot/journal_resumed_t.hpp"
-#include "earshot/mission_t.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/messages/decision.hpp"
+#include "firmware/messages/health.hpp"
 #include "firmware/messages/input.hpp"
+#include "firmware/messages/journal_records.hpp"
 #include "firmware/messages/safety_event.hpp"
 #include "firmware/messages/setpoint.hpp"
-#include "firmware/wire/journal/closing_record.hpp"
 
 namespace earshot::journal_view {
 
@@ -39,9 +35,9 @@ struct Unreadable {
   bool is_known_channel = false;
 };
 
-using Content =
-    std::variant<Unreadable, mission_t, PolicyBytes, messages::Input, messages::Setpoint, decision_t, messages::SafetyEvent,
-                 command_acknowledgement_t, health_t, wire::ClosingRecord, journal_resumed_t, controller_trouble_t, TablesBytes>;
+using Content = std::variant<Unreadable, messages::MissionRecord, PolicyBytes, messages::Input, messages::Setpoint, messages::Decision,
+                             messages::SafetyEvent, messages::CommandAcknowledgement, messages::Health, messages::ClosingRecord,
+                             messages::JournalResumed, messages::ControllerTrouble, TablesBytes>;
 
 struct Record {
   std::uint32_t number = 0;  ///< counts all records that the journal was given, from 0

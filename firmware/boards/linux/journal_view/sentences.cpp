@@ -1,17 +1,14 @@
 #include "firmware/boards/linux/journal_view/sentences.hpp"
 
 #include <cmath>
-#include <cstring>
-#include <iterator>
 #include <numbers>
-#include <optional>
 
 #include "firmware/boards/linux/journal_view/wording.hpp"
 #include "firmware/core/geometry.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/messages/dictionary/command_words.hpp"
+#include "firmware/messages/dictionary/journal_fields.hpp"
 #include "firmware/messages/health_words.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 
 namespace earshot::journal_view {
 namespace {
@@ -20,9 +17,8 @@ using messages::Authority;
 using messages::EndReason;
 using messages::MissionState;
 
-std::string command_name(std::int8_t order, std::uint32_t number, std::uint32_t issuer) {
-  return std::string("order ") + messages::to_string(static_cast<messages::Order>(order)) + ", number " + std::to_string(number) +
-         " of issuer " + std::to_string(issuer);
+std::string command_name(messages::Order order, std::uint32_t number, std::uint32_t issuer) {
+  return std::string("order ") + messages::to_string(order) + ", number " + std::to_string(number) + " of issuer " + std::to_string(issuer);
 }
 
 std::string limits_in(const messages::OperatorLimits& limits) {
@@ -34,17 +30,12 @@ std::string limits_in(const messages::OperatorLimits& limits) {
   return text;
 }
 
-std::string build_of(const mission_t& mission) {
-  const char* const build = reinterpret_cast<const char*>(mission.build);
-  return host::printable({build, ::strnlen(build, std::size(mission.build))});
-}
-
-std::string state_to_string(MissionState state, EndReason reason, std::int64_t steps, AbortedBy by) {
+std::string state_to_string(MissionState state, EndReason reason, std::uint32_t steps, AbortedBy by) {
   const bool is_stopped = reason == EndReason::kOperatorAbort && by == AbortedBy::kProgram;
   const std::string why = is_stopped ? "its program was told to stop" : messages::to_string(reason);
   const std::string ended = reason == EndReason::kNone ? "" : ": " + why;
   if (!messages::counts_steps(reason)) return messages::to_string(state) + ended;
-  return messages::to_string(state) + ended + ", after " + counted(static_cast<std::uint64_t>(steps < 0 ? 0 : steps), "step");
+  return messages::to_string(state) + ended + ", after " + counted(steps, "step");
 }
 
 std::string bytes_to_string(const DamagedBytes& damage) {
@@ -52,39 +43,27 @@ std::string bytes_to_string(const DamagedBytes& damage) {
          (damage.part.empty() ? "" : " of " + damage.part);
 }
 
-const char* to_string(wire::Ending ending) {
-  switch (ending) {
-    case wire::Ending::kMissionOver:
-      return "the mission was over";
-    case wire::Ending::kStopped:
-      return "the program was told to stop";
-    case wire::Ending::kClockLost:
-      return "the simulator was gone";
-  }
-  return "?";
-}
-
 }  // namespace
 
-std::string to_string(const mission_t& m) {
+std::string to_string(const messages::MissionRecord& record) {
   constexpr double kMetersPerKilometer = 1000.0;
-  const double seconds = static_cast<double>(m.max_time_us) / 1e6;
-  return "mission begins: area of " + decimal((m.north_m - m.south_m) / kMetersPerKilometer, 1) + " km x " +
-         decimal((m.east_m - m.west_m) / kMetersPerKilometer, 1) + " km, at " + decimal(m.search_depth_m, 0) + " m depth and " +
-         decimal(m.search_speed_mps, 1) + " m/s, up to " + counted(static_cast<std::uint32_t>(m.max_steps), "step") + " of " +
-         decimal(m.step_length_m, 0) + " m in " + decimal(seconds, 0) + " s; heard from " + decimal(m.detection_threshold_db, 1) +
-         " dB; flown by " + build_of(m);
+  const config::Mission& m = record.mission;
+  const NorthEast size = m.operating_area.north_east - m.operating_area.south_west;
+  return "mission begins: area of " + decimal(size.north.value / kMetersPerKilometer, 1) + " km x " +
+         decimal(size.east.value / kMetersPerKilometer, 1) + " km, at " + decimal(m.search_depth.value, 0) + " m depth and " +
+         decimal(m.search_speed.value, 1) + " m/s, up to " + counted(m.max_steps, "step") + " of " + decimal(m.step_length.value, 0) +
+         " m in " + decimal(m.max_time.to_seconds(), 0) + " s; heard from " + decimal(m.detection_threshold.value, 1) + " dB; flown by " +
+         host::printable(std::string(messages::text_of(record.build)));
 }
 
 std::string to_string(const messages::OperatorCommand& command, std::uint8_t port) {
   // Port 0 is the program's own.
   const std::string by = port == 0 ? ", by the program, which is told to stop" : ", by port " + std::to_string(port);
-  return command_name(static_cast<std::int8_t>(command.order), command.number, command.issuer) + limits_in(command.limits) + by;
+  return command_name(command.order, command.number, command.issuer) + limits_in(command.limits) + by;
 }
 
-std::string to_string(const command_acknowledgement_t& m) {
-  return command_name(m.command, static_cast<std::uint32_t>(m.number), static_cast<std::uint32_t>(m.issuer)) + ": " +
-         messages::to_string(static_cast<messages::CommandOutcome>(m.outcome));
+std::string to_string(const messages::CommandAcknowledgement& m) {
+  return command_name(m.order, m.number, m.issuer) + ": " + messages::to_string(m.outcome);
 }
 
 std::string to_string(const messages::Bearing& bearing) {
@@ -97,61 +76,56 @@ std::string to_string(const messages::Bearing& bearing) {
   return text + ", give or take " + decimal(bearing.deviation.value * kDegreesPerRadian, 0) + " deg";
 }
 
-std::string to_string(const decision_t& m) {
-  const NorthEast place{Meters{m.north_m}, Meters{m.east_m}};
-  const NorthEast waypoint{Meters{m.waypoint_north_m}, Meters{m.waypoint_east_m}};
-  const NorthEast leg = waypoint - place;
+std::string to_string(const messages::Decision& m) {
+  const NorthEast leg = m.waypoint - m.position;
   std::string bearing = compass(bearing_of(leg.north.value, leg.east.value), 0);
   bearing.insert(0, bearing.size() < 3 ? 3 - bearing.size() : 0, '0');
-  const std::optional<messages::Bearing> source = wire::bearing_in(m);
-  std::string text = "step " + std::to_string(m.step) + ": SNR " + (m.too_faint != 0 ? "below " : "") + decimal(m.snr_db, 1) + " dB" +
-                     (m.detected != 0 ? ", heard" : ", not heard") + (source ? ", from " + to_string(*source) : "") + "; from " +
-                     to_string(place) + " goes " + decimal(length_of(leg).value, 0) + " m towards " + bearing + " deg";
-  if (m.sweeping != 0) text += ", of a sweep";
-  if (m.overridden != 0) text += ", as the safety layer changed it";
-  if (m.believes != 0)
-    text += "; the source is likeliest at " + to_string({Meters{m.likeliest_north_m}, Meters{m.likeliest_east_m}}) +
-            ", the belief spread over " + decimal(m.spread_m, 0) + " m";
-  if (m.found != 0)
-    text += "; says that the source is found: within a step with a probability of " + decimal(m.found_probability, 2) + ", at least " +
-            decimal(m.found_least_snr_db, 1) + " dB expected there, the likeliest place " + decimal(m.closest_approach_m, 0) + " m away";
+  std::string text = "step " + std::to_string(m.step) + ": SNR " + (m.too_faint ? "below " : "") + decimal(m.snr.value, 1) + " dB" +
+                     (m.detected ? ", heard" : ", not heard") + (m.bearing ? ", from " + to_string(*m.bearing) : "") + "; from " +
+                     to_string(m.position) + " goes " + decimal(length_of(leg).value, 0) + " m towards " + bearing + " deg";
+  if (m.sweeping) text += ", of a sweep";
+  if (m.overridden) text += ", as the safety layer changed it";
+  if (m.belief)
+    text += "; the source is likeliest at " + to_string(m.belief->likeliest) + ", the belief spread over " +
+            decimal(m.belief->spread.value, 0) + " m";
+  if (m.found)
+    text += "; says that the source is found: within a step with a probability of " + decimal(m.found->probability, 2) + ", at least " +
+            decimal(m.found->least_snr.value, 1) + " dB expected there, the likeliest place " +
+            decimal(m.found->closest_approach.value, 0) + " m away";
   return text;
 }
 
-std::string to_string(const health_t& m, bool was_surprised, AbortedBy by) {
-  const auto reason = static_cast<EndReason>(m.end_reason);
-  const auto authority = static_cast<Authority>(m.authority);
-  const auto state = static_cast<MissionState>(m.state);
-  if (reason != EndReason::kNone) return state_to_string(state, reason, m.steps_taken, by);
-  std::string text = messages::to_string(state);
-  if (authority == Authority::kDisconnected) return text + ", the autopilot is not heard";
-  if (authority == Authority::kListen) return text + ", listening: it commands nothing";
-  if (m.paused != 0) return text + ", paused by an operator";
-  if (m.found != 0) return text + ", " + std::string(messages::kSaysFound);
-  return m.sweeping != 0 ? text + ", " + std::string(was_surprised ? messages::kSweeps : messages::kSweepsInSilence) : text;
+std::string to_string(const messages::Health& m, bool was_surprised, AbortedBy by) {
+  if (m.end_reason != EndReason::kNone) return state_to_string(m.state, m.end_reason, m.steps_taken, by);
+  std::string text = messages::to_string(m.state);
+  if (m.authority == Authority::kDisconnected) return text + ", the autopilot is not heard";
+  if (m.authority == Authority::kListen) return text + ", listening: it commands nothing";
+  if (m.is_paused) return text + ", paused by an operator";
+  if (m.is_found) return text + ", " + std::string(messages::kSaysFound);
+  return m.is_sweeping ? text + ", " + std::string(was_surprised ? messages::kSweeps : messages::kSweepsInSilence) : text;
 }
 
-std::string to_string(const wire::ClosingRecord& closing, AbortedBy by) {
-  const wire::ClosingRecord::Lost& lost = closing.lost;
+std::string to_string(const messages::ClosingRecord& closing, AbortedBy by) {
+  const messages::LostRecords& lost = closing.lost;
   const std::string what = lost.all() == 0
                                ? "no record was lost"
                                : counted(lost.all(), "record") + " lost on a full or slow disk: " + std::to_string(lost.streams) +
                                      " of navigation, SNR and health, " + std::to_string(lost.steering) + " set-points and decisions, " +
                                      std::to_string(lost.orders) + " orders and changes of state";
-  return std::string("end: ") + to_string(closing.ending) + "; " +
+  return std::string("end: ") + messages::to_string(closing.ending) + "; " +
          state_to_string(closing.state, closing.end_reason, closing.steps_taken, by) + "; " + what;
 }
 
-std::string to_string(const journal_resumed_t& resumed) {
+std::string to_string(const messages::JournalResumed& resumed) {
   return "another process goes on from here (earshotd --resume): the one before was killed or lost its power; " +
-         counted(static_cast<std::uint64_t>(resumed.cut_bytes), "byte") + " that it left behind were cut off";
+         counted(resumed.cut_bytes, "byte") + " that it left behind were cut off";
 }
 
-std::string to_string(const controller_trouble_t& trouble) {
-  const bool is_bus_off = trouble.trouble == controller_trouble_t::BUS_OFF;
-  const char* const begins = is_bus_off ? "has left the bus after too many errors (bus-off)" : "counts many errors (error-passive)";
+std::string to_string(const messages::ControllerTrouble& trouble) {
+  const bool is_bus_off = trouble.trouble == messages::ControllerState::kBusOff;
   const char* const ends = is_bus_off ? "is back on the bus" : "counts few errors";
-  return "port " + std::to_string(trouble.port) + ": the CAN controller " + (trouble.is_there != 0 ? begins : ends);
+  return "port " + std::to_string(trouble.port) + ": the CAN controller " +
+         (trouble.is_there ? messages::to_string(trouble.trouble) : ends);
 }
 
 namespace {

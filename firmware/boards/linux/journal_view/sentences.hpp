@@ -11,31 +11,31 @@ namespace earshot::journal_view {
 // One entry in words, on one line: whatever another wrote into the journal is spelled out (host::printable).
 
 /// "mission begins: area of 25.0 km x 25.0 km, at 300 m depth and 2.0 m/s, up to 100 steps of 1000 m in 60000 s; ..."
-[[nodiscard]] std::string to_string(const mission_t& mission);
+[[nodiscard]] std::string to_string(const messages::MissionRecord& mission);
 
 /// "order START, number 1 of issuer 77, by port 2"; "... TIGHTEN to 280 m depth, ..."
 [[nodiscard]] std::string to_string(const messages::OperatorCommand& command, std::uint8_t port);
 
 /// "order START, number 1 of issuer 77: obeyed"
-[[nodiscard]] std::string to_string(const command_acknowledgement_t& acknowledgement);
+[[nodiscard]] std::string to_string(const messages::CommandAcknowledgement& acknowledgement);
 
 /// "step 3: SNR 12.3 dB, heard; from 100 m north, 200 m east 1000 m towards 090 deg, to ..."
 /// "47 deg, give or take 10 deg"; "47 deg or 313 deg, give or take 10 deg" where left and right cannot be told apart.
 [[nodiscard]] std::string to_string(const messages::Bearing& bearing);
-[[nodiscard]] std::string to_string(const decision_t& decision);
+[[nodiscard]] std::string to_string(const messages::Decision& decision);
 
 /// Whose order an ABORT was that no rule gave: a program that is told to stop gives one, too.
 enum class AbortedBy : std::uint8_t { kOperator, kProgram };
 
 /// "ABORT: navigation went silent, after 12 steps"; "SEARCH, listening: it commands nothing"
-[[nodiscard]] std::string to_string(const health_t& health, bool was_surprised, AbortedBy by = AbortedBy::kOperator);
+[[nodiscard]] std::string to_string(const messages::Health& health, bool was_surprised, AbortedBy by = AbortedBy::kOperator);
 
 /// "end: the mission was over; DONE: completed, the source is reached, after 37 steps; no record was lost"
-[[nodiscard]] std::string to_string(const wire::ClosingRecord& closing, AbortedBy by = AbortedBy::kOperator);
-[[nodiscard]] std::string to_string(const journal_resumed_t& resumed);
+[[nodiscard]] std::string to_string(const messages::ClosingRecord& closing, AbortedBy by = AbortedBy::kOperator);
+[[nodiscard]] std::string to_string(const messages::JournalResumed& resumed);
 
 /// "port 1: the CAN controller has left the bus after too many errors (bus-off)"; "port 1: the CAN controller is back on the bus"
-[[nodiscard]] std::string to_string(const controller_trouble_t& trouble);
+[[nodiscard]] std::string to_string(const messages::ControllerTrouble& trouble);
 
 [[nodiscard]] std::string to_string(const MissingRecords& missing);
 [[nodiscard]] std::string to_string(const DamagedBytes& damage);

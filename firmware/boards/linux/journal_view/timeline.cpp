@@ -114,9 +114,9 @@ void Timeline::note_content(const Unreadable& unreadable, const Record& record) 
             "; of more like it nothing is told");
 }
 
-void Timeline::note_content(const mission_t& mission, const Record& /*record*/) {
-  policy_crc32_ = static_cast<std::uint32_t>(mission.policy_crc32);
-  tables_crc32_ = static_cast<std::uint32_t>(mission.tables_crc32);
+void Timeline::note_content(const messages::MissionRecord& mission, const Record& /*record*/) {
+  policy_crc32_ = mission.policy_crc32;
+  tables_crc32_ = mission.tables_crc32;
   inform(to_string(mission));
 }
 
@@ -146,7 +146,7 @@ void Timeline::note_content(const messages::Setpoint& setpoint, const Record& /*
   if (releases_weight_.changes_to(setpoint.release_weight) && setpoint.release_weight) warn("the drop weight is asked to be released");
 }
 
-void Timeline::note_content(const decision_t& decision, const Record& /*record*/) {
+void Timeline::note_content(const messages::Decision& decision, const Record& /*record*/) {
   inform(to_string(decision));
 }
 
@@ -155,43 +155,43 @@ void Timeline::note_content(const messages::SafetyEvent& event, const Record& /*
   tell(!event.begins ? Severity::kInformation : ends_it ? Severity::kError : Severity::kWarning, host::to_string(event));
 }
 
-void Timeline::note_content(const command_acknowledgement_t& acknowledgement, const Record& /*record*/) {
-  const auto outcome = static_cast<messages::CommandOutcome>(acknowledgement.outcome);
+void Timeline::note_content(const messages::CommandAcknowledgement& acknowledgement, const Record& /*record*/) {
+  const messages::CommandOutcome outcome = acknowledgement.outcome;
   const bool is_good = messages::was_obeyed(outcome) || outcome == messages::CommandOutcome::kRepeated;
   tell_order(is_good ? Severity::kInformation : Severity::kWarning, to_string(acknowledgement));
 }
 
-void Timeline::note_content(const health_t& health, const Record& /*record*/) {
+void Timeline::note_content(const messages::Health& health, const Record& /*record*/) {
   if (mission_state_.changes_to(health.state)) {
     for (Grown* counter : {&navigation_refused_, &snr_refused_, &status_refused_, &bearings_refused_, &bearings_of_others_})
       counter->is_told = false;
     for (Port& port : ports_) port.failures.is_told = false;
-    if (health.state == health_t::SEARCH) is_surprise_told_ = false;
+    if (health.state == messages::MissionState::kSearch) is_surprise_told_ = false;
   }
-  const bool is_abort = health.state == health_t::ABORT;
+  const bool is_abort = health.state == messages::MissionState::kAbort;
   const bool is_surprised = health.surprise_bits >= messages::kSurprising_bits;
   if (const std::string state = to_string(health, is_surprise_told_ || is_surprised, aborted_by_); state_.changes_to(state))
     tell(is_abort ? Severity::kWarning : Severity::kInformation, state);
   if (is_surprised && !std::exchange(is_surprise_told_, true))
     warn(std::string(messages::kIsSurprised) + " (surprise " + decimal(double{health.surprise_bits}, 1) + " bits)");
-  is_over_ = health.end_reason != 0;
+  is_over_ = health.end_reason != messages::EndReason::kNone;
   note_refused(health);
 }
 
-void Timeline::note_refused(const health_t& health) {
-  const auto tell_of = [this](Grown& counter, std::int64_t count, const char* what) {
-    if (counter.is_news(static_cast<std::uint64_t>(count)))
+void Timeline::note_refused(const messages::Health& health) {
+  const auto tell_of = [this](Grown& counter, std::uint64_t count, const char* what) {
+    if (counter.is_news(count))
       warn(std::string(what) + ": " + counted(counter.seen, "message") + " refused so far, for their date, their order or what is in them");
   };
-  tell_of(navigation_refused_, health.navigation_refused, "navigation");
-  tell_of(snr_refused_, health.snr_refused, "SNR");
-  tell_of(status_refused_, health.status_refused, "status");
-  tell_of(bearings_refused_, health.bearings_refused, "bearing");
-  if (bearings_of_others_.is_news(static_cast<std::uint64_t>(health.bearings_of_others)))
+  tell_of(navigation_refused_, health.counters.navigation_refused, "navigation");
+  tell_of(snr_refused_, health.counters.snr_refused, "SNR");
+  tell_of(status_refused_, health.counters.status_refused, "status");
+  tell_of(bearings_refused_, health.counters.bearings_refused, "bearing");
+  if (bearings_of_others_.is_news(health.counters.bearings_of_others))
     warn("bearing: " + counted(bearings_of_others_.seen, "message") + " of a second sender not taken so far");
 }
 
-void Timeline::note_content(const wire::ClosingRecord& closing, const Record& /*record*/) {
+void Timeline::note_content(const messages::ClosingRecord& closing, const Record& /*record*/) {
   is_closed_ = true;
   if (closing.lost.all() > 0)
     tell_lack(to_string(closing, aborted_by_));
@@ -199,12 +199,12 @@ void Timeline::note_content(const wire::ClosingRecord& closing, const Record& /*
     inform(to_string(closing, aborted_by_));
 }
 
-void Timeline::note_content(const journal_resumed_t& resumed, const Record& /*record*/) {
+void Timeline::note_content(const messages::JournalResumed& resumed, const Record& /*record*/) {
   warn(to_string(resumed));
 }
 
-void Timeline::note_content(const controller_trouble_t& trouble, const Record& /*record*/) {
-  tell(trouble.is_there != 0 ? Severity::kWarning : Severity::kInformation, to_string(trouble));
+void Timeline::note_content(const messages::ControllerTrouble& trouble, const Record& /*record*/) {
+  tell(trouble.is_there ? Severity::kWarning : Severity::kInformation, to_string(trouble));
 }
 
 void Timeline::note_input(const messages::PortReport& report, std::uint8_t /*port*/) {

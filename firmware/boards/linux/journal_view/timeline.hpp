@@ -84,19 +84,19 @@ class Timeline {
   void note(const BusLog& log);
 
   void note_content(const Unreadable& unreadable, const Record& record);
-  void note_content(const mission_t& mission, const Record& record);
+  void note_content(const messages::MissionRecord& mission, const Record& record);
   void note_content(const PolicyBytes& policy, const Record& record);
   void note_content(const TablesBytes& tables, const Record& record);
   void note_bytes(const std::string& text, std::uint32_t crc32, std::optional<std::uint32_t> named);
   void note_content(const messages::Input& input, const Record& record);
   void note_content(const messages::Setpoint& setpoint, const Record& record);
-  void note_content(const decision_t& decision, const Record& record);
+  void note_content(const messages::Decision& decision, const Record& record);
   void note_content(const messages::SafetyEvent& event, const Record& record);
-  void note_content(const command_acknowledgement_t& acknowledgement, const Record& record);
-  void note_content(const health_t& health, const Record& record);
-  void note_content(const wire::ClosingRecord& closing, const Record& record);
-  void note_content(const journal_resumed_t& resumed, const Record& record);
-  void note_content(const controller_trouble_t& trouble, const Record& record);
+  void note_content(const messages::CommandAcknowledgement& acknowledgement, const Record& record);
+  void note_content(const messages::Health& health, const Record& record);
+  void note_content(const messages::ClosingRecord& closing, const Record& record);
+  void note_content(const messages::JournalResumed& resumed, const Record& record);
+  void note_content(const messages::ControllerTrouble& trouble, const Record& record);
 
   void note_input(const messages::PortReport& report, std::uint8_t port);
   void note_input(const messages::UnsentSetpoints& unsent, std::uint8_t port);
@@ -107,7 +107,7 @@ class Timeline {
   /// Fixes and looks.
   template <class Stream>
   void note_input(const Stream& /*value*/, std::uint8_t /*port*/) {}
-  void note_refused(const health_t& health);
+  void note_refused(const messages::Health& health);
 
   struct Port {
     Told<bool> is_down;
@@ -126,7 +126,7 @@ class Timeline {
   std::optional<std::uint32_t> policy_crc32_;  ///< that the mission names
   std::optional<std::uint32_t> tables_crc32_;  ///< likewise
   Told<std::string> state_;
-  Told<std::int8_t> mission_state_{-1};
+  Told<std::optional<messages::MissionState>> mission_state_;
   Told<bool> releases_weight_;
   Told<bool> has_leak_;
   Told<bool> has_ground_fault_;

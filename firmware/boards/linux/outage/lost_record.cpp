@@ -1,14 +1,10 @@
 #include "firmware/boards/linux/outage/lost_record.hpp"
 
-#include "earshot/health_t.hpp"
-#include "earshot/mission_t.hpp"
-#include "earshot/setpoint_t.hpp"
 #include "firmware/boards/linux/outage/safety_log.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 
 namespace earshot::board {
@@ -24,17 +20,17 @@ struct Standing {
 void note(const host::JournalRecord& record, Standing& standing) {
   standing.time = record.time;
   standing.is_ended = record.channel == wire::kJournalEndChannel;
-  mission_t mission{};
-  health_t health{};
-  setpoint_t setpoint{};
-  if (record.channel == wire::kMissionChannel && wire::decode(record.data, mission) == Status::kOk) {
-    standing.mission = wire::from_message(mission);
+  messages::MissionRecord said;
+  messages::Health health;
+  messages::Setpoint setpoint;
+  if (record.channel == wire::kMissionChannel && wire::decode(record.data, said) == Status::kOk) {
+    standing.mission = said.mission;
   } else if (record.channel == wire::kJournalledSetpointChannel && wire::decode(record.data, setpoint) == Status::kOk) {
-    standing.outputs.setpoint = wire::from_message(setpoint);
+    standing.outputs.setpoint = setpoint;
   } else if (record.channel == wire::kHealthChannel && wire::decode(record.data, health) == Status::kOk) {
-    standing.outputs.health.state = static_cast<messages::MissionState>(health.state);
-    standing.outputs.health.end_reason = static_cast<messages::EndReason>(health.end_reason);
-    standing.outputs.health.is_paused = health.paused != 0;
+    standing.outputs.health.state = health.state;
+    standing.outputs.health.end_reason = health.end_reason;
+    standing.outputs.health.is_paused = health.is_paused;
   }
 }
 

@@ -2,13 +2,12 @@
 
 #include <string_view>
 
-#include "earshot/mission_t.hpp"
 #include "firmware/core/crc32.hpp"
+#include "firmware/messages/dictionary/mission_fields.hpp"
 #include "firmware/policy/format/policy_format.hpp"
 #include "firmware/policy/tables/tables_format.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
-#include "firmware/wire/lcm/encoding.hpp"
+#include "firmware/wire/lcm/codec.hpp"
 
 namespace earshot::board {
 namespace {
@@ -40,14 +39,12 @@ host::BadInput not_replayable(const std::filesystem::path& journal, const std::s
 
 Beginning read_beginning(host::JournalReader& reader, const std::filesystem::path& journal) {
   host::JournalRecord record;
-  mission_t mission{};
+  messages::MissionRecord mission;
   if (!reader.next(record)) throw host::BadInput(journal.string() + ": not a journal: no record in it");
   if (record.number != 0 || record.channel != wire::kMissionChannel || wire::decode(record.data, mission) != Status::kOk)
     throw not_replayable(journal, "its first record is no mission");
   Beginning beginning{.time = record.time,
-                      .flown = {.mission = wire::from_message(mission),
-                                .policy_crc32 = static_cast<std::uint32_t>(mission.policy_crc32),
-                                .tables_crc32 = static_cast<std::uint32_t>(mission.tables_crc32)},
+                      .flown = {.mission = mission.mission, .policy_crc32 = mission.policy_crc32, .tables_crc32 = mission.tables_crc32},
                       .policy = nullptr,
                       .tables = nullptr};
   require_record(reader, journal, "second", wire::kPolicyChannel, "policy", record);

@@ -52,11 +52,11 @@ bool Playback::next() {
   return take(record_);
 }
 
-std::optional<wire::ClosingRecord> Playback::closing() {
+std::optional<messages::ClosingRecord> Playback::closing() {
   if (closing_) return closing_;
   while (record_.channel != wire::kJournalEndChannel && file_.next(record_)) {
   }
-  if (wire::ClosingRecord closing;
+  if (messages::ClosingRecord closing;
       record_.channel == wire::kJournalEndChannel && wire::read_closing_record(record_.data, closing) == Status::kOk)
     closing_ = closing;
   return closing_;
@@ -101,8 +101,8 @@ void Playback::step(Time now) {
   expected_.clear();
   compared_ = 0;
   const bool is_new_state = memory_.recorded_state != outputs_.health.state;
-  for_each_record(now, outputs_, is_new_state, [this, now](std::string_view channel, const auto& message, host::Weight weight) {
-    expected_.push_back({.channel = channel, .message = wire::Encoded(message), .weight = weight, .time = now});
+  for_each_record(outputs_, is_new_state, [this, now](std::string_view channel, const auto& message, host::Weight weight) {
+    expected_.push_back({.channel = channel, .message = wire::Encoded(message, now), .weight = weight, .time = now});
   });
   memory_.note(now, outputs_);
   ++turns_;
@@ -117,10 +117,10 @@ bool Playback::is_as_expected(const host::JournalRecord& record) {
 }
 
 void Playback::compare_end(const host::JournalRecord& record) {
-  wire::ClosingRecord told;
+  messages::ClosingRecord told;
   if (wire::read_closing_record(record.data, told) != Status::kOk) return;
   const messages::Health& health = outputs_.health;
-  wire::ClosingRecord now = told;  // why its program ended, and what the disk did not take, only the journal knows
+  messages::ClosingRecord now = told;  // why its program ended, and what the disk did not take, only the journal knows
   now.state = health.state;
   now.end_reason = health.end_reason;
   now.steps_taken = health.steps_taken;
@@ -130,7 +130,8 @@ void Playback::compare_end(const host::JournalRecord& record) {
       .channel = record.channel,
       .time = record.time,
       .data = record.data,
-      .now = Unwritten{.channel = wire::kJournalEndChannel, .message = encoded(now), .weight = host::Weight::kOrder, .time = record.time}};
+      .now = Unwritten{
+          .channel = wire::kJournalEndChannel, .message = wire::Encoded(now), .weight = host::Weight::kOrder, .time = record.time}};
 }
 
 }  // namespace earshot::board

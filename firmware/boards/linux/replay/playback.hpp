@@ -51,7 +51,7 @@ class Playback {
   /// One record more. False: the end, a difference or a gap. @throws host::BadInput as require_possible_date()
   [[nodiscard]] bool next();
   /// The last record of a journal that was ended in order, wherever the playback stopped.
-  [[nodiscard]] std::optional<wire::ClosingRecord> closing();
+  [[nodiscard]] std::optional<messages::ClosingRecord> closing();
   /// Reads the file to its end. @return how many records stand behind the one that ends the journal: another journal's, or forged ones
   [[nodiscard]] std::size_t records_behind_end();
 
@@ -98,7 +98,7 @@ class Playback {
   std::size_t compared_ = 0;         ///< so many of them are in the journal
   std::optional<Difference> difference_;
   std::optional<std::uint32_t> gap_;
-  std::optional<wire::ClosingRecord> closing_;
+  std::optional<messages::ClosingRecord> closing_;
   std::uint32_t next_number_ = 0;
   std::size_t turns_ = 0;
   std::size_t decisions_ = 0;

@@ -34,7 +34,7 @@ struct ReplayResult {
   /// and what follows was not replayed. One that is missing at the end is found by the closing record behind it.
   std::optional<std::uint32_t> gap;
   /// The journal's last record; nothing when its end is missing, because earshotd was killed or lost its power.
-  std::optional<wire::ClosingRecord> closing;
+  std::optional<messages::ClosingRecord> closing;
   std::size_t records_behind_end = 0;  ///< which are no part of the journal: another was written, or copied, behind it
   host::JournalReader::End end = host::JournalReader::End::kWhole;
   std::vector<host::JournalDamage> damages;  ///< bytes of the file that are no record

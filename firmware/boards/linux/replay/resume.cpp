@@ -12,7 +12,7 @@
 #include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/journal/journal_parts.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 
 namespace earshot::board {
 namespace {
@@ -22,7 +22,8 @@ host::BadInput refusal(const std::filesystem::path& journal, const std::string& 
 }
 
 bool is_same(const config::Mission& a, const config::Mission& b) {
-  return std::ranges::equal(wire::Encoded(wire::to_message(a, Time{})).bytes(), wire::Encoded(wire::to_message(b, Time{})).bytes());
+  return std::ranges::equal(wire::Encoded(messages::MissionRecord{.mission = a}).bytes(),
+                            wire::Encoded(messages::MissionRecord{.mission = b}).bytes());
 }
 
 /// How the journal ends.
@@ -36,13 +37,13 @@ struct Ending {
 /// second, which a power cut may cost, it may lack the beginning and hold the end.
 class Tail {
  public:
-  Tail(const Ending& before, std::uint64_t begin, Time began, std::optional<health_t> last)
+  Tail(const Ending& before, std::uint64_t begin, Time began, std::optional<messages::Health> last)
       : before_(before), begin_(begin), began_(began), last_(std::move(last)) {}
 
   void note(const host::JournalRecord& record) {
     ended_ = record.time;
     if (record.channel == wire::kHealthChannel) {
-      health_t health{};
+      messages::Health health;
       const bool is_same_state = last_ && wire::decode(record.data, health) == Status::kOk && health.state == last_->state;
       is_light_ = is_light_ && is_same_state;
     } else if (record.channel.starts_with(wire::kOperatorCommandChannel) || record.channel == wire::kAcknowledgementChannel ||
@@ -63,7 +64,7 @@ class Tail {
   std::uint64_t begin_;
   Time began_;
   Time ended_;
-  std::optional<health_t> last_;
+  std::optional<messages::Health> last_;
   bool is_light_ = true;
 };
 
@@ -71,7 +72,7 @@ Ending ending_of(const std::filesystem::path& journal, GoOnAfter after) {
   host::JournalReader reader(journal);
   Ending ending;
   std::optional<Tail> tail;
-  std::optional<health_t> last;
+  std::optional<messages::Health> last;
   std::uint32_t next_number = 0;
   std::uint64_t begin = 0;
   Time time;
@@ -82,7 +83,7 @@ Ending ending_of(const std::filesystem::path& journal, GoOnAfter after) {
     ending.is_in_order = record.channel == wire::kJournalEndChannel;
     if (record.channel != wire::kHealthChannel) continue;
     ending.last_turn = reader.offset();
-    if (health_t health{}; wire::decode(record.data, health) == Status::kOk) last = health;
+    if (messages::Health health; wire::decode(record.data, health) == Status::kOk) last = health;
   }
   if (!tail || ending.is_in_order || after == GoOnAfter::kLastTurn) return ending;
   return tail->without().value_or(ending);

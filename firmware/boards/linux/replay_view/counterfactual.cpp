@@ -3,8 +3,6 @@
 #include <utility>
 #include <variant>
 
-#include "earshot/safety_event_t.hpp"
-#include "earshot/setpoint_t.hpp"
 #include "firmware/boards/linux/replay/beginning.hpp"
 #include "firmware/boards/linux/replay/playback.hpp"
 #include "firmware/boards/linux/replay_view/thinned_track.hpp"
@@ -14,13 +12,12 @@
 #include "firmware/runtime/runtime.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 
 namespace earshot::replay_view {
 namespace {
 
-void note(const health_t& health, Time time, Standing& standing) {
+void note(const messages::Health& health, Time time, Standing& standing) {
   const bool is_news =
       standing.health.turn == 0 || health.state != standing.health.state || health.end_reason != standing.health.end_reason;
   if (is_news) standing.since = time;
@@ -47,9 +44,9 @@ class Flight {
     } else if (record.channel == wire::kJournalledSetpointChannel) {
       setpoint_ = record.data;
     } else if (record.channel == wire::kDecisionChannel) {
-      if (decision_t decision{}; wire::decode(record.data, decision) == Status::kOk) told_.then.push_back(decision);
+      if (messages::Decision decision; wire::decode(record.data, decision) == Status::kOk) told_.then.push_back(decision);
     } else if (record.channel == wire::kSafetyEventChannel) {
-      if (safety_event_t event{}; wire::decode(record.data, event) == Status::kOk) note(wire::from_message(event), told_.then_ended);
+      if (messages::SafetyEvent event; wire::decode(record.data, event) == Status::kOk) note(event, told_.then_ended);
     } else if (record.channel == wire::kHealthChannel) {
       end_turn(record);
     }
@@ -65,10 +62,10 @@ class Flight {
   /// Its health ends every turn.
   void end_turn(const host::JournalRecord& record) {
     const runtime::Outputs outputs = runtime_->step(record.time);
-    if (health_t health{}; wire::decode(record.data, health) == Status::kOk) note(health, record.time, told_.then_ended);
-    note(wire::to_message(outputs.health, record.time), record.time, told_.now_ended);
+    if (messages::Health health; wire::decode(record.data, health) == Status::kOk) note(health, record.time, told_.then_ended);
+    note(outputs.health, record.time, told_.now_ended);
     for (const messages::SafetyEvent& event : outputs.safety_events) note(event, told_.now_ended);
-    if (outputs.decision) told_.now.push_back(wire::to_message(*outputs.decision));
+    if (outputs.decision) told_.now.push_back(*outputs.decision);
     compare_steering(outputs, record.time);
     const bool is_believed = outputs.health.counters.navigation_refused == refused_;
     if (fix_ && is_believed) track_.add(*fix_);
@@ -86,7 +83,7 @@ class Flight {
           .fields = {{.field = "a set-point", .then = words(setpoint_.has_value()), .now = words(outputs.setpoint.has_value())}}};
     } else if (setpoint_) {
       std::vector<FieldDifference> fields =
-          field_differences(wire::kJournalledSetpointChannel, *setpoint_, wire::Encoded(wire::to_message(*outputs.setpoint, time)).bytes());
+          field_differences(wire::kJournalledSetpointChannel, *setpoint_, wire::Encoded(*outputs.setpoint, time).bytes());
       if (!fields.empty()) told_.steering = {.time = time, .fields = std::move(fields)};
     }
     if (!told_.steering) return;

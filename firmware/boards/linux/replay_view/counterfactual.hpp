@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "earshot/decision_t.hpp"
-#include "earshot/health_t.hpp"
 #include "firmware/boards/linux/replay_view/field_difference.hpp"
 #include "firmware/config/mission.hpp"
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/time.hpp"
+#include "firmware/messages/decision.hpp"
+#include "firmware/messages/health.hpp"
 #include "firmware/messages/safety_event.hpp"
 #include "firmware/policy/frozen_policy.hpp"
 #include "firmware/policy/tables/ocean_tables.hpp"
@@ -33,7 +33,7 @@ struct Plan {
 /// How a mission stood at the end of its journal, and since when.
 struct Standing {
   Time since;
-  health_t health{};
+  messages::Health health;
   std::optional<messages::SafetyEvent> rule{};  ///< that ended it; nothing: none did
 };
 
@@ -41,8 +41,8 @@ struct Standing {
 /// would have gone where the journal's went; from the first difference of what steers on, the inputs are still the journal's vehicle's.
 struct Counterfactual {
   Time began;  ///< of the journal
-  std::vector<decision_t> then;
-  std::vector<decision_t> now;
+  std::vector<messages::Decision> then;
+  std::vector<messages::Decision> now;
   std::vector<NorthEast> track;  ///< of the journal's vehicle, thinned, by the fixes that the runtime believed
   /// The first turn whose set-point is not the same: when, and in which fields.
   struct Steering {

@@ -16,34 +16,35 @@ namespace {
 using board::formatted;
 using journal_view::counted;
 
-double seconds_since(Time began, std::int64_t us) {
-  return static_cast<double>(us - began.us) / 1e6;
+double seconds_since(Time began, Time time) {
+  return static_cast<double>((time - began).us) / 1e6;
 }
 
 /// Whole degrees, 0 to 359.
-int degrees_towards(const decision_t& d) {
-  const Radians bearing = bearing_of(d.waypoint_north_m - d.north_m, d.waypoint_east_m - d.east_m);
+int degrees_towards(const messages::Decision& d) {
+  const NorthEast leg = d.waypoint - d.position;
+  const Radians bearing = bearing_of(leg.north.value, leg.east.value);
   return static_cast<int>(std::lround(journal_view::compass_degrees(bearing))) % 360;
 }
 
-std::string half_row(const std::optional<decision_t>& decision, Time began) {
+std::string half_row(const std::optional<messages::Decision>& decision, Time began) {
   if (!decision) return formatted("%41s", "not decided");
-  const decision_t& d = *decision;
-  return formatted("%8.1f %s%5.1f %-5s %03d %7.3f %7.3f", seconds_since(began, d.utime), d.too_faint != 0 ? "<" : " ", d.snr_db,
-                   d.detected != 0 ? "heard" : "", degrees_towards(d), d.waypoint_north_m * 1e-3, d.waypoint_east_m * 1e-3);
+  const messages::Decision& d = *decision;
+  return formatted("%8.1f %s%5.1f %-5s %03d %7.3f %7.3f", seconds_since(began, d.time), d.too_faint ? "<" : " ", d.snr.value,
+                   d.detected ? "heard" : "", degrees_towards(d), d.waypoint.north.value * 1e-3, d.waypoint.east.value * 1e-3);
 }
 
-std::string one_way(const std::optional<decision_t>& d, Time began) {
+std::string one_way(const std::optional<messages::Decision>& d, Time began) {
   if (!d) return "not decided";
-  return formatted("at %.1f s towards %03d deg, to %.3f km north, %.3f km east", seconds_since(began, d->utime), degrees_towards(*d),
-                   d->waypoint_north_m * 1e-3, d->waypoint_east_m * 1e-3);
+  return formatted("at %.1f s towards %03d deg, to %.3f km north, %.3f km east", seconds_since(began, d->time), degrees_towards(*d),
+                   d->waypoint.north.value * 1e-3, d->waypoint.east.value * 1e-3);
 }
 
 std::string to_string(const Standing& standing, Time began) {
-  const bool is_by_rule = standing.rule && standing.health.end_reason == static_cast<std::int8_t>(messages::EndReason::kSafetyRule);
+  const bool is_by_rule = standing.rule && standing.health.end_reason == messages::EndReason::kSafetyRule;
   const std::string rule = is_by_rule ? ", " + host::to_string(*standing.rule) : "";
   const bool was_surprised = standing.health.surprise_bits >= messages::kSurprising_bits;
-  return journal_view::to_string(standing.health, was_surprised) + formatted(" (since %.1f s", seconds_since(began, standing.since.us)) +
+  return journal_view::to_string(standing.health, was_surprised) + formatted(" (since %.1f s", seconds_since(began, standing.since)) +
          rule + ")";
 }
 
@@ -54,7 +55,7 @@ std::string decision_table(std::span<const StepPair> pairs, std::uint32_t from_s
   std::string text = formatted("%5s  %-39s |  %s\n", "", "then (SNR in dB, places in km)", "now") + " step" + head + " |" + head + "\n";
   const StepPair* const parts = parting(pairs);
   for (const StepPair& pair : from(from_step, pairs)) {
-    text += formatted("%5d", pair.step) + half_row(pair.then, began) + " |" + half_row(pair.now, began);
+    text += formatted("%5u", static_cast<unsigned>(pair.step)) + half_row(pair.then, began) + " |" + half_row(pair.now, began);
     if (&pair == parts)
       text += "  parts";
     else if (!pair.is_same())
@@ -70,7 +71,7 @@ std::string where_they_part(std::span<const StepPair> pairs, std::uint32_t from_
   const StepPair* const parts = parting(pairs);
   if (parts == nullptr)
     return "the decisions do not part: " + counted(pairs.size(), "step") + " from step " + first + " on send the vehicle the same ways";
-  const bool is_listed = static_cast<std::uint32_t>(parts->step) >= from_step;
+  const bool is_listed = parts->step >= from_step;
   return "the decisions part at step " + std::to_string(parts->step) + (is_listed ? "" : ", before step " + std::to_string(from_step)) +
          ": then " + one_way(parts->then, began) + "; now " + one_way(parts->now, began);
 }
@@ -78,7 +79,7 @@ std::string where_they_part(std::span<const StepPair> pairs, std::uint32_t from_
 std::string what_it_means(const Counterfactual& told, std::span<const StepPair> pairs) {
   std::string text;
   if (told.steering)
-    text += formatted("set-points differ from %.1f s on: ", seconds_since(told.began, told.steering->time.us)) +
+    text += formatted("set-points differ from %.1f s on: ", seconds_since(told.began, told.steering->time)) +
             to_string(told.steering->fields) + "\n";
   if (told.steering) {
     for (const messages::SafetyEvent& rule : told.steering->rules) text += "now steers there: " + host::to_string(rule) + "\n";

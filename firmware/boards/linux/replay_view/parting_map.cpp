@@ -22,20 +22,12 @@ constexpr SvgMap::Dot kThenHere{"#0b57a4", "white", 4.5, 1};
 constexpr SvgMap::Dot kNowHere{"white", "#d55e00", 3, 2};
 constexpr SvgMap::Dot kParting{"none", "#b3261e", 12, 3};
 
-NorthEast place_of(const decision_t& d) {
-  return {Meters{d.north_m}, Meters{d.east_m}};
-}
-
-NorthEast waypoint_of(const decision_t& d) {
-  return {Meters{d.waypoint_north_m}, Meters{d.waypoint_east_m}};
-}
-
 /// A map of the flight, not of the area, of which a search may see little; a kilometre about everything.
 std::vector<NorthEast> places_of(const Counterfactual& told, std::span<const StepPair> pairs, const Rectangle& area) {
   std::vector<NorthEast> places = told.track;
   for (const StepPair& pair : pairs) {
     for (const auto* decision : {&pair.then, &pair.now}) {
-      if (*decision) places.insert(places.end(), {place_of(**decision), waypoint_of(**decision)});
+      if (*decision) places.insert(places.end(), {(*decision)->position, (*decision)->waypoint});
     }
   }
   if (places.empty()) return board::corners_of(area);
@@ -58,12 +50,12 @@ std::string parting_map(const Counterfactual& told, std::span<const StepPair> pa
   SvgMap map(places_of(told, pairs, area), title);
   if (const Rectangle seen = common(area, map.shown()); seen.contains(seen.south_west)) map.polygon(board::corners_of(seen), kArea);
   map.line(told.track, kTrack);
-  const auto draw = [&](std::optional<decision_t> StepPair::*decision, const SvgMap::Style& way, const SvgMap::Dot& end) {
+  const auto draw = [&](std::optional<messages::Decision> StepPair::*decision, const SvgMap::Style& way, const SvgMap::Dot& end) {
     for (const StepPair& pair : drawn) {
-      if (const auto& d = pair.*decision) map.line(std::array{place_of(*d), waypoint_of(*d)}, way);
+      if (const auto& d = pair.*decision) map.line(std::array{d->position, d->waypoint}, way);
     }
     for (const StepPair& pair : drawn) {
-      if (const auto& d = pair.*decision) map.dot(waypoint_of(*d), end);
+      if (const auto& d = pair.*decision) map.dot(d->waypoint, end);
     }
   };
   draw(&StepPair::then, kThen, kThenHere);
@@ -73,10 +65,10 @@ std::string parting_map(const Counterfactual& told, std::span<const StepPair> pa
   map.legend_line(kThen, "decided then", "to the way-point at its dot");
   map.legend_line(kNow, "decided now", "from where the vehicle was then");
   if (const StepPair* const parts = parting(pairs)) {
-    const decision_t& d = parts->then ? *parts->then : *parts->now;
-    map.dot(place_of(d), kParting);
-    map.words_at(place_of(d), formatted("they part at step %d", parts->step), kParting.stroke);
-    map.legend(kParting, formatted("they part at step %d", parts->step), "behind it no forecast:");
+    const messages::Decision& d = parts->then ? *parts->then : *parts->now;
+    map.dot(d.position, kParting);
+    map.words_at(d.position, formatted("they part at step %u", static_cast<unsigned>(parts->step)), kParting.stroke);
+    map.legend(kParting, formatted("they part at step %u", static_cast<unsigned>(parts->step)), "behind it no forecast:");
     map.legend_note("fixes and SNRs are those of the");
     map.legend_note("vehicle that followed the journal");
   } else {

@@ -29,9 +29,9 @@ Json fields_json(std::span<const FieldDifference> fields) {
   return json;
 }
 
-Json decision_json(const std::optional<decision_t>& decision, Time began) {
+Json decision_json(const std::optional<messages::Decision>& decision, Time began) {
   if (!decision) return nullptr;
-  Json json{{"time_s", seconds_since(began, Time{decision->utime})}};
+  Json json{{"time_s", seconds_since(began, decision->time)}};
   json.update(journal_view::fields_of(*decision));
   return json;
 }

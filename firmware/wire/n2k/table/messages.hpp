@@ -133,14 +133,27 @@ inline constexpr Message kAltitude = single("EarshotAltitude", kAltitudePgn, 5, 
 inline constexpr Message kLeak = single("EarshotLeak", kLeakPgn, 1, kToRuntime, kSecond, kLeakSignals);
 inline constexpr Message kAutopilotStatus =
     single("EarshotAutopilotStatus", kAutopilotStatusPgn, 3, kToRuntime, kSecond, kAutopilotStatusSignals);
-inline constexpr Message kHealth = fast("EarshotHealth", kHealthPgn, 6, kFromRuntime, kSecond, kHealthSignals, 61);
-inline constexpr Message kPortHealth = fast("EarshotPortHealth", kPortHealthPgn, 6, kFromRuntime, kSecond, kPortHealthSignals, 28);
-inline constexpr Message kDecision = fast("EarshotDecision", kDecisionPgn, 6, kFromRuntime, kOnOccasion, kDecisionSignals, 60);
-inline constexpr Message kChallenge = fast("EarshotChallenge", kChallengePgn, 6, kFromRuntime, kSecond, kChallengeSignals, 106);
-inline constexpr Message kCommand =
-    fast("EarshotCommand", kPeerPgn, 3, kToRuntime, kOnOccasion, kCommandSignals, 53, raw_of(kPeers, "command"));
-inline constexpr Message kCommandAcknowledgement = fast("EarshotCommandAcknowledgement", kPeerPgn, 3, kFromRuntime, kOnOccasion,
-                                                        kCommandAcknowledgementSignals, 21, raw_of(kPeers, "acknowledgement"));
+
+/// One of our own messages, by its list in firmware/messages/dictionary.
+template <messages::IsDescribed Message>
+consteval n2k::Message own(std::string_view name, std::uint32_t pgn, Duration period) {
+  return fast(name, pgn, 6, kFromRuntime, period, kGroupOf<Message>, bytes_of(kGroupOf<Message>));
+}
+/// Likewise, one of the kinds that share a group.
+template <messages::IsDescribed Message>
+consteval n2k::Message peers(std::string_view name, Direction direction, std::string_view kind) {
+  return fast(name, kPeerPgn, 3, direction, kOnOccasion, kPeerGroupOf<Message>, bytes_of(kPeerGroupOf<Message>),
+              static_cast<std::uint8_t>(raw_of(kPeers, kind)));
+}
+
+// What a policy saw and weighed (observation and logits) is in the journal only: 384 bytes more.
+inline constexpr Message kHealth = own<messages::Health>("EarshotHealth", kHealthPgn, kSecond);
+inline constexpr Message kPortHealth = own<messages::PortReport>("EarshotPortHealth", kPortHealthPgn, kSecond);
+inline constexpr Message kDecision = own<messages::Decision>("EarshotDecision", kDecisionPgn, kOnOccasion);
+inline constexpr Message kChallenge = own<messages::ToldChallenge>("EarshotChallenge", kChallengePgn, kSecond);
+inline constexpr Message kCommand = peers<messages::OperatorCommand>("EarshotCommand", kToRuntime, "command");
+inline constexpr Message kCommandAcknowledgement =
+    peers<messages::CommandAcknowledgement>("EarshotCommandAcknowledgement", kFromRuntime, "acknowledgement");
 inline constexpr Message kAbort = single("EarshotAbort", kPeerPgn, 3, kToRuntime, kOnOccasion, kAbortSignals, 8, raw_of(kPeers, "abort"));
 
 // A bare array: of a std::array whose type is deduced, GCC 12 makes a variable that could be written.

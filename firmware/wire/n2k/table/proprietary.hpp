@@ -1,14 +1,13 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <iterator>
 
-#include "firmware/messages/dictionary/command_words.hpp"
-#include "firmware/messages/dictionary/mission_words.hpp"
-#include "firmware/messages/dictionary/safety_words.hpp"
+#include "firmware/messages/dictionary/command_fields.hpp"
+#include "firmware/messages/dictionary/output_fields.hpp"
 #include "firmware/wire/n2k/table/choices.hpp"
+#include "firmware/wire/n2k/table/own_group.hpp"
 
 namespace earshot::n2k::table {
 
@@ -17,18 +16,6 @@ namespace earshot::n2k::table {
 
 inline constexpr std::int64_t kManufacturer = 2044;
 inline constexpr std::int64_t kMarineIndustry = raw_of(kIndustry, "Marine Industry");
-
-/// The names of all values of an enum (firmware/messages/dictionary).
-template <messages::HasWords Enum>
-consteval auto choices_of() {
-  constexpr const auto& kTable = messages::WordsOf<Enum>::kTable;
-  return []<std::size_t... kRows>(std::index_sequence<kRows...>) {
-    return std::array<Choice, kTable.size()>{Choice{static_cast<std::int64_t>(kTable[kRows].value), kTable[kRows].name}...};
-  }
-  (std::make_index_sequence<kTable.size()>{});
-}
-template <messages::HasWords Enum>
-inline constexpr std::array<Choice, messages::WordsOf<Enum>::kTable.size()> kChoicesOf = choices_of<Enum>();
 
 inline constexpr Choice kLeakStates[]{{0, "dry"}, {1, "wet"}};
 inline constexpr Choice kPeers[]{{1, "command"}, {2, "acknowledgement"}, {3, "abort"}};
@@ -42,22 +29,6 @@ consteval Signal industry() {
 consteval Signal message_kind() {
   return choice("Kind", 16, 8, kPeers);
 }
-/// Microseconds since the epoch of the mission clock (UTC at sea).
-consteval Signal instant(std::string_view name, unsigned first_bit) {
-  return number(name, first_bit, 64, kSigned, {1, 1'000'000}, "s");
-}
-/// Drawn or counted by a sender: all 32 bits are numbers.
-consteval Signal any_number(std::string_view name, unsigned first_bit) {
-  return number(name, first_bit, 32, kUnsigned, kOne, "", Special::kNone);
-}
-/// What only grows: 9 years at a million a second; more stays at the highest.
-consteval Signal counter(std::string_view name, unsigned first_bit) {
-  return number(name, first_bit, 48);
-}
-consteval Signal metres(std::string_view name, unsigned first_bit) {
-  return number(name, first_bit, 32, kSigned, kHundredth, "m");
-}
-
 // HeadingSequence is the sequence counter of the fast packet (127237) that brings the heading of the same set-point.
 // ReleaseWeight has the half of the byte that the sequence, 0 to 7, leaves: "No" is as it was when all of the byte was the sequence's.
 inline constexpr Signal kSpeedDepthSignals[]{
@@ -98,119 +69,12 @@ inline constexpr Signal kAutopilotStatusSignals[]{
     number("HeadingSequence", 24, 8),
 };
 
-// What an older vehicle does not say is "not available" (Sweeping, whose bits were reserved) or behind the end of its 58 bytes.
-inline constexpr Signal kHealthSignals[]{
-    manufacturer(),
-    industry(),
-    instant("Time", 16),
-    choice("State", 80, 8, kChoicesOf<messages::MissionState>),
-    choice("EndReason", 88, 8, kChoicesOf<messages::EndReason>),
-    any_number("StepsTaken", 96),
-    counter("NavigationRefused", 128),
-    counter("SNRRefused", 176),
-    counter("CommandsRefused", 224),
-    counter("SetpointsLimited", 272),
-    number("Ports", 320, 8),
-    counter("Turn", 328),
-    any_number("Decisions", 376),
-    choice("Authority", 408, 4, kChoicesOf<messages::Authority>),
-    choice("Paused", 412, 2, kYesNo),
-    choice("Sweeping", 414, 2, kYesNo),
-    counter("StatusRefused", 416),
-    choice("Found", 464, 2, kYesNo),
-    choice("Response", 466, 6, kChoicesOf<config::Response>),
-    number("Surprise", 472, 16, kUnsigned, kHundredth, "bit"),
-};
-
-inline constexpr Signal kPortHealthSignals[]{
-    manufacturer(),          industry(),          number("Port", 16, 8),     choice("LinkUp", 24, 2, kYesNo),
-    counter("Received", 32), counter("Lost", 80), counter("Malformed", 128), counter("Unsent", 176),
-};
-
-// What a policy saw and weighed (observation and logits) is in the journal only: 384 bytes more.
-inline constexpr Signal kDecisionSignals[]{
-    manufacturer(),
-    industry(),
-    instant("Time", 16),
-    any_number("Step", 80),
-    metres("North", 112),
-    metres("East", 144),
-    within(-600, 600, number("SNR", 176, 18, kSigned, kHundredth, "dB")),
-    choice("TooFaint", 194, 2, kYesNo),
-    choice("Detected", 196, 2, kYesNo),
-    choice("Overridden", 198, 2, kYesNo),
-    number("Action", 200, 8),
-    metres("WaypointNorth", 208),
-    metres("WaypointEast", 240),
-    metres("LikeliestNorth", 272),
-    metres("LikeliestEast", 304),
-    metres("MeanNorth", 336),
-    metres("MeanEast", 368),
-    number("Spread", 400, 32, kUnsigned, kHundredth, "m"),
-    within(0, 1, number("LikeliestShare", 432, 16, kUnsigned, {1, 60'000})),
-    number("EffectiveCells", 448, 32, kUnsigned, kHundredth),
-};
-
-// The limits of a TIGHTEN: "not available" leaves one as it is. The mark: zeros where the vehicle's mission names no key.
-inline constexpr Signal kCommandSignals[]{
-    manufacturer(),
-    industry(),
-    message_kind(),
-    choice("Order", 24, 8, kChoicesOf<messages::Order>),
-    any_number("Issuer", 32),
-    any_number("Number", 64),
-    instant("Time", 96),
-    instant("Expiry", 160),
-    within(0, 12'000, number("MaxDepth", 224, 24, kUnsigned, kHundredth, "m")),
-    number("MaxSpeed", 248, 16, kUnsigned, kHundredth, "m/s"),
-    number("MaxTime", 264, 32, kUnsigned, kOne, "s"),
-    any_number("Mark0", 296),
-    any_number("Mark1", 328),
-    any_number("Mark2", 360),
-    any_number("Mark3", 392),
-};
-
-inline constexpr Signal kCommandAcknowledgementSignals[]{
-    manufacturer(),
-    industry(),
-    message_kind(),
-    choice("Order", 24, 8, kChoicesOf<messages::Order>),
-    any_number("Issuer", 32),
-    any_number("Number", 64),
-    choice("Outcome", 96, 8, kChoicesOf<messages::CommandOutcome>),
-    instant("Time", 104),
-};
-
-// Four bytes each, little-endian, of what challenge_t says: nonce, vehicle, mission, mark.
-inline constexpr Signal kChallengeSignals[]{
-    manufacturer(),
-    industry(),
-    instant("Time", 16),
-    any_number("Nonce0", 80),
-    any_number("Nonce1", 112),
-    any_number("Nonce2", 144),
-    any_number("Nonce3", 176),
-    any_number("Vehicle0", 208),
-    any_number("Vehicle1", 240),
-    any_number("Vehicle2", 272),
-    any_number("Vehicle3", 304),
-    any_number("Vehicle4", 336),
-    any_number("Vehicle5", 368),
-    any_number("Vehicle6", 400),
-    any_number("Vehicle7", 432),
-    any_number("Mission0", 464),
-    any_number("Mission1", 496),
-    any_number("Mission2", 528),
-    any_number("Mission3", 560),
-    any_number("Mission4", 592),
-    any_number("Mission5", 624),
-    any_number("Mission6", 656),
-    any_number("Mission7", 688),
-    any_number("ChallengeMark0", 720),
-    any_number("ChallengeMark1", 752),
-    any_number("ChallengeMark2", 784),
-    any_number("ChallengeMark3", 816),
-};
+inline constexpr Signal kHead[]{manufacturer(), industry()};
+inline constexpr Signal kPeerHead[]{manufacturer(), industry(), message_kind()};
+template <messages::IsDescribed Message>
+inline constexpr std::array<Signal, std::size(kHead) + signal_count<Message>()> kGroupOf = group_of<Message>(kHead);
+template <messages::IsDescribed Message>
+inline constexpr std::array<Signal, std::size(kPeerHead) + signal_count<Message>()> kPeerGroupOf = group_of<Message>(kPeerHead);
 
 // One frame that aborts, for senders that cannot cut a fast packet. It is given when it arrives.
 inline constexpr Signal kAbortSignals[]{

@@ -13,7 +13,7 @@
 #include "earshot/decision_t.hpp"
 #include "earshot/hydrophone_block_t.hpp"
 #include "earshot/hydrophone_status_t.hpp"
-#include "firmware/boards/cortex_m7/hearing.hpp"
+#include "firmware/detector/hydrophone/settings_fields.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/serial/channels.hpp"
@@ -22,6 +22,7 @@
 #include "tests/firmware/policy/format/unsigned_file.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
 #include "tests/support/gaussian_noise.hpp"
+#include "tests/support/lcm_peer.hpp"
 
 namespace earshot::board {
 namespace {
@@ -44,11 +45,13 @@ Bytes big_endian(std::uint64_t value, std::size_t size) {
   return bytes;
 }
 
+using support::bytes_of;
+
+/// As our own code writes it.
 template <class Message>
-Bytes bytes_of(const Message& message) {
-  Bytes bytes(static_cast<std::size_t>(message.getEncodedSize()));
-  message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
-  return bytes;
+Bytes written(const Message& message, Time sent = {}) {
+  const wire::Encoded encoded(message, sent);
+  return {encoded.bytes().begin(), encoded.bytes().end()};
 }
 
 template <class Message>
@@ -99,7 +102,7 @@ class FlightBoardTest : public testing::Test {
     for (std::size_t offset = 0; offset < file.size(); offset += wire::kPieceBytes)
       send_piece(channel, file, offset, std::min(wire::kPieceBytes, file.size() - offset));
   }
-  void send_mission() { send({}, wire::kMissionChannel, bytes_of(message_of(runtime::paper_mission(), policy_, tables_))); }
+  void send_mission() { send({}, wire::kMissionChannel, written(message_of(runtime::paper_mission(), policy_, tables_))); }
   void arm() {
     send_file(wire::kPolicyPieceChannel, policy_);
     send_file(wire::kTablesPieceChannel, tables_);
@@ -185,14 +188,13 @@ TEST_F(FlightBoardTest, RefusesAMissionWhosePolicyOrTablesItsStoreDoesNotHold) {
 /// What turns of a runtime in this process say, as their records.
 std::vector<Said> said_by(const runtime::Outputs& outputs, Time now) {
   std::vector<Said> all;
-  if (outputs.setpoint)
-    all.push_back({std::string(wire::kJournalledSetpointChannel), now, bytes_of(wire::to_message(*outputs.setpoint, now))});
-  if (outputs.decision) all.push_back({std::string(wire::kDecisionChannel), now, bytes_of(wire::to_message(*outputs.decision))});
+  if (outputs.setpoint) all.push_back({std::string(wire::kJournalledSetpointChannel), now, written(*outputs.setpoint, now)});
+  if (outputs.decision) all.push_back({std::string(wire::kDecisionChannel), now, written(*outputs.decision)});
   for (const messages::SafetyEvent& event : outputs.safety_events)
-    all.push_back({std::string(wire::kSafetyEventChannel), now, bytes_of(wire::to_message(event))});
+    all.push_back({std::string(wire::kSafetyEventChannel), now, written(event)});
   for (const messages::CommandAcknowledgement& acknowledgement : outputs.acknowledgements)
-    all.push_back({std::string(wire::kAcknowledgementChannel) + ".1", now, bytes_of(wire::to_message(acknowledgement))});
-  all.push_back({std::string(wire::kHealthChannel), now, bytes_of(wire::to_message(outputs.health, now))});
+    all.push_back({std::string(wire::kAcknowledgementChannel) + ".1", now, written(acknowledgement)});
+  all.push_back({std::string(wire::kHealthChannel), now, written(outputs.health, now)});
   return all;
 }
 
@@ -289,13 +291,12 @@ std::vector<Said> heard_by(detector::SoundDetector& detector, const hydrophone_b
   std::vector<Said> looks;
   detector.hear(block, message.samples);
   while (const std::optional<detector::Estimate> estimate = detector.next())
-    if (estimate->is_look())
-      looks.push_back({std::string(wire::kSnrEstimateChannel) + ".3", now, bytes_of(wire::to_message(estimate->measurement()))});
+    if (estimate->is_look()) looks.push_back({std::string(wire::kSnrEstimateChannel) + ".3", now, written(estimate->measurement())});
   return looks;
 }
 
 TEST_F(FlightBoardTest, HearsInItsHydrophonesBlocksWhatADetectorOfThisProcessHears) {
-  send({}, wire::kHearingChannel, bytes_of(to_message(hearing(), Time{})));
+  send({}, wire::kHearingChannel, written(hearing()));
   arm();
   detector::SoundDetector detector;
   ASSERT_EQ(detector.configure(hearing()), Status::kOk);
@@ -317,7 +318,7 @@ TEST_F(FlightBoardTest, HearsInItsHydrophonesBlocksWhatADetectorOfThisProcessHea
 }
 
 TEST_F(FlightBoardTest, GivesItsRuntimeWhatItHears) {
-  send({}, wire::kHearingChannel, bytes_of(to_message(hearing(), Time{})));
+  send({}, wire::kHearingChannel, written(hearing()));
   arm();
   support::GaussianNoise noise(5);
   std::vector<Said> all;
@@ -339,7 +340,7 @@ TEST_F(FlightBoardTest, GivesItsRuntimeWhatItHears) {
 }
 
 TEST_F(FlightBoardTest, SaysOnceThatItsHydrophoneIsDeaf) {
-  send({}, wire::kHearingChannel, bytes_of(to_message(hearing(), Time{})));
+  send({}, wire::kHearingChannel, written(hearing()));
   support::GaussianNoise noise(5);
   std::vector<Said> all;
   for (std::int64_t second = 0; second < 20; ++second) {
@@ -358,7 +359,7 @@ TEST_F(FlightBoardTest, SaysOnceThatItsHydrophoneIsDeaf) {
 TEST_F(FlightBoardTest, RefusesToListenForWhatNoDetectorHears) {
   detector::SoundSettings settings = hearing();
   settings.band = {.low = Hertz{30}, .high = Hertz{15}};
-  send({}, wire::kHearingChannel, bytes_of(to_message(settings, Time{})));
+  send({}, wire::kHearingChannel, written(settings));
   ASSERT_EQ(event(), int{board_t::REFUSED});
   EXPECT_EQ(last_.status, static_cast<int>(Status::kOutOfRange));
 }

@@ -17,7 +17,6 @@
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/firmware/boards/linux/scripted_sea.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
@@ -120,10 +119,10 @@ class AtSea : public testing::Test {
       if (record.channel != wire::kHealthChannel) continue;
       const runtime::Outputs stepped = again.step(record.time);
       std::vector<wire::Encoded> expected;
-      if (stepped.setpoint) expected.emplace_back(wire::to_message(*stepped.setpoint, record.time));
-      if (stepped.decision) expected.emplace_back(wire::to_message(*stepped.decision));
-      for (const auto& acknowledgement : stepped.acknowledgements) expected.emplace_back(wire::to_message(acknowledgement));
-      expected.emplace_back(wire::to_message(stepped.health, record.time));
+      if (stepped.setpoint) expected.emplace_back(*stepped.setpoint, record.time);
+      if (stepped.decision) expected.emplace_back(*stepped.decision);
+      for (const auto& acknowledgement : stepped.acknowledgements) expected.emplace_back(acknowledgement);
+      expected.emplace_back(stepped.health, record.time);
       ASSERT_EQ(outputs.size(), expected.size()) << "turn " << turns;
       for (std::size_t i = 0; i < expected.size(); ++i)
         ASSERT_TRUE(std::ranges::equal(outputs[i], expected[i].bytes())) << "turn " << turns;

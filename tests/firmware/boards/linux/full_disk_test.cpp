@@ -26,6 +26,7 @@
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/firmware/boards/linux/set_clock.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
+#include "tests/support/lcm_peer.hpp"
 #include "tests/support/signed_policy.hpp"
 #include "tests/support/small_disk.hpp"
 
@@ -47,7 +48,7 @@ struct Contents {
   std::uint32_t last = 0;  ///< number
   std::vector<Order> orders;
   std::uint64_t of_orders = 0;  ///< records of that weight
-  std::optional<wire::ClosingRecord> closing;
+  std::optional<messages::ClosingRecord> closing;
   std::optional<std::uint32_t> first_missing;
   host::JournalReader::End end = host::JournalReader::End::kCorrupt;
 };
@@ -64,10 +65,10 @@ Contents contents_of(const std::filesystem::path& path) {
     for (const std::string_view channel : {wire::kMissionChannel, wire::kPolicyChannel, wire::kAcknowledgementChannel})
       if (record.channel == channel) ++contents.of_orders;
     health_t health{};
-    if (record.channel == wire::kHealthChannel && wire::decode(record.data, health) == Status::kOk &&
+    if (record.channel == wire::kHealthChannel && support::read_peer(record.data, health) == Status::kOk &&
         std::exchange(state, static_cast<int>(health.state)) != health.state)
       ++contents.of_orders;
-    if (wire::ClosingRecord closing; record.channel == wire::kJournalEndChannel) {
+    if (messages::ClosingRecord closing; record.channel == wire::kJournalEndChannel) {
       EXPECT_EQ(wire::read_closing_record(record.data, closing), Status::kOk);
       contents.closing = closing;
     }
@@ -191,7 +192,7 @@ TEST_F(FullDisk, WhenItStaysFullToTheEndEveryOrderIsInTheFileAndTheLastRecordCou
   EXPECT_EQ(of(lost, Weight::kOrder), 0U);
   ASSERT_TRUE(contents.closing);
   EXPECT_EQ(contents.closing->end_reason, messages::EndReason::kOperatorAbort);
-  EXPECT_EQ(contents.closing->lost, (wire::ClosingRecord::Lost{.streams = lost[0], .steering = lost[1], .orders = lost[2]}));
+  EXPECT_EQ(contents.closing->lost, (messages::LostRecords{.streams = lost[0], .steering = lost[1], .orders = lost[2]}));
   EXPECT_EQ(contents.records + contents.closing->lost.all(), contents.last + 1U) << "every record is there or counted";
   const ReplayResult replayed = replay(path_);
   EXPECT_EQ(replayed.gap, contents.first_missing);

@@ -12,9 +12,9 @@
 #include "earshot/command_acknowledgement_t.hpp"
 #include "firmware/boards/linux/lcm_port.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/firmware/boards/linux/set_clock.hpp"
+#include "tests/support/lcm_peer.hpp"
 #include "tests/support/private_network.hpp"
 
 namespace earshot::board {
@@ -45,7 +45,7 @@ class LcmPortOrders : public testing::Test {
   }
 
   static Bytes bytes_of(const messages::OperatorCommand& command) {
-    const wire::Encoded encoded(wire::to_message(command));
+    const wire::Encoded encoded(command);
     return {encoded.bytes().begin(), encoded.bytes().end()};
   }
   static messages::OperatorCommand command(Order order, std::uint32_t number) {
@@ -56,7 +56,7 @@ class LcmPortOrders : public testing::Test {
     std::vector<command_acknowledgement_t> answers;
     ashore_->collect();
     for (wire::Lc02Message message; ashore_->take(message) == Status::kOk;) {
-      if (wire::decode(message.data, answers.emplace_back()) != Status::kOk) ADD_FAILURE() << message.channel;
+      if (support::read_peer(message.data, answers.emplace_back()) != Status::kOk) ADD_FAILURE() << message.channel;
     }
     return answers;
   }
@@ -160,8 +160,8 @@ class LcmPortMarks : public LcmPortOrders {
     challenge_t message{};
     wire::Lc02Message heard;
     EXPECT_EQ(ashore.take(heard), Status::kOk);
-    EXPECT_EQ(wire::decode(heard.data, message), Status::kOk);
-    return wire::from_message(message);
+    EXPECT_EQ(support::read_peer(heard.data, message), Status::kOk);
+    return support::from_peer<messages::ToldChallenge>(message);
   }
   const host::CommandKey key_{host::KeyBytes{7}};
 };

@@ -19,6 +19,7 @@
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/firmware/boards/linux/set_clock.hpp"
+#include "tests/support/lcm_peer.hpp"
 #include "tests/support/private_network.hpp"
 
 namespace earshot::board {
@@ -49,8 +50,8 @@ class LcmPortTest : public testing::Test {
   /// Two SNRs and three bearings, of whoever is on the bus.
   static void send() {
     host::LcmEndpoint sender(host::parse_lcm_url(kUrl), {});
-    for (int i = 0; i < 2; ++i) (void)sender.publish(wire::kSnrEstimateChannel, wire::Encoded(snr_estimate_t{}).bytes());
-    for (int i = 0; i < 3; ++i) (void)sender.publish(wire::kBearingChannel, wire::Encoded(bearing_t{}).bytes());
+    for (int i = 0; i < 2; ++i) (void)sender.publish(wire::kSnrEstimateChannel, support::bytes_of(snr_estimate_t{}));
+    for (int i = 0; i < 3; ++i) (void)sender.publish(wire::kBearingChannel, support::bytes_of(bearing_t{}));
   }
 };
 
@@ -78,7 +79,7 @@ class HourAhead final : public SetClock {
 template <class Message>
 std::int64_t utime_of(const wire::Lc02Message& message) {
   Message value{};
-  EXPECT_EQ(wire::decode(message.data, value), Status::kOk) << message.channel;
+  EXPECT_EQ(support::read_peer(message.data, value), Status::kOk) << message.channel;
   return value.utime;
 }
 

@@ -15,7 +15,6 @@
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/firmware/boards/linux/at_sea.hpp"
 

@@ -28,6 +28,7 @@
 #include "tests/firmware/boards/linux/set_clock.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
 #include "tests/support/file_size_limit.hpp"
+#include "tests/support/lcm_peer.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -88,7 +89,7 @@ class MissionTurnTest : public testing::Test {
     host::JournalReader reader(folder_ / "journal");
     for (host::JournalRecord record; reader.next(record);) {
       if (record.channel != channel) continue;
-      EXPECT_EQ(wire::decode(record.data, messages.emplace_back()), Status::kOk);
+      EXPECT_EQ(support::read_peer(record.data, messages.emplace_back()), Status::kOk);
     }
     return messages;
   }

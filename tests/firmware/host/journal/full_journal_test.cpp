@@ -46,13 +46,13 @@ class FullJournal : public ::testing::Test {
   }
 
   /// The last record in the file.
-  [[nodiscard]] wire::ClosingRecord closing_record() const {
+  [[nodiscard]] messages::ClosingRecord closing_record() const {
     JournalReader reader(path_);
     JournalRecord record;
     while (reader.next(record)) {
     }
     EXPECT_EQ(record.channel, "EARSHOT_JOURNAL_END");
-    wire::ClosingRecord closing;
+    messages::ClosingRecord closing;
     EXPECT_EQ(wire::read_closing_record(record.data, closing), Status::kOk);
     return closing;
   }
@@ -109,7 +109,7 @@ TEST_F(FullJournal, ThatWasConcludedEndsWithItsClosingRecordWhichCountsWhatIsMis
   Journal journal(path_);
   for (std::uint32_t i = 0; i < 30; ++i)
     ASSERT_EQ(append(journal, 100, i % 10 == 9 ? Weight::kOrder : i % 10 == 4 ? Weight::kSteering : Weight::kStream), Status::kOk);
-  wire::ClosingRecord said{.time = Time{5}, .state = messages::MissionState::kAbort, .steps_taken = 3};
+  messages::ClosingRecord said{.time = Time{5}, .state = messages::MissionState::kAbort, .steps_taken = 3};
   journal.conclude(said);
   EXPECT_EQ(journal.close(), Status::kNotReady);
   // 28 + 19 + 47 bytes are the closing record's: a stream less than without it.
@@ -123,7 +123,7 @@ TEST_F(FullJournal, ThatWasConcludedEndsWithItsClosingRecordWhichCountsWhatIsMis
 TEST_F(FullJournal, OfADiskThatWasNeverFullEndsWithAClosingRecordThatCountsNothing) {
   Journal journal(path_);
   ASSERT_EQ(append(journal, 100, Weight::kStream), Status::kOk);
-  const wire::ClosingRecord said{.time = Time{5}, .ending = wire::Ending::kMissionOver};
+  const messages::ClosingRecord said{.time = Time{5}, .ending = messages::Ending::kMissionOver};
   journal.conclude(said);
   EXPECT_EQ(journal.close(), Status::kOk);
   EXPECT_EQ(numbers_in_file(), (std::vector<std::uint32_t>{0, 1}));
@@ -179,7 +179,7 @@ TEST_F(JournalReserve, KeepsHalfOfItselfFromWhatSteersForOrdersToComeAndForTheEn
   for (int i = 0; i < 5; ++i) ASSERT_EQ(append(journal, 1024, Weight::kOrder), Status::kOk);
   journal.conclude({});
   EXPECT_EQ(journal.close(), Status::kNotReady) << "the reserve is used up but for the closing record";
-  EXPECT_EQ(closing_record().lost, (wire::ClosingRecord::Lost{.streams = 72, .steering = 69, .orders = 5}));
+  EXPECT_EQ(closing_record().lost, (messages::LostRecords{.streams = 72, .steering = 69, .orders = 5}));
 }
 
 TEST_F(FullJournal, LetsGoOfTheSpaceItHeldWhenItIsClosed) {

@@ -14,10 +14,9 @@
 #include <string>
 #include <vector>
 
-#include "earshot/decision_t.hpp"
 #include "earshot/nav_state_t.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/encoding.hpp"
+#include "tests/support/lcm_peer.hpp"
 #include "tests/support/private_network.hpp"
 
 namespace earshot::host {
@@ -99,7 +98,7 @@ TEST_F(LiblcmPeer, IsHeardFieldByField) {
   ASSERT_TRUE(receive(endpoint, message));
   EXPECT_EQ(message.channel, wire::kNavStateChannel);
   nav_state_t nav{};
-  ASSERT_EQ(wire::decode(message.data, nav), Status::kOk);
+  ASSERT_EQ(support::read_peer(message.data, nav), Status::kOk);
   EXPECT_EQ(nav.utime, sent.utime);
   EXPECT_EQ(nav.north_m, sent.north_m);
   EXPECT_EQ(nav.speed_mps, sent.speed_mps);
@@ -107,12 +106,12 @@ TEST_F(LiblcmPeer, IsHeardFieldByField) {
 
 TEST_F(LiblcmPeer, HearsUsFieldByField) {
   LcmEndpoint endpoint(parse_lcm_url(kUrl), {});
-  ASSERT_EQ(endpoint.publish(wire::kNavStateChannel, wire::Encoded(some_nav_state()).bytes()), Status::kOk);
+  ASSERT_EQ(endpoint.publish(wire::kNavStateChannel, support::bytes_of(some_nav_state())), Status::kOk);
   ASSERT_EQ(peer_->handleTimeout(kPatience_ms), 1);
   ASSERT_EQ(inbox_.messages.size(), 1U);
   EXPECT_EQ(inbox_.messages[0].first, "EARSHOT_NAV_STATE");
   nav_state_t nav{};
-  ASSERT_EQ(wire::decode(inbox_.messages[0].second, nav), Status::kOk);
+  ASSERT_EQ(support::read_peer(inbox_.messages[0].second, nav), Status::kOk);
   EXPECT_EQ(nav.utime, some_nav_state().utime);
   EXPECT_EQ(nav.north_m, some_nav_state().north_m);
   EXPECT_EQ(nav.speed_mps, some_nav_state().speed_mps);
@@ -262,7 +261,7 @@ TEST_F(OnAHostWithEthernet, IsHeardByAStockPeer) {
   Inbox inbox;
   peer.subscribe("EARSHOT.*", &Inbox::on_message, &inbox);
   LcmEndpoint endpoint(parse_lcm_url(kUrl), {});
-  ASSERT_EQ(endpoint.publish(wire::kNavStateChannel, wire::Encoded(some_nav_state()).bytes()), Status::kOk);
+  ASSERT_EQ(endpoint.publish(wire::kNavStateChannel, support::bytes_of(some_nav_state())), Status::kOk);
   EXPECT_EQ(peer.handleTimeout(kPatience_ms), 1);
 }
 
@@ -366,22 +365,6 @@ TEST_F(LcmEndpointTest, RefusesToPublishWhatLcmCannotCarry) {
   EXPECT_EQ(endpoint.publish("", {}), Status::kOutOfRange);
   EXPECT_EQ(endpoint.publish(std::string(64, 'A'), {}), Status::kOutOfRange);
   EXPECT_EQ(endpoint.publish("A", Bytes(config::kLcmMessageBytes + 1)), Status::kOutOfRange);
-}
-
-TEST_F(LcmEndpointTest, RefusesAMessageOfAnotherTypeOrLength) {
-  const wire::Encoded encoded(some_nav_state());
-  decision_t decision{};
-  EXPECT_EQ(wire::decode(encoded.bytes(), decision), Status::kMalformed);
-  nav_state_t nav{};
-  EXPECT_EQ(wire::decode(encoded.bytes().first(encoded.bytes().size() - 1), nav), Status::kMalformed);
-  Bytes longer(encoded.bytes().begin(), encoded.bytes().end());
-  longer.push_back(0);
-  EXPECT_EQ(wire::decode(longer, nav), Status::kMalformed);
-  EXPECT_EQ(wire::decode(Bytes{}, nav), Status::kMalformed);
-}
-
-TEST_F(LcmEndpointTest, HasRoomToEncodeTheLargestMessage) {
-  EXPECT_EQ(wire::Encoded(decision_t{}).bytes().size(), static_cast<std::size_t>(decision_t{}.getEncodedSize()));
 }
 
 }  // namespace

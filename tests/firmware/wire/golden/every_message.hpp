@@ -12,6 +12,7 @@
 #include "firmware/messages/decision.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/messages/hydrophone_status.hpp"
+#include "firmware/messages/journal_records.hpp"
 #include "firmware/messages/navigation.hpp"
 #include "firmware/messages/operator_command.hpp"
 #include "firmware/messages/port_report.hpp"
@@ -21,7 +22,6 @@
 #include "firmware/messages/sound_detection.hpp"
 #include "firmware/messages/unsent_setpoints.hpp"
 #include "firmware/messages/vehicle_status.hpp"
-#include "firmware/wire/journal/closing_record.hpp"
 #include "tests/firmware/place.hpp"
 
 namespace earshot::wire {
@@ -243,9 +243,9 @@ void for_each_sample_output(Take&& take) {
            .begin = kSampleTime, .duration = Duration{1'500'000}, .level = Decibels{104.5}, .snr = Decibels{12.5}, .is_clipped = true});
 }
 
-inline ClosingRecord sample_closing() {
+inline messages::ClosingRecord sample_closing() {
   return {.time = kSampleTime,
-          .ending = Ending::kClockLost,
+          .ending = messages::Ending::kClockLost,
           .state = messages::MissionState::kDone,
           .end_reason = messages::EndReason::kFound,
           .steps_taken = 37,

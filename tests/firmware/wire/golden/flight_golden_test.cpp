@@ -10,7 +10,6 @@
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "firmware/wire/n2k/own/measurements.hpp"
 #include "firmware/wire/n2k/own/orders.hpp"
@@ -43,8 +42,8 @@ class FlightWitness final : public bits::Witness {
   }
 
   void see(Time turn, const runtime::Outputs& outputs) override {
-    board::for_each_record(turn, outputs, outputs.health.state != state_, [&](std::string_view channel, const auto& message, host::Weight) {
-      append(turn, channel, Encoded(message).bytes());
+    board::for_each_record(outputs, outputs.health.state != state_, [&](std::string_view channel, const auto& message, host::Weight) {
+      append(turn, channel, Encoded(message, turn).bytes());
     });
     state_ = outputs.health.state;
     fast("can health", [&](n2k::FastPacketFrames& frames) { return n2k::compose_health(outputs.health, turn, {.source = 0x40}, frames); });
@@ -89,7 +88,7 @@ TEST(FlightGolden, ARecordedFlightHasTheJournalAndTheFramesThatItAlwaysHad) {
   const std::filesystem::path path = folder.path() / "journal.lcmlog";
   host::Journal journal(path, {.when_full = host::JournalOptions::WhenFull::kWait, .existing = host::ExistingJournal::kReplace});
   FlightWitness witness(journal);
-  witness.append(Time{}, kMissionChannel, Encoded(to_message(sample_mission(true), Time{})).bytes());
+  witness.append(Time{}, kMissionChannel, Encoded(messages::MissionRecord{.mission = sample_mission(true)}).bytes());
   const auto mission = std::make_unique<bits::Mission>();
   mission->show(witness);
   ASSERT_EQ(mission->begin(bits::Track::kRecorded), Status::kOk);

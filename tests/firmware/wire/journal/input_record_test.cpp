@@ -5,7 +5,7 @@
 #include <string_view>
 #include <variant>
 
-#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 
 namespace earshot::wire {
 namespace {
@@ -84,7 +84,7 @@ TEST(InputRecord, IsReadBackAsTheInputThatItWas) {
 }
 
 TEST(InputRecord, IsNoneOnAChannelOfAnotherKindOrPort) {
-  const Encoded fix(to_message(std::get<messages::Navigation>(kFix.value)));
+  const Encoded fix(std::get<messages::Navigation>(kFix.value));
   const auto read_from = [&fix](std::string_view channel) {
     Input input;
     return read_input(channel, Time{70}, fix.bytes(), 0, input);

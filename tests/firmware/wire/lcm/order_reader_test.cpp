@@ -10,8 +10,8 @@
 #include "earshot/operator_command_t.hpp"
 #include "earshot/snr_estimate_t.hpp"
 #include "earshot/vehicle_status_t.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
+#include "tests/support/lcm_peer.hpp"
 
 namespace earshot::wire {
 namespace {
@@ -31,13 +31,9 @@ OperatorCommand order(Order order) {
           .order = order,
           .mark = {1, 2}};
 }
-template <class Message>
-Bytes as_sent(const Message& message) {
-  const Encoded encoded(message);
-  return {encoded.bytes().begin(), encoded.bytes().end()};
-}
+using support::bytes_of;
 Bytes as_sent(Order of) {
-  return as_sent(to_message(order(of)));
+  return bytes_of(support::as_peer<operator_command_t>(order(of)));
 }
 
 TEST(OrderReader, ReadsAWholeOrderWithAllItsFields) {
@@ -126,7 +122,8 @@ TEST(OrderReader, TakesNoOtherMessageForAnAbort) {
   status.altitude_m = 30;
   health_t health{};
   health.utime = fix.utime;
-  for (const Bytes& bytes : {as_sent(fix), as_sent(snr), as_sent(status), as_sent(health), Bytes(74, 0x03), Bytes(74, 0xFF), Bytes(74, 0)})
+  for (const Bytes& bytes : {support::bytes_of(fix), support::bytes_of(snr), support::bytes_of(status), support::bytes_of(health),
+                             Bytes(74, 0x03), Bytes(74, 0xFF), Bytes(74, 0)})
     EXPECT_EQ(read_order(bytes).form, OrderForm::kUnreadable);
 }
 

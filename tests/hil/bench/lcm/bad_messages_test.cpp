@@ -10,6 +10,7 @@
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/hil/seconds.hpp"
+#include "tests/support/lcm_peer.hpp"
 
 namespace earshot::hil {
 namespace {
@@ -18,15 +19,14 @@ LcmMessage fix(double north_m) {
   nav_state_t fix{};
   fix.utime = 1'000'000;
   fix.north_m = north_m;
-  const wire::Encoded encoded(fix);
-  return {.channel = std::string(wire::kNavStateChannel), .data = {encoded.bytes().begin(), encoded.bytes().end()}};
+  return {.channel = std::string(wire::kNavStateChannel), .data = support::bytes_of(fix)};
 }
 
 /// Behind eight bytes of head, the channel's name and its zero.
 nav_state_t read(const Datagram& datagram) {
   nav_state_t fix{};
   const std::size_t head = 8 + wire::kNavStateChannel.size() + 1;
-  EXPECT_EQ(wire::decode(std::span(datagram).subspan(head), fix), Status::kOk);
+  EXPECT_EQ(support::read_peer(std::span(datagram).subspan(head), fix), Status::kOk);
   return fix;
 }
 

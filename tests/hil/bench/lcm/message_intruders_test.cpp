@@ -7,9 +7,9 @@
 #include "earshot/nav_state_t.hpp"
 #include "earshot/operator_command_t.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/hil/seconds.hpp"
+#include "tests/support/lcm_peer.hpp"
 
 namespace earshot::hil {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 template <class Type>
 Type read(const LcmMessage& message) {
   Type value{};
-  EXPECT_EQ(wire::decode(message.data, value), Status::kOk);
+  EXPECT_EQ(support::read_peer(message.data, value), Status::kOk);
   return value;
 }
 
@@ -97,7 +97,7 @@ TEST_F(MessageIntrudersTest, GiveAnAbortOfWhichNoMoreThanTheHeadIsThere) {
 
 TEST_F(MessageIntrudersTest, GiveAPauseWhoseMarkIsOfTheKeyButOfNoChallenge) {
   let(Fault::kRecordedOrder);
-  const messages::OperatorCommand order = wire::from_message(read<operator_command_t>(step(at_s(10)).at(0)));
+  const messages::OperatorCommand order = support::from_peer<messages::OperatorCommand>(read<operator_command_t>(step(at_s(10)).at(0)));
   EXPECT_EQ(order.order, messages::Order::kPause);
   EXPECT_EQ(order.time, at_s(10));
   EXPECT_TRUE(bench_key().verifies_old(order));

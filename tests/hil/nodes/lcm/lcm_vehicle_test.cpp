@@ -6,10 +6,15 @@
 #include <limits>
 #include <set>
 
+#include "earshot/autopilot_status_t.hpp"
+#include "earshot/hydrophone_status_t.hpp"
+#include "earshot/nav_state_t.hpp"
+#include "earshot/snr_estimate_t.hpp"
+#include "earshot/vehicle_status_t.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/hil/seconds.hpp"
+#include "tests/support/lcm_peer.hpp"
 
 namespace earshot::hil {
 namespace {
@@ -19,7 +24,7 @@ Type said_on(std::string_view channel, const LcmMessages& said) {
   Type value{};
   for (const LcmMessage& message : said) {
     if (message.channel != channel) continue;
-    EXPECT_EQ(wire::decode(message.data, value), Status::kOk);
+    EXPECT_EQ(support::read_peer(message.data, value), Status::kOk);
   }
   return value;
 }
@@ -34,7 +39,7 @@ class LcmVehicleTest : public testing::Test {
   }
   void steer(double depth_m, double speed_mps = 2) {
     const messages::Setpoint setpoint{.heading = {}, .speed = MetersPerSecond{speed_mps}, .depth = Meters{depth_m}, .waypoint = {}};
-    const wire::Encoded encoded(wire::to_message(setpoint, Time{}));
+    const wire::Encoded encoded(setpoint, Time{});
     vehicle_.accept({.channel = std::string(wire::kSetpointChannel), .data = {encoded.bytes().begin(), encoded.bytes().end()}}, at_s(0));
   }
   LcmVehicle vehicle_{{.start = {.position = {}, .depth = Meters{300}, .heading = {}, .speed = MetersPerSecond{2}},

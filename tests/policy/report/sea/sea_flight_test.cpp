@@ -25,7 +25,7 @@ TEST_F(SeaFlightTest, CountsItsTimesFromTheFirstRecordAndKnowsItsDate) {
   SeaJournal journal(path_);
   journal.fix(60.5, 3'000, 4'000);
   journal.snr(61.0, -3.5, true);
-  journal.end(wire::Ending::kStopped);
+  journal.end(messages::Ending::kStopped);
   const std::optional<SeaFlight> flight = read_sea_flight(path_);
   ASSERT_TRUE(flight);
   EXPECT_TRUE(flight->is_dated());
@@ -51,7 +51,7 @@ TEST_F(SeaFlightTest, TellsItsOrdersAndStatesAndHowFarItSailedInItsSearchAlone) 
   journal.fix(40, 0, 0);  // 400 m and 500 m after the first in the search
   journal.state(50, MissionState::kAbort, EndReason::kNavigationStale, 2);
   journal.fix(60, 9'000, 0);
-  journal.end(wire::Ending::kStopped);
+  journal.end(messages::Ending::kStopped);
   const SeaFlight flight = read_sea_flight(path_).value();
   EXPECT_NEAR(flight.distance().value, 900.0, 1e-9);
   EXPECT_EQ(flight.steps_taken, 2U);
@@ -71,7 +71,7 @@ TEST_F(SeaFlightTest, TellsAnAnswerThatIsGivenAgainOnceAndHowOften) {
   journal.acknowledge(10, Order::kStart, CommandOutcome::kObeyed);
   journal.state(10, MissionState::kSearch, EndReason::kNone, 0);
   for (int i = 0; i < 10; ++i) journal.acknowledge(11, Order::kStart, CommandOutcome::kObeyed);
-  journal.end(wire::Ending::kStopped);
+  journal.end(messages::Ending::kStopped);
   const SeaFlight flight = read_sea_flight(path_).value();
   ASSERT_EQ(flight.events.size(), 2U);
   EXPECT_EQ(flight.events[0].what, "order START, obeyed (11 times)");
@@ -83,7 +83,7 @@ TEST_F(SeaFlightTest, TellsThatAnotherProcessWentOnAndHowLongNobodyFlew) {
   journal.state(10, MissionState::kSearch, EndReason::kNone, 0);
   journal.fix(20, 300, 0);
   journal.resume(57);
-  journal.end(wire::Ending::kStopped);
+  journal.end(messages::Ending::kStopped);
   const SeaFlight flight = read_sea_flight(path_).value();
   ASSERT_EQ(flight.events.size(), 2U);
   EXPECT_EQ(flight.events[1].what,
@@ -117,7 +117,7 @@ TEST_F(SeaFlightTest, TellsWhichRulesActedAndOnWhatEvidence) {
                     .begins = true,
                     .measure = 412.25,
                     .limit = 400});
-  journal.end(wire::Ending::kStopped);
+  journal.end(messages::Ending::kStopped);
   const SeaFlight flight = read_sea_flight(path_).value();
   ASSERT_EQ(flight.events.size(), 4U);
   EXPECT_EQ(flight.events[0].what, "rule 11, battery_percent: 14.9, below 15.0: return");
@@ -131,7 +131,7 @@ TEST_F(SeaFlightTest, DrawsTheFixesWhoseSpeedNobodyKnew) {
   SeaJournal journal(path_);
   journal.fix(20, 300, 0, messages::kUnknownSpeed);
   journal.fix(30, 400, 0, MetersPerSecond{std::numeric_limits<double>::infinity()});  // the runtime refuses it
-  journal.end(wire::Ending::kStopped);
+  journal.end(messages::Ending::kStopped);
   const SeaFlight flight = read_sea_flight(path_).value();
   ASSERT_EQ(flight.fixes.size(), 1U);
   EXPECT_EQ(flight.fixes[0].position.north, Meters{300});

@@ -2,20 +2,18 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
-#include "earshot/decision_t.hpp"
-#include "earshot/journal_resumed_t.hpp"
-#include "earshot/mission_t.hpp"
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/messages/input.hpp"
 #include "firmware/messages/operator_command.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 
 namespace earshot::report {
@@ -26,16 +24,14 @@ class SeaJournal {
   static constexpr std::int64_t kBegan_s = 1'795'000'000;  ///< 2026-11-18 11:06:40 UTC by date(1)
 
   explicit SeaJournal(const std::filesystem::path& path, NorthEast south_west = {Meters{1'000}, Meters{2'000}}) : journal_(path) {
-    mission_t mission{};
-    mission.utime = at(0).us;
-    mission.south_m = south_west.north.value;
-    mission.west_m = south_west.east.value;
-    mission.north_m = south_west.north.value + 25'000.0;
-    mission.east_m = south_west.east.value + 25'000.0;
-    mission.detection_threshold_db = 10.0;
-    mission.max_steps = 100;
-    for (std::size_t i = 0; i < sizeof("of a test") - 1; ++i) mission.build[i] = static_cast<std::uint8_t>("of a test"[i]);
-    append(0, wire::kMissionChannel, wire::Encoded(mission), host::Weight::kOrder);
+    messages::MissionRecord record;
+    constexpr NorthEast kSize{Meters{25'000}, Meters{25'000}};
+    record.mission.operating_area = {.south_west = south_west, .north_east = south_west + kSize};
+    record.mission.detection_threshold = Decibels{10.0};
+    record.mission.max_steps = 100;
+    constexpr std::string_view kBuild = "of a test";
+    std::copy(kBuild.begin(), kBuild.end(), record.build.begin());
+    append(0, wire::kMissionChannel, wire::Encoded(record, at(0)), host::Weight::kOrder);
   }
 
   void fix(double s, double north_m, double east_m, MetersPerSecond speed = MetersPerSecond{2}) {
@@ -54,7 +50,7 @@ class SeaJournal {
     health.counters.snr_refused = 4;
     health.counters.bearings_refused = 2;
     health.counters.bearings_of_others = 3;
-    append(s, wire::kHealthChannel, wire::Encoded(wire::to_message(health, at(s))), host::Weight::kOrder);
+    append(s, wire::kHealthChannel, wire::Encoded(health, at(s)), host::Weight::kOrder);
   }
   /// Of a search.
   void health(double s, std::uint32_t steps, float surprise_bits, bool is_sweeping, bool is_found) {
@@ -64,30 +60,29 @@ class SeaJournal {
     health.surprise_bits = surprise_bits;
     health.is_sweeping = is_sweeping;
     health.is_found = is_found;
-    append(s, wire::kHealthChannel, wire::Encoded(wire::to_message(health, at(s))), host::Weight::kOrder);
+    append(s, wire::kHealthChannel, wire::Encoded(health, at(s)), host::Weight::kOrder);
   }
   void resume(double s) {
-    append(s, wire::kJournalResumedChannel, wire::Encoded(journal_resumed_t{.utime = at(s).us, .cut_bytes = 0, .build = {}}),
-           host::Weight::kOrder);
+    append(s, wire::kJournalResumedChannel, wire::Encoded(messages::JournalResumed{.time = at(s)}), host::Weight::kOrder);
   }
-  void decision(double s, decision_t decision) {
-    decision.utime = at(s).us;
+  void decision(double s, messages::Decision decision) {
+    decision.time = at(s);
     append(s, wire::kDecisionChannel, wire::Encoded(decision), host::Weight::kSteering);
   }
   void acknowledge(double s, messages::Order order, messages::CommandOutcome outcome) {
     const messages::CommandAcknowledgement acknowledgement{.time = at(s), .issuer = 1, .number = 1, .order = order, .outcome = outcome};
-    append(s, wire::kAcknowledgementChannel, wire::Encoded(wire::to_message(acknowledgement)), host::Weight::kOrder);
+    append(s, wire::kAcknowledgementChannel, wire::Encoded(acknowledgement), host::Weight::kOrder);
   }
   void rule(double s, messages::SafetyEvent event) {
     event.time = at(s);
-    append(s, wire::kSafetyEventChannel, wire::Encoded(wire::to_message(event)), host::Weight::kSteering);
+    append(s, wire::kSafetyEventChannel, wire::Encoded(event), host::Weight::kSteering);
   }
   /// As earshotd writes it when a signal stops it.
   void stop(double s) {
     input(s, messages::OperatorCommand{.time = at(s), .expiry = at(s), .issuer = 0, .number = 1, .order = messages::Order::kAbort}, 0);
   }
-  void end(wire::Ending ending) {
-    wire::ClosingRecord closing;
+  void end(messages::Ending ending) {
+    messages::ClosingRecord closing;
     closing.ending = ending;
     journal_.conclude(closing);
     if (journal_.close() != Status::kOk) std::abort();

@@ -29,7 +29,7 @@ class SeaPageTest : public testing::Test {
     journal.state(10, MissionState::kSearch, EndReason::kNone, 0);
     journal.decision(90, {});
     if (state != MissionState::kSearch) journal.state(600, state, reason, 3);
-    journal.end(wire::Ending::kStopped);
+    journal.end(messages::Ending::kStopped);
   }
   [[nodiscard]] std::string page_of_it() const {
     const Flight flight = read_flight(folder_);
@@ -78,7 +78,7 @@ TEST_F(SeaPageTest, SaysInItsHeadWhichRuleEndedTheSearchAndNoneOfThoseThatCameAf
     rule.response = config::Response::kRelease;
     rule.rule = 11;
     journal.rule(700, rule);
-    journal.end(wire::Ending::kMissionOver);
+    journal.end(messages::Ending::kMissionOver);
   }
   EXPECT_TRUE(
       has(page_of_it(), "Search aborted after 3 steps: a safety rule ended it: rule 11, battery_percent: 14.9, below 15.0: abort</h1>"));
@@ -87,14 +87,14 @@ TEST_F(SeaPageTest, SaysInItsHeadWhichRuleEndedTheSearchAndNoneOfThoseThatCameAf
 TEST_F(SeaPageTest, SaysHowSurprisedTheVehicleWasThatItSweptAndThatItDeclared) {
   {
     SeaJournal journal(folder_ / kJournalName);
-    decision_t believing{};
-    believing.believes = 1;
+    messages::Decision believing;
+    believing.belief.emplace();
     journal.decision(10, believing);
     journal.health(10, 0, 1.0F, false, false);
     journal.health(20, 9, 6.75F, false, false);
     journal.health(30, 11, 12.0F, true, false);
     journal.health(40, 34, 11.5F, true, true);
-    journal.end(wire::Ending::kStopped);
+    journal.end(messages::Ending::kStopped);
   }
   EXPECT_TRUE(
       has(page_of_it(),
@@ -108,7 +108,7 @@ TEST_F(SeaPageTest, IsOfTheFirstOfSeveralJournalsUnlessAnotherIsNamed) {
   for (const char* name : {"journal-10.lcmlog", "journal-2.lcmlog"}) {
     SeaJournal journal(folder_ / name);
     journal.state(10, MissionState::kAbort, EndReason::kSnrStale, 0);
-    journal.end(wire::Ending::kStopped);
+    journal.end(messages::Ending::kStopped);
   }
   const Flight first = read_flight(folder_);
   EXPECT_EQ(first.others, (std::vector<std::string>{"journal-2.lcmlog", "journal-10.lcmlog"}));
@@ -131,7 +131,7 @@ TEST_F(SeaPageTest, OfASearchThatASignalBrokeOffSaysThatNoOperatorAbortedIt) {
   journal.state(10, MissionState::kSearch, EndReason::kNone, 0);
   journal.stop(599);
   journal.state(600, MissionState::kAbort, EndReason::kOperatorAbort, 3);
-  journal.end(wire::Ending::kStopped);
+  journal.end(messages::Ending::kStopped);
   const std::string text = page_of_it();
   EXPECT_TRUE(has(text, "Search aborted after 3 steps: its program was told to stop</h1>"));
   EXPECT_TRUE(has(text, "<td class=\"left\">ABORT: its program was told to stop</td>"));

@@ -14,9 +14,9 @@
 #include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/scenario/flight.hpp"
+#include "tests/support/lcm_peer.hpp"
 
 namespace earshot {
 namespace {
@@ -38,7 +38,7 @@ class BearingFlight : public Flight {
   struct Journal {
     std::vector<messages::BearingMeasurement> bearings;
     std::vector<std::optional<messages::Bearing>> decided_by;
-    health_t health{};
+    messages::Health health;
     std::size_t ticks = 0;
   };
   [[nodiscard]] Journal journal_of(const std::string& out) const {
@@ -46,12 +46,12 @@ class BearingFlight : public Flight {
     host::JournalReader reader(folder_ / out / "journal.lcmlog");
     for (host::JournalRecord record; reader.next(record);) {
       messages::Input input;
-      decision_t decision{};
+      messages::Decision decision;
       if (wire::read_input(record.channel, record.time, record.data, 0, input) == Status::kOk) {
         if (const auto* bearing = std::get_if<messages::BearingMeasurement>(&input.value)) journal.bearings.push_back(*bearing);
         if (std::holds_alternative<messages::SnrMeasurement>(input.value)) ++journal.ticks;
       } else if (record.channel == wire::kDecisionChannel && wire::decode(record.data, decision) == Status::kOk) {
-        journal.decided_by.push_back(wire::bearing_in(decision));
+        journal.decided_by.push_back(decision.bearing);
       } else if (record.channel == wire::kHealthChannel) {
         (void)wire::decode(record.data, journal.health);
       }
@@ -77,8 +77,8 @@ TEST_F(BearingFlight, GivenAnArrayEveryTurnAndDecisionHasItsBearingAndTheSameSee
   }
   EXPECT_FALSE(journal.decided_by.empty());
   for (const auto& bearing : journal.decided_by) EXPECT_TRUE(bearing);
-  EXPECT_EQ(journal.health.bearings_refused, 0);
-  EXPECT_EQ(journal.health.bearings_of_others, 0);
+  EXPECT_EQ(journal.health.counters.bearings_refused, 0U);
+  EXPECT_EQ(journal.health.counters.bearings_of_others, 0U);
 }
 
 TEST_F(BearingFlight, GivenItsJournalAloneTheRuntimeGivesEveryByteAgain) {

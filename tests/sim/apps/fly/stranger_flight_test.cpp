@@ -14,6 +14,7 @@
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/scenario/flight.hpp"
+#include "tests/support/lcm_peer.hpp"
 
 namespace earshot {
 namespace {
@@ -33,16 +34,16 @@ class Stranger {
     endpoint_.collect();
     for (wire::Lc02Message message; endpoint_.take(message) == Status::kOk;) {
       nav_state_t fix{};
-      if (wire::decode(message.data, fix) != Status::kOk) continue;
+      if (support::read_peer(message.data, fix) != Status::kOk) continue;
       for (std::int64_t ahead = 0; ahead < 3; ++ahead) {
         snr_estimate_t snr{};
         snr.utime = fix.utime + ahead * 1'000'000;
         snr.snr_db = 40.0;
-        (void)endpoint_.publish(wire::kSnrEstimateChannel, wire::Encoded(snr).bytes());
+        (void)endpoint_.publish(wire::kSnrEstimateChannel, support::bytes_of(snr));
         bearing_t bearing{};
         bearing.utime = snr.utime;
         bearing.deviation_rad = 0.1;
-        (void)endpoint_.publish(wire::kBearingChannel, wire::Encoded(bearing).bytes());
+        (void)endpoint_.publish(wire::kBearingChannel, support::bytes_of(bearing));
       }
     }
   }

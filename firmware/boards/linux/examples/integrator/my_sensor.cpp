@@ -5,7 +5,6 @@
 
 #include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 
 int main(int, char** argv) {
@@ -15,6 +14,6 @@ int main(int, char** argv) {
     const auto utc = std::chrono::system_clock::now().time_since_epoch();  // the end of the interval that it was measured over
     const messages::SnrMeasurement measured{.time = {std::chrono::duration_cast<std::chrono::microseconds>(utc).count()},
                                             .snr = Decibels{std::stod(argv[2])}};
-    (void)bus.publish(wire::kSnrEstimateChannel, wire::Encoded(wire::to_message(measured)).bytes());
+    (void)bus.publish(wire::kSnrEstimateChannel, wire::Encoded(measured).bytes());
   }
 }

@@ -26,7 +26,7 @@ class TurnTable final : public Export {
 
  private:
   void note(const messages::Input& input);
-  void write_row(Time time, const health_t& health);
+  void write_row(Time time, const messages::Health& health);
 
   PiecewiseFile file_;
   std::optional<n2k::LocalPlane> plane_;

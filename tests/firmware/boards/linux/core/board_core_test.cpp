@@ -15,7 +15,7 @@
 #include "firmware/boards/cortex_m7/flight_board.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/file_descriptor.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 #include "tests/firmware/boards/cortex_m7/fake_machine.hpp"
 #include "tests/firmware/policy/format/unsigned_file.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
@@ -107,10 +107,9 @@ class BoardCoreTest : public testing::Test {
 };
 
 template <class Message>
-std::vector<std::uint8_t> bytes_of(const Message& message) {
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(message.getEncodedSize()));
-  message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
-  return bytes;
+std::vector<std::uint8_t> bytes_of(const Message& message, Time sent = {}) {
+  const wire::Encoded encoded(message, sent);
+  return {encoded.bytes().begin(), encoded.bytes().end()};
 }
 
 TEST_F(BoardCoreTest, GivesTheSetPointsDecisionsAndHealthOfARuntimeInThisProcess) {
@@ -138,13 +137,13 @@ TEST_F(BoardCoreTest, GivesTheSetPointsDecisionsAndHealthOfARuntimeInThisProcess
     const runtime::Outputs outputs = core->step(now);
     ASSERT_EQ(outputs.setpoint.has_value(), expected.setpoint.has_value());
     if (expected.setpoint) {
-      ASSERT_EQ(bytes_of(wire::to_message(*outputs.setpoint, now)), bytes_of(wire::to_message(*expected.setpoint, now)));
+      ASSERT_EQ(bytes_of(*outputs.setpoint, now), bytes_of(*expected.setpoint, now));
     }
     ASSERT_EQ(outputs.decision.has_value(), expected.decision.has_value());
     if (expected.decision) {
-      ASSERT_EQ(bytes_of(wire::to_message(*outputs.decision)), bytes_of(wire::to_message(*expected.decision)));
+      ASSERT_EQ(bytes_of(*outputs.decision), bytes_of(*expected.decision));
     }
-    ASSERT_EQ(bytes_of(wire::to_message(outputs.health, now)), bytes_of(wire::to_message(expected.health, now)));
+    ASSERT_EQ(bytes_of(outputs.health, now), bytes_of(expected.health, now));
     ASSERT_EQ(outputs.acknowledgements.size(), expected.acknowledgements.size());
     for (std::size_t i = 0; i < expected.acknowledgements.size(); ++i) ASSERT_EQ(outputs.acknowledgements[i], expected.acknowledgements[i]);
     decisions += outputs.decision ? 1 : 0;

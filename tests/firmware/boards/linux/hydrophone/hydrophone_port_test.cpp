@@ -21,6 +21,7 @@
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/support/gaussian_noise.hpp"
 #include "tests/support/hydrophone_driver.hpp"
+#include "tests/support/lcm_peer.hpp"
 #include "tests/support/private_network.hpp"
 
 namespace earshot::board {
@@ -151,8 +152,8 @@ TEST_F(HydrophonePortTest, LetsNoFixAndNoAbortOfTheLoopBeLostOrWaitThoughTwoHund
   operator_command_t abort{};
   abort.command = operator_command_t::ABORT;
   for (std::uint64_t turn = 1; turn <= kTurns; ++turn) {
-    ASSERT_EQ(bridge.publish(wire::kNavStateChannel, wire::Encoded(fix).bytes()), Status::kOk);
-    ASSERT_EQ(bridge.publish(wire::kOperatorCommandChannel, wire::Encoded(abort).bytes()), Status::kOk);
+    ASSERT_EQ(bridge.publish(wire::kNavStateChannel, support::bytes_of(fix)), Status::kOk);
+    ASSERT_EQ(bridge.publish(wire::kOperatorCommandChannel, support::bytes_of(abort)), Status::kOk);
     for (std::uint64_t i = 0; i < kBlocksPerTurn; ++i) (void)driver.send();
     vehicle.collect(clock, sink);
     ASSERT_EQ(sink.fixes, turn) << "in this turn, not in a later one";

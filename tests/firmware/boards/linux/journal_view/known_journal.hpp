@@ -11,10 +11,8 @@
 
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/messages/input.hpp"
-#include "firmware/wire/journal/closing_record.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/firmware/place.hpp"
 
@@ -34,7 +32,7 @@ class WrittenJournal {
 
   template <class Message>
   void message(Time time, std::string_view channel, const Message& message) {
-    bytes(time, channel, wire::Encoded(message).bytes());
+    bytes(time, channel, wire::Encoded(message, time).bytes());
   }
   void bytes(Time time, std::string_view channel, std::span<const std::uint8_t> data) {
     if (journal_.append(time, channel, data, host::Weight::kOrder) != Status::kOk) throw std::runtime_error("not appended");
@@ -51,12 +49,12 @@ class WrittenJournal {
     health.state = state;
     health.end_reason = reason;
     health.steps_taken = steps;
-    message(time, wire::kHealthChannel, wire::to_message(health, time));
+    message(time, wire::kHealthChannel, health);
   }
   void close() {
     if (journal_.close() != Status::kOk) throw std::runtime_error("not closed");
   }
-  void close(const wire::ClosingRecord& closing) {
+  void close(const messages::ClosingRecord& closing) {
     journal_.conclude(closing);
     close();
   }
@@ -71,7 +69,7 @@ class WrittenJournal {
 inline constexpr std::array<std::uint8_t, 3> kPolicy{1, 2, 3};
 inline constexpr std::uint32_t kPolicyCrc = 0x55BC801D;  ///< of these bytes (Python's zlib)
 
-inline mission_t known_mission() {
+inline messages::MissionRecord known_mission() {
   config::Mission mission;
   mission.operating_area = {.south_west = at(0, 0), .north_east = at(25'000, 20'000)};
   mission.search_depth = Meters{300};
@@ -81,11 +79,10 @@ inline mission_t known_mission() {
   mission.max_steps = 100;
   mission.max_time = Duration::seconds(60'000);
   mission.detection_threshold = Decibels{10};
-  mission_t m = wire::to_message(mission, kBegan);
-  m.policy_crc32 = static_cast<std::int32_t>(kPolicyCrc);
+  messages::MissionRecord record{.mission = mission, .policy_crc32 = kPolicyCrc};
   constexpr std::string_view kBuild = "0.1.0 abc";
-  std::copy(kBuild.begin(), kBuild.end(), m.build);
-  return m;
+  std::copy(kBuild.begin(), kBuild.end(), record.build.begin());
+  return record;
 }
 
 /// The heading is 30 degrees.
@@ -139,10 +136,8 @@ inline void write_known_journal(const std::filesystem::path& path) {
   journal.input(after(1950), 1, messages::VehicleStatus{.time = after(1940), .battery_percent = 80.5});
   journal.message(
       after(2000), wire::kJournalledSetpointChannel,
-      wire::to_message(
-          messages::Setpoint{
-              .heading = Radians{-std::numbers::pi / 2}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = at(1000, 1000)},
-          after(2000)));
+      messages::Setpoint{
+          .heading = Radians{-std::numbers::pi / 2}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = at(1000, 1000)});
   messages::Decision decision;
   decision.time = after(2000);
   decision.position = at(1000, 2000);
@@ -154,14 +149,14 @@ inline void write_known_journal(const std::filesystem::path& path) {
   decision.action_count = 3;
   decision.observation[1] = 0.5F;
   decision.logits[2] = -1.5F;
-  journal.message(after(2000), wire::kDecisionChannel, wire::to_message(decision));
+  journal.message(after(2000), wire::kDecisionChannel, decision);
   journal.message(after(2000), wire::kAcknowledgementChannel,
-                  wire::to_message(messages::CommandAcknowledgement{.time = after(2000),
-                                                                    .port = 2,
-                                                                    .issuer = 77,
-                                                                    .number = 1,
-                                                                    .order = messages::Order::kStart,
-                                                                    .outcome = messages::CommandOutcome::kObeyed}));
+                  messages::CommandAcknowledgement{.time = after(2000),
+                                                   .port = 2,
+                                                   .issuer = 77,
+                                                   .number = 1,
+                                                   .order = messages::Order::kStart,
+                                                   .outcome = messages::CommandOutcome::kObeyed});
   journal.health(after(2000), 2, MissionState::kSearch);
   journal.input(after(2900), 1, messages::PortReport{.port = 2, .link_up = false, .received = 5});
   messages::Navigation nowhere = known_fix(after(2940));
@@ -170,16 +165,16 @@ inline void write_known_journal(const std::filesystem::path& path) {
   journal.health(after(3000), 3, MissionState::kSearch);
   journal.input(after(3900), 1, messages::PortReport{.port = 2, .link_up = true, .received = 6, .lost = 2});
   journal.message(after(4000), wire::kSafetyEventChannel,
-                  wire::to_message(messages::SafetyEvent{.time = after(4000),
-                                                         .rule = 10,
-                                                         .condition = config::Condition::kBattery,
-                                                         .response = config::Response::kAbort,
-                                                         .begins = true,
-                                                         .measure = 14.9,
-                                                         .limit = 15}));
+                  messages::SafetyEvent{.time = after(4000),
+                                        .rule = 10,
+                                        .condition = config::Condition::kBattery,
+                                        .response = config::Response::kAbort,
+                                        .begins = true,
+                                        .measure = 14.9,
+                                        .limit = 15});
   journal.health(after(4000), 4, MissionState::kAbort, EndReason::kSafetyRule, 1);
   journal.close({.time = after(4000),
-                 .ending = wire::Ending::kMissionOver,
+                 .ending = messages::Ending::kMissionOver,
                  .state = MissionState::kAbort,
                  .end_reason = EndReason::kSafetyRule,
                  .steps_taken = 1});

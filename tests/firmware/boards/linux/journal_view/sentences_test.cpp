@@ -15,7 +15,7 @@ TEST(JournalSentence, SaysAMissionInKilometresAndWhoFlewIt) {
 }
 
 TEST(JournalSentence, SpellsOutWhatABuildCouldSteerATerminalWith) {
-  mission_t mission = known_mission();
+  messages::MissionRecord mission = known_mission();
   mission.build[0] = 0x1B;
   EXPECT_NE(to_string(mission).find("flown by \\x1b.1.0 abc"), std::string::npos) << to_string(mission);
 }
@@ -33,21 +33,20 @@ TEST(JournalSentence, TellsAnOrderOfTheProgramItselfFromOneOfAnOperator) {
 }
 
 TEST(JournalSentence, SaysWhyAnOrderWasRefused) {
-  command_acknowledgement_t m{};
-  m.command = 1;
-  m.issuer = -1;
-  m.outcome = command_acknowledgement_t::TOO_OLD;
+  messages::CommandAcknowledgement m;
+  m.order = messages::Order::kStart;
+  m.issuer = 4'294'967'295;
+  m.outcome = messages::CommandOutcome::kTooOld;
   EXPECT_EQ(to_string(m), "order START, number 0 of issuer 4294967295: refused: too old");
-  m.command = 99;
-  m.outcome = 99;
+  m.order = messages::Order{99};
+  m.outcome = messages::CommandOutcome{99};
   EXPECT_EQ(to_string(m), "order an unknown order, number 0 of issuer 4294967295: refused");
 }
 
-decision_t step_towards(double north_m, double east_m) {
-  decision_t m{};
-  m.snr_db = -3.25;
-  m.waypoint_north_m = north_m;
-  m.waypoint_east_m = east_m;
+messages::Decision step_towards(double north_m, double east_m) {
+  messages::Decision m;
+  m.snr = Decibels{-3.25};
+  m.waypoint = at(north_m, east_m);
   return m;
 }
 
@@ -60,51 +59,45 @@ TEST(JournalSentence, SaysWhereADecisionGoes) {
 }
 
 TEST(JournalSentence, SaysThatASignalWasTooFaintAndWhatIsBelieved) {
-  decision_t m = step_towards(1000, 0);
-  m.too_faint = 1;
-  m.overridden = 1;
-  m.believes = 1;
-  m.likeliest_north_m = 12'345.6;
-  m.likeliest_east_m = 6'000.0;
-  m.mean_north_m = 9'000.0;
-  m.spread_m = 890;
+  messages::Decision m = step_towards(1000, 0);
+  m.too_faint = true;
+  m.overridden = true;
+  m.belief = messages::BeliefSummary{.likeliest = at(12'345.6, 6'000.0), .mean = at(9'000.0, 0.0), .spread = Meters{890}};
   EXPECT_EQ(to_string(m),
             "step 0: SNR below -3.2 dB, not heard; from 0 m north, 0 m east goes 1000 m towards 000 deg, as the safety layer changed it; "
             "the source is likeliest at 12346 m north, 6000 m east, the belief spread over 890 m");
 }
 
 TEST(JournalSentence, SaysFromWhereTheSourceWasHeardAndWhatItsMirrorImageIs) {
-  decision_t m = step_towards(1000, 0);
-  m.has_bearing = 1;
-  m.bearing_rad = 0.8203;            // 47 degrees
-  m.bearing_deviation_rad = 0.1745;  // 10 degrees
+  messages::Decision m = step_towards(1000, 0);
+  m.bearing = messages::Bearing{.direction = Radians{0.8203}, .deviation = Radians{0.1745}};  // 47 and 10 degrees
   EXPECT_EQ(to_string(m),
             "step 0: SNR -3.2 dB, not heard, from 47 deg, give or take 10 deg; from 0 m north, 0 m east goes 1000 m towards 000 deg");
-  m.bearing_ambiguous = 1;
-  m.bearing_axis_rad = 0.3491;  // 20 degrees: 2 x 20 - 47 = -7
+  m.bearing->mirror_axis = Radians{0.3491};  // 20 degrees: 2 x 20 - 47 = -7
   EXPECT_EQ(to_string(m),
             "step 0: SNR -3.2 dB, not heard, from 47 deg or 353 deg, give or take 10 deg; from 0 m north, 0 m east goes 1000 m towards "
             "000 deg");
 }
 
 TEST(JournalSentence, SaysWhoHoldsASearchBack) {
-  health_t m{};
-  m.state = health_t::SEARCH;
-  m.authority = health_t::LISTEN;
+  messages::Health m;
+  m.state = messages::MissionState::kSearch;
+  m.authority = messages::Authority::kListen;
   EXPECT_EQ(to_string(m, false), "SEARCH, listening: it commands nothing");
-  m.authority = health_t::COMMAND;
-  m.paused = 1;
+  m.authority = messages::Authority::kCommand;
+  m.is_paused = true;
   EXPECT_EQ(to_string(m, false), "SEARCH, paused by an operator");
-  m.authority = health_t::DISCONNECTED;
+  m.authority = messages::Authority::kDisconnected;
   EXPECT_EQ(to_string(m, false), "SEARCH, the autopilot is not heard");
-  m.end_reason = 4;
-  m.state = health_t::ABORT;
+  m.end_reason = messages::EndReason::kNavigationStale;
+  m.state = messages::MissionState::kAbort;
   m.steps_taken = 12;
   EXPECT_EQ(to_string(m, false), "ABORT: navigation went silent, after 12 steps");
 }
 
 TEST(JournalSentence, SaysHowAJournalEndsAndWhatItLost) {
-  wire::ClosingRecord closing{.time = kBegan, .ending = wire::Ending::kStopped, .state = messages::MissionState::kSearch, .steps_taken = 1};
+  messages::ClosingRecord closing{
+      .time = kBegan, .ending = messages::Ending::kStopped, .state = messages::MissionState::kSearch, .steps_taken = 1};
   EXPECT_EQ(to_string(closing), "end: the program was told to stop; SEARCH, after 1 step; no record was lost");
   closing.lost = {.streams = 5, .steering = 1, .orders = 0};
   EXPECT_EQ(to_string(closing),

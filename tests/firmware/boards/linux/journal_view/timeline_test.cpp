@@ -76,19 +76,19 @@ TEST(TimelineLine, HasNoDateOnASimulatorsClock) {
 }
 
 TEST_F(TimelineTest, TellsAStateOnceHoweverLongItLasts) {
-  health_t health{};
-  health.state = health_t::SEARCH;
-  health.authority = health_t::COMMAND;
+  messages::Health health;
+  health.state = messages::MissionState::kSearch;
+  health.authority = messages::Authority::kCommand;
   EXPECT_EQ(tell(health), Lines{"SEARCH"});
   EXPECT_EQ(tell(health), Lines{});
-  health.paused = 1;
+  health.is_paused = true;
   EXPECT_EQ(tell(health), Lines{"SEARCH, paused by an operator"});
 }
 
 TEST_F(TimelineTest, TellsOnceInASearchThatItIsSurprisedAndWhenItBeginsToSweep) {
-  health_t health{};
-  health.state = health_t::SEARCH;
-  health.authority = health_t::COMMAND;
+  messages::Health health;
+  health.state = messages::MissionState::kSearch;
+  health.authority = messages::Authority::kCommand;
   health.surprise_bits = 6.7F;
   EXPECT_EQ(tell(health), Lines{"SEARCH"});
   health.surprise_bits = 6.75F;
@@ -97,24 +97,24 @@ TEST_F(TimelineTest, TellsOnceInASearchThatItIsSurprisedAndWhenItBeginsToSweep) 
   EXPECT_EQ(tell(health), Lines{});
   health.surprise_bits = 7.0F;
   EXPECT_EQ(tell(health), Lines{});
-  health.sweeping = 1;
+  health.is_sweeping = true;
   EXPECT_EQ(tell(health), Lines{"SEARCH, sweeps the area: what it hears fits no ocean of its tables"});
   EXPECT_EQ(tell(health), Lines{});
   health = {};
   (void)tell(health);
-  health.state = health_t::SEARCH;
+  health.state = messages::MissionState::kSearch;
   health.surprise_bits = 7.0F;
   EXPECT_EQ(tell(health).size(), 2U) << "another search";
 }
 
 TEST_F(TimelineTest, TellsThatASearchSweepsBecauseItHasHeardNothingWhereNothingHasSurprisedIt) {
-  health_t health{};
-  health.state = health_t::SEARCH;
-  health.authority = health_t::COMMAND;
+  messages::Health health;
+  health.state = messages::MissionState::kSearch;
+  health.authority = messages::Authority::kCommand;
   (void)tell(health);
-  health.sweeping = 1;
+  health.is_sweeping = true;
   EXPECT_EQ(tell(health), Lines{"SEARCH, sweeps the area: it has heard nothing for long, where its tables say that it should"});
-  health.sweeping = 0;
+  health.is_sweeping = false;
   EXPECT_EQ(tell(health), Lines{"SEARCH"}) << "something is heard";
 }
 
@@ -124,8 +124,8 @@ TEST_F(TimelineTest, TellsAnOrderThatIsSentAgainAndAgainOnceAndHowOften) {
   start.order = messages::Order::kStart;
   start.issuer = 77;
   start.number = 1;
-  command_acknowledgement_t obeyed{};
-  obeyed.command = static_cast<std::int8_t>(messages::Order::kStart);
+  messages::CommandAcknowledgement obeyed;
+  obeyed.order = messages::Order::kStart;
   obeyed.issuer = 77;
   obeyed.number = 1;
   const std::string order = "order START, number 1 of issuer 77, by port 1";
@@ -136,9 +136,9 @@ TEST_F(TimelineTest, TellsAnOrderThatIsSentAgainAndAgainOnceAndHowOften) {
     EXPECT_EQ(tell_input(start), Lines{});
     EXPECT_EQ(tell(obeyed), Lines{});
   }
-  health_t health{};
-  health.state = health_t::SEARCH;
-  health.authority = health_t::COMMAND;
+  messages::Health health;
+  health.state = messages::MissionState::kSearch;
+  health.authority = messages::Authority::kCommand;
   EXPECT_EQ(tell(health), (Lines{order + " (11 times)", answer + " (11 times)", "SEARCH"}));
   EXPECT_EQ(tell_input(start), Lines{});
   start.number = 2;
@@ -150,11 +150,11 @@ TEST_F(TimelineTest, TellsAnOrderThatIsSentAgainAndAgainOnceAndHowOften) {
 }
 
 /// What is told of the state and of the end when an ABORT ended the mission.
-health_t aborted() {
-  health_t health{};
-  health.state = health_t::ABORT;
-  health.authority = health_t::ABORT;
-  health.end_reason = static_cast<std::int8_t>(messages::EndReason::kOperatorAbort);
+messages::Health aborted() {
+  messages::Health health;
+  health.state = messages::MissionState::kAbort;
+  health.authority = messages::Authority::kAbort;
+  health.end_reason = messages::EndReason::kOperatorAbort;
   health.steps_taken = 2;
   return health;
 }
@@ -165,11 +165,11 @@ TEST_F(TimelineTest, TellsAProgramThatWasStoppedFromAnOperatorsAbort) {
     abort.order = messages::Order::kAbort;
     (void)tell(Content(messages::Input{.arrival = kBegan, .port = port, .sequence = 0, .value = abort}));
   };
-  const wire::ClosingRecord closing{.time = kBegan,
-                                    .ending = wire::Ending::kStopped,
-                                    .state = messages::MissionState::kAbort,
-                                    .end_reason = messages::EndReason::kOperatorAbort,
-                                    .steps_taken = 2};
+  const messages::ClosingRecord closing{.time = kBegan,
+                                        .ending = messages::Ending::kStopped,
+                                        .state = messages::MissionState::kAbort,
+                                        .end_reason = messages::EndReason::kOperatorAbort,
+                                        .steps_taken = 2};
   abort_by(1);
   EXPECT_EQ(tell(aborted()), Lines{"ABORT: an operator aborted it, after 2 steps"});
   abort_by(0);  // it was over before
@@ -182,29 +182,29 @@ TEST_F(TimelineTest, TellsAProgramThatWasStoppedFromAnOperatorsAbort) {
 }
 
 TEST_F(TimelineTest, TellsWhatIsRefusedOnceInAState) {
-  health_t health{};
-  health.authority = health_t::COMMAND;
+  messages::Health health;
+  health.authority = messages::Authority::kCommand;
   (void)tell(health);
-  health.navigation_refused = 3;
+  health.counters.navigation_refused = 3;
   EXPECT_EQ(tell(health), Lines{"navigation: 3 messages refused so far, for their date, their order or what is in them"});
-  health.navigation_refused = 4;
+  health.counters.navigation_refused = 4;
   EXPECT_EQ(tell(health), Lines{});
-  health.state = health_t::SEARCH;
-  health.snr_refused = 1;
+  health.state = messages::MissionState::kSearch;
+  health.counters.snr_refused = 1;
   EXPECT_EQ(tell(health), (Lines{"SEARCH", "SNR: 1 message refused so far, for their date, their order or what is in them"}));
-  health.navigation_refused = 5;
+  health.counters.navigation_refused = 5;
   EXPECT_EQ(tell(health).size(), 1U);
 }
 
 TEST_F(TimelineTest, TellsBearingsThatAreRefusedApartFromThoseOfASecondSender) {
-  health_t health{};
-  health.authority = health_t::COMMAND;
+  messages::Health health;
+  health.authority = messages::Authority::kCommand;
   (void)tell(health);
-  health.bearings_refused = 2;
+  health.counters.bearings_refused = 2;
   EXPECT_EQ(tell(health), Lines{"bearing: 2 messages refused so far, for their date, their order or what is in them"});
-  health.bearings_of_others = 1;
+  health.counters.bearings_of_others = 1;
   EXPECT_EQ(tell(health), Lines{"bearing: 1 message of a second sender not taken so far"});
-  health.bearings_refused = health.bearings_of_others = 3;
+  health.counters.bearings_refused = health.counters.bearings_of_others = 3;
   EXPECT_EQ(tell(health), Lines{});
 }
 
@@ -266,7 +266,7 @@ TEST_F(TimelineTest, SaysWhatIsMissingAtTheEndAndThatItIsALack) {
 }
 
 TEST_F(TimelineTest, CountsRecordsThatAreLostAsALack) {
-  const std::vector<Event> events = timeline_.take(record_of(wire::ClosingRecord{.time = kBegan, .lost = {.streams = 1}}));
+  const std::vector<Event> events = timeline_.take(record_of(messages::ClosingRecord{.time = kBegan, .lost = {.streams = 1}}));
   ASSERT_EQ(events.size(), 1U);
   EXPECT_TRUE(events[0].is_lack);
   EXPECT_TRUE(timeline_.is_closed());

@@ -208,13 +208,13 @@ TEST_F(JournalView, ReadsALogOfTheBusAndSaysWhatItLacks) {
   messages::Navigation navigation{};
   navigation.time = kBegan;
   navigation.depth = Meters{300};
-  const wire::Encoded fix(wire::to_message(navigation));
+  const wire::Encoded fix(navigation);
   messages::Health health;
   append_logged(journal_, 0, kBegan, wire::kNavStateChannel, fix.bytes());
   append_logged(journal_, 1, after(500), "CAMERA", fix.bytes());
-  append_logged(journal_, 2, after(1000), wire::kHealthChannel, wire::Encoded(wire::to_message(health, after(1000))).bytes());
+  append_logged(journal_, 2, after(1000), wire::kHealthChannel, wire::Encoded(health, after(1000)).bytes());
   health.state = messages::MissionState::kSearch;
-  append_logged(journal_, 3, after(2000), wire::kHealthChannel, wire::Encoded(wire::to_message(health, after(2000))).bytes());
+  append_logged(journal_, 3, after(2000), wire::kHealthChannel, wire::Encoded(health, after(2000)).bytes());
   EXPECT_EQ(view({}), 1);
   EXPECT_NE(said_.find("2.0 s  SEARCH\n"), std::string::npos) << said_;
   EXPECT_TRUE(errors_.starts_with(journal_.string() + ": no mission record, no checksums: ")) << errors_;
@@ -250,7 +250,7 @@ TEST_F(JournalFollowed, SaysWhatHappensAsItIsWrittenUntilTheMissionEnds) {
   journal_.health(after(1000), 1, messages::MissionState::kSearch);
   journal_.flush();
   EXPECT_TRUE(hears("1.0 s  SEARCH\n")) << process_.output();
-  journal_.close({.time = after(2000), .ending = wire::Ending::kStopped});
+  journal_.close({.time = after(2000), .ending = messages::Ending::kStopped});
   EXPECT_EQ(process_.wait(30s), 0);
   EXPECT_NE(process_.output().find("end: the program was told to stop"), std::string::npos) << process_.output();
 }
@@ -274,7 +274,7 @@ class FlightFollowed : public ::testing::Test {
     WrittenJournal old(path_);
     begin(old);
     old.health(Time{1'000'000}, 1, messages::MissionState::kSearch);
-    old.close({.time = Time{2'000'000}, .ending = wire::Ending::kMissionOver});
+    old.close({.time = Time{2'000'000}, .ending = messages::Ending::kMissionOver});
   }
   static void begin(WrittenJournal& journal) {
     journal.message(Time{}, wire::kMissionChannel, known_mission());
@@ -309,7 +309,7 @@ TEST_F(FlightFollowed, IsTheOneThatIsUnderWayThoughOneThatWasCutOffLiesBesideIt)
   flight.health(Time{5'000'000}, 1, messages::MissionState::kSearch);
   flight.flush();
   EXPECT_TRUE(hears("5.0 s  SEARCH\n")) << process_->output();
-  flight.close({.time = Time{6'000'000}, .ending = wire::Ending::kMissionOver});
+  flight.close({.time = Time{6'000'000}, .ending = messages::Ending::kMissionOver});
   fs::rename(folder_ / "unfinished-flight-2/journal.lcmlog", path_);
   fs::remove(folder_ / "unfinished-flight-2");
   EXPECT_EQ(process_->wait(30s), 0);
@@ -325,7 +325,7 @@ TEST_F(FlightFollowed, IsFoundInItsFolderWhateverItsNumberThere) {
   third.health(Time{5'000'000}, 1, messages::MissionState::kSearch);
   third.flush();
   EXPECT_TRUE(hears("5.0 s  SEARCH\n")) << process_->output();
-  third.close({.time = Time{6'000'000}, .ending = wire::Ending::kMissionOver});
+  third.close({.time = Time{6'000'000}, .ending = messages::Ending::kMissionOver});
   EXPECT_EQ(process_->wait(30s), 0) << process_->output();
 }
 
@@ -337,7 +337,7 @@ TEST_F(FlightFollowed, IsWaitedForWhereAnOlderOneLiesOrNone) {
     WrittenJournal flight(unfinished("unfinished-flight"));
     begin(flight);
     EXPECT_TRUE(hears("mission begins"));
-    flight.close({.time = Time{6'000'000}, .ending = wire::Ending::kMissionOver});
+    flight.close({.time = Time{6'000'000}, .ending = messages::Ending::kMissionOver});
     EXPECT_EQ(process_->wait(30s), 0) << process_->output();
     EXPECT_EQ(process_->output().find("1.0 s  SEARCH"), std::string::npos) << process_->output();
     fs::remove_all(folder_ / "unfinished-flight");

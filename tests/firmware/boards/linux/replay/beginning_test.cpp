@@ -6,11 +6,9 @@
 #include <functional>
 #include <optional>
 
-#include "earshot/mission_t.hpp"
 #include "firmware/core/crc32.hpp"
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
 #include "tests/support/signed_policy.hpp"
@@ -25,8 +23,8 @@ using Bytes = std::vector<std::uint8_t>;
 class BeginningTest : public testing::Test {
  protected:
   BeginningTest() {
-    message_.policy_crc32 = static_cast<std::int32_t>(crc32(policy_));
-    message_.tables_crc32 = static_cast<std::int32_t>(crc32(tables_));
+    message_.policy_crc32 = crc32(policy_);
+    message_.tables_crc32 = crc32(tables_);
   }
 
   /// What the journal says of it; nothing: it was read.
@@ -34,7 +32,7 @@ class BeginningTest : public testing::Test {
     const std::filesystem::path path = folder_ / "journal.lcmlog";
     {
       host::Journal journal(path, {.existing = host::ExistingJournal::kReplace});
-      const wire::Encoded mission(message_);
+      const wire::Encoded mission(message_, Time{5});
       (void)journal.append(Time{5}, wire::kMissionChannel, mission.bytes(), host::Weight::kOrder);
       (void)journal.append(Time{5}, wire::kPolicyChannel, policy_, host::Weight::kOrder);
       if (third_) (void)journal.append(Time{5}, *third_, tables_, host::Weight::kOrder);
@@ -50,7 +48,7 @@ class BeginningTest : public testing::Test {
   }
 
   support::TemporaryFolder folder_;
-  mission_t message_ = wire::to_message(runtime::paper_mission(), Time{5});
+  messages::MissionRecord message_{.mission = runtime::paper_mission()};
   Bytes policy_ = support::signed_bytes(*runtime::frozen(*runtime::policy_that_believes()));
   Bytes tables_ = support::signed_bytes(*support::three_oceans({Meters{25'000}, Meters{25'000}}));
   std::optional<std::string_view> third_ = wire::kTablesChannel;
@@ -83,7 +81,7 @@ TEST_F(BeginningTest, IsRefusedWhereTablesAreMissingOrOthersThanItsMissionNames)
   third_ = wire::kTablesChannel;
   tables_[100] ^= 1U;
   EXPECT_NE(refusal().value_or("").find("its tables file is not what its mission names"), std::string::npos);
-  message_.tables_crc32 = static_cast<std::int32_t>(crc32(tables_));
+  message_.tables_crc32 = crc32(tables_);
   EXPECT_NE(refusal().value_or("").find("its tables file is damaged: its CRC-32 is wrong"), std::string::npos);
 }
 

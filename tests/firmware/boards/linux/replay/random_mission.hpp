@@ -169,11 +169,11 @@ class Vessel {
   void mute() { port_->can_send = false; }
 
   /// How the mission stands.
-  [[nodiscard]] wire::ClosingRecord standing() const {
+  [[nodiscard]] messages::ClosingRecord standing() const {
     return closing_record_of({.end = LoopEnd::kMissionOver, .last = turn_.outputs(), .began = {}, .time = turn_.last()});
   }
   /// Closes the journal.
-  void end(const std::optional<wire::ClosingRecord>& closing = std::nullopt) {
+  void end(const std::optional<messages::ClosingRecord>& closing = std::nullopt) {
     if (closing) journal_.conclude(*closing);
     EXPECT_EQ(journal_.close(), Status::kOk);
   }
@@ -209,7 +209,7 @@ class Vessel {
 
 /// A mission of `turns` turns that a random script happens to.
 inline void fly_random_mission(std::uint64_t seed, const std::filesystem::path& path, int turns,
-                               const std::optional<wire::ClosingRecord>& closing = std::nullopt) {
+                               const std::optional<messages::ClosingRecord>& closing = std::nullopt) {
   Vessel vessel(walking_mission(seed), path);
   vessel.live_through(RandomScript(seed).turns(turns));
   vessel.end(closing);

@@ -17,6 +17,7 @@
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/firmware/boards/linux/replay/random_mission.hpp"
+#include "tests/support/lcm_peer.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::board {
@@ -100,7 +101,7 @@ TEST_F(Replay, PassesOverWhatIsSaidOfACanControllerBetweenTwoTurnsAndNowhereElse
     for (host::JournalRecord record; reader.next(record);) {
       EXPECT_EQ(journal.append(record.time, record.channel, record.data), Status::kOk);
       if (record.channel != channel) continue;
-      EXPECT_EQ(journal.append(record.time, wire::kControllerTroubleChannel, wire::Encoded(trouble).bytes()), Status::kOk);
+      EXPECT_EQ(journal.append(record.time, wire::kControllerTroubleChannel, support::bytes_of(trouble)), Status::kOk);
     }
   };
   remark_behind(wire::kHealthChannel);  // the last record of a turn
@@ -168,7 +169,7 @@ TEST_F(Replay, FromALaterStepOnPassesOverADifferenceBeforeItAndFindsOneBehindIt)
 TEST_F(Replay, TellsAJournalThatWasEndedInOrderFromOneWhoseEndIsMissing) {
   Vessel vessel(walking_mission(1), path_);
   vessel.live_through(RandomScript(1).turns(30));
-  const wire::ClosingRecord said = vessel.standing();
+  const messages::ClosingRecord said = vessel.standing();
   vessel.end(said);
   const ReplayResult whole = replay(path_);
   EXPECT_TRUE(whole.is_same());
@@ -208,7 +209,7 @@ TEST_F(Replay, FindsAnOutputThatIsDatedAnInstantBehindItsTurn) {
 TEST_F(Replay, FindsAClosingRecordThatTellsOfAnotherEnd) {
   Vessel vessel(walking_mission(1), path_);
   vessel.live_through(RandomScript(1).turns(30));
-  wire::ClosingRecord said = vessel.standing();
+  messages::ClosingRecord said = vessel.standing();
   ++said.steps_taken;
   vessel.end(said);
   const ReplayResult result = replay(path_);
@@ -218,7 +219,7 @@ TEST_F(Replay, FindsAClosingRecordThatTellsOfAnotherEnd) {
 }
 
 TEST_F(Replay, FindsRecordsThatAreMissingAtTheEndByTheNumberOfTheClosingRecord) {
-  fly_random_mission(1, path_, 30, wire::ClosingRecord{});
+  fly_random_mission(1, path_, 30, messages::ClosingRecord{});
   std::vector<std::uint64_t> begins;
   host::JournalReader reader(path_);
   for (host::JournalRecord record;;) {
@@ -239,7 +240,7 @@ TEST_F(Replay, FindsRecordsThatAreMissingAtTheEndByTheNumberOfTheClosingRecord) 
 TEST_F(Replay, TellsOfBytesAndOfAnotherFlightBehindTheRecordThatEndsTheJournal) {
   Vessel vessel(walking_mission(1), path_);
   vessel.live_through(RandomScript(1).turns(30));
-  const wire::ClosingRecord said = vessel.standing();
+  const messages::ClosingRecord said = vessel.standing();
   vessel.end(said);
   std::ifstream file(path_, std::ios::binary);
   const std::vector<std::uint8_t> alone{std::istreambuf_iterator<char>(file), {}};

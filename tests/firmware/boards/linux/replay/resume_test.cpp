@@ -13,7 +13,6 @@
 #include <string_view>
 #include <vector>
 
-#include "earshot/journal_part_t.hpp"
 #include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/core/big_endian.hpp"
 #include "firmware/host/file/bad_input.hpp"
@@ -186,7 +185,7 @@ TEST_F(Resuming, ManyTimesInOneMissionChangesNothing) {
 }
 
 TEST_F(Resuming, BeginsAnewAfterAMissionThatWasEndedInOrderAndBeforeTheFirstTurn) {
-  fly_random_mission(1, cut_, 30, wire::ClosingRecord{});
+  fly_random_mission(1, cut_, 30, messages::ClosingRecord{});
   mission_ = walking_mission(1);
   EXPECT_FALSE(resume_from(GoOnAfter::kLastInput));
   fly_whole(1);
@@ -316,7 +315,7 @@ TEST_F(Resuming, FromTheJournalThatTheSafetyRecordNamesWhateverOthersLieBesideIt
 }
 
 TEST_F(Resuming, TellsAJournalThatWasEndedInOrder) {
-  fly_random_mission(1, cut_, 30, wire::ClosingRecord{});
+  fly_random_mission(1, cut_, 30, messages::ClosingRecord{});
   EXPECT_TRUE(was_ended_in_order(cut_));
   fly_whole(1);
   leave(bytes_.size());
@@ -337,8 +336,8 @@ TEST_F(Resuming, RefusesALinkToAJournal) {
 TEST_F(Resuming, RefusesAJournalOneOfWhosePartsBearsAnothersName) {
   fly_whole(1);
   leave(bytes_.size());
-  const auto first_record_crc32 = static_cast<std::int32_t>(load_big_endian(std::span<const std::uint8_t>(bytes_).subspan(4, 4)));
-  const wire::Encoded beginning(journal_part_t{.part = 2, .first_record_crc32 = first_record_crc32});
+  const auto first_record_crc32 = static_cast<std::uint32_t>(load_big_endian(std::span<const std::uint8_t>(bytes_).subspan(4, 4)));
+  const wire::Encoded beginning(messages::JournalPart{.part = 2, .first_record_crc32 = first_record_crc32});
   const host::LoneRecord record(0, Time{}, wire::kJournalPartChannel, beginning.bytes());
   support::write_bytes(folder_ / "journal.part3.lcmlog", Bytes(record.bytes().begin(), record.bytes().end()));
   const Flown flown{.mission = mission_, .policy_crc32 = crc32(walk_bytes()), .tables_crc32 = 0};

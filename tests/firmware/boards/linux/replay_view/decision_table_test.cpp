@@ -40,11 +40,11 @@ TEST(DecisionTable, HasARowForEveryStepWithItsHalvesInColumns) {
 }
 
 TEST(DecisionTable, FitsATerminalWhateverTheDecisionsAre) {
-  decision_t late = decision_to(99, 123'456.5, -25'000, -25'000);
-  late.too_faint = 1;
-  late.snr_db = -20.0;
+  messages::Decision late = decision_to(99, 123'456.5, -25'000, -25'000);
+  late.too_faint = true;
+  late.snr = Decibels{-20.0};
   const std::array then{late};
-  late.waypoint_east_m = 125'000;
+  late.waypoint.east = Meters{125'000};
   const std::array now{late};
   std::istringstream lines(decision_table(paired(then, now), 0, kBegan));
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
@@ -75,8 +75,8 @@ TEST(DecisionTable, NamesTheRuleThatSteersAndTheOneThatEndsIt) {
   rule.response = config::Response::kAbort;
   told.now_ended.since = kBegan + Duration::seconds(7);
   told.now_ended.rule = rule;
-  told.now_ended.health.state = health_t::ABORT;
-  told.now_ended.health.end_reason = static_cast<std::int8_t>(messages::EndReason::kSafetyRule);
+  told.now_ended.health.state = messages::MissionState::kAbort;
+  told.now_ended.health.end_reason = messages::EndReason::kSafetyRule;
   const std::string text = what_it_means(told, {});
   EXPECT_NE(text.find("\nnow steers there: rule 17, battery_percent: 14.9, below 15.0: return\n"), std::string::npos) << text;
   EXPECT_NE(text.find("after 0 steps (since 7.0 s, rule 17, battery_percent: 14.9, below 15.0: abort)\n"), std::string::npos) << text;

@@ -5,15 +5,13 @@
 #include <vector>
 
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 
 namespace earshot::replay_view {
 namespace {
 
 std::vector<FieldDifference> between(const messages::Health& then, const messages::Health& now, Time then_at = {}, Time now_at = {}) {
-  return field_differences(wire::kHealthChannel, wire::Encoded(wire::to_message(then, then_at)).bytes(),
-                           wire::Encoded(wire::to_message(now, now_at)).bytes());
+  return field_differences(wire::kHealthChannel, wire::Encoded(then, then_at).bytes(), wire::Encoded(now, now_at).bytes());
 }
 
 TEST(FieldDifference, NamesEveryFieldWithBothValues) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 
 namespace earshot::replay_view {
 namespace {
@@ -23,7 +23,7 @@ board::ReplayResult whole() {
   result.was_compared = true;
   result.began = kBegan;
   result.ended = kBegan + Duration::seconds(10);
-  result.closing = wire::ClosingRecord{};
+  result.closing = messages::ClosingRecord{};
   return result;
 }
 
@@ -37,9 +37,9 @@ TEST(Findings, OfAWholeJournalThatIsTheSameAreNone) {
 TEST(Findings, NameTheFirstDifferenceByRecordTimeChannelAndField) {
   messages::Health health;
   health.turn = 7;
-  const wire::Encoded then(wire::to_message(health, kBegan));
+  const wire::Encoded then(health, kBegan);
   health.turn = 8;
-  const wire::Encoded now(wire::to_message(health, kBegan));
+  const wire::Encoded now(health, kBegan);
   board::ReplayResult result = whole();
   result.difference = {
       .record = 57,
@@ -57,7 +57,7 @@ TEST(Findings, NameTheFirstDifferenceByRecordTimeChannelAndField) {
 }
 
 TEST(Findings, NameTheDateOfARecordThatIsNotThatOfItsTurn) {
-  const wire::Encoded health(wire::to_message(messages::Health{}, kBegan));
+  const wire::Encoded health(messages::Health{}, kBegan);
   board::ReplayResult result = whole();
   result.difference = {.record = 57,
                        .channel = "EARSHOT_HEALTH",

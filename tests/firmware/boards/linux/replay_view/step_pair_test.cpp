@@ -11,10 +11,10 @@ namespace earshot::replay_view {
 namespace {
 
 TEST(StepPair, PartsWhereTheVehicleIsSentElsewhereOrAtAnotherTimeOrNotAtAll) {
-  const decision_t then = decision_to(0, 2, 13'000, 12'000);
-  const auto is_same_as = [&](const decision_t& now) { return StepPair{.step = 0, .then = then, .now = now}.is_same(); };
+  const messages::Decision then = decision_to(0, 2, 13'000, 12'000);
+  const auto is_same_as = [&](const messages::Decision& now) { return StepPair{.step = 0, .then = then, .now = now}.is_same(); };
   EXPECT_TRUE(is_same_as(then));
-  decision_t other_thoughts = then;
+  messages::Decision other_thoughts = then;
   other_thoughts.logits[0] = 3;
   other_thoughts.action = 5;
   EXPECT_TRUE(is_same_as(other_thoughts)) << "another policy counts its actions otherwise";
@@ -33,8 +33,8 @@ TEST(StepPair, PairsByStepAndFindsTheFirstPartingOfAllAndOfThoseFromAStepOn) {
   EXPECT_FALSE(all[3].then);
   const std::span<const StepPair> later = from(1, all);
   ASSERT_EQ(later.size(), 3U);
-  EXPECT_EQ(later.front().step, 1);
-  EXPECT_EQ(parting(later)->step, 2);
+  EXPECT_EQ(later.front().step, 1U);
+  EXPECT_EQ(parting(later)->step, 2U);
   EXPECT_EQ(parting(later.first(1)), nullptr);
   EXPECT_TRUE(from(4, all).empty());
 }

@@ -38,11 +38,10 @@ TEST(JournalFields, HoldABearingAndTheAxisOfItsMirrorImageIfItHasOne) {
 }
 
 TEST(JournalFields, SayOfADecisionWhetherItHeardABearing) {
-  decision_t m{};
+  messages::Decision m;
   EXPECT_TRUE(fields_of(m).at("bearing_rad").is_number());
   EXPECT_EQ(to_line(fields_of(m).at("bearing_rad")), "null");
-  m.has_bearing = 1;
-  m.bearing_rad = 1.5;
+  m.bearing = messages::Bearing{.direction = Radians{1.5}, .deviation = Radians{0.1}};
   EXPECT_EQ(fields_of(m).at("bearing_rad"), 1.5);
 }
 
@@ -63,22 +62,22 @@ TEST(JournalFields, HoldAllOfAnOrderItsAnswerAPortAndTheEnd) {
   EXPECT_EQ(to_line(fields_of(input(command))),
             R"({"port":2,"given_time_s":1.0,"expiry_time_s":2.5,"issuer":4294967295,"number":3,"order":"TIGHTEN","max_depth_m":280.0,)"
             R"("max_speed_mps":1.5,"max_time_s":600.0,"verified":true})");
-  command_acknowledgement_t answer{};
-  answer.issuer = -1;
+  messages::CommandAcknowledgement answer;
+  answer.issuer = 4'294'967'295;
   answer.number = 3;
-  answer.command = static_cast<std::int8_t>(messages::Order::kTighten);
-  answer.outcome = command_acknowledgement_t::NOT_TIGHTER;
+  answer.order = messages::Order::kTighten;
+  answer.outcome = messages::CommandOutcome::kNotTighter;
   EXPECT_EQ(to_line(fields_of(answer)), R"({"issuer":4294967295,"number":3,"order":"TIGHTEN","outcome":"refused: not tighter"})");
   const messages::PortReport report{.port = 4, .link_up = false, .received = 1, .lost = 2, .malformed = 3, .unsent = 5};
   EXPECT_EQ(to_line(fields_of(input(report))),
             R"({"port":2,"reported_port":4,"link_up":false,"received":1,"lost":2,"malformed":3,"unsent":5})");
   EXPECT_EQ(to_line(fields_of(input(messages::UnsentSetpoints{.count = 7}))), R"({"port":2,"count":7})");
-  const wire::ClosingRecord closing{.time = kBegan,
-                                    .ending = wire::Ending::kStopped,
-                                    .state = messages::MissionState::kAbort,
-                                    .end_reason = messages::EndReason::kOperatorAbort,
-                                    .steps_taken = 7,
-                                    .lost = {.streams = 1, .steering = 2, .orders = 3}};
+  const messages::ClosingRecord closing{.time = kBegan,
+                                        .ending = messages::Ending::kStopped,
+                                        .state = messages::MissionState::kAbort,
+                                        .end_reason = messages::EndReason::kOperatorAbort,
+                                        .steps_taken = 7,
+                                        .lost = {.streams = 1, .steering = 2, .orders = 3}};
   EXPECT_EQ(to_line(fields_of(closing)),
             R"({"ending":"stopped","state":"ABORT","end_reason":"an operator aborted it","steps_taken":7,"streams_lost":1,)"
             R"("steering_lost":2,"orders_lost":3})");
@@ -101,27 +100,25 @@ TEST(JournalFields, HoldEveryFieldOfADecisionAndOfHealth) {
   const std::set<std::string> of_health = fields_in("health_t", {"utime", "port_count"});
   EXPECT_EQ(of_decision.size(), 30U) << "of 34";
   EXPECT_EQ(of_health.size(), 19U) << "of 21";
-  for (const std::string& name : of_decision) EXPECT_TRUE(fields_of(decision_t{}).contains(name)) << name;
-  for (const std::string& name : of_health) EXPECT_TRUE(fields_of(health_t{}).contains(name)) << name;
+  for (const std::string& name : of_decision) EXPECT_TRUE(fields_of(messages::Decision{}).contains(name)) << name;
+  for (const std::string& name : of_health) EXPECT_TRUE(fields_of(messages::Health{}).contains(name)) << name;
 }
 
 TEST(JournalFields, SayHowSurprisedTheVehicleIsWhetherItSweepsAndWhatItDeclares) {
-  health_t health{};
+  messages::Health health;
   health.surprise_bits = 13.5F;
-  health.sweeping = 1;
+  health.is_sweeping = true;
   nlohmann::ordered_json fields = fields_of(health);
   EXPECT_EQ(fields.at("surprise_bits"), 13.5);
   EXPECT_EQ(fields.at("sweeping"), true);
   EXPECT_EQ(fields.at("found"), false);
-  decision_t decision{};
-  decision.surprise_bits = 6.25F;
-  decision.found_probability = 0.75F;
+  messages::Decision decision;
   fields = fields_of(decision);
   EXPECT_EQ(to_line(fields.at("surprise_bits")), "null") << "it holds no belief";
   EXPECT_EQ(to_line(fields.at("found_probability")), "null") << "it declares nothing";
-  decision.believes = decision.found = decision.sweeping = 1;
-  decision.found_least_snr_db = 14.5;
-  decision.closest_approach_m = 640.0;
+  decision.sweeping = true;
+  decision.belief.emplace().surprise_bits = 6.25F;
+  decision.found = {.probability = 0.75F, .snr = {}, .least_snr = Decibels{14.5}, .likeliest = {}, .closest_approach = Meters{640.0}};
   fields = fields_of(decision);
   EXPECT_EQ(fields.at("surprise_bits"), 6.25);
   EXPECT_EQ(fields.at("sweeping"), true);
@@ -132,11 +129,11 @@ TEST(JournalFields, SayHowSurprisedTheVehicleIsWhetherItSweepsAndWhatItDeclares)
 }
 
 TEST(JournalFields, SayStatesAndOrdersInWords) {
-  health_t health{};
-  health.state = health_t::ABORT;
-  health.authority = health_t::COMMAND;
-  health.response = 5;
-  health.end_reason = 4;
+  messages::Health health;
+  health.state = messages::MissionState::kAbort;
+  health.authority = messages::Authority::kCommand;
+  health.response = config::Response::kAbort;
+  health.end_reason = messages::EndReason::kNavigationStale;
   const nlohmann::ordered_json fields = fields_of(health);
   EXPECT_EQ(fields.at("state"), "ABORT");
   EXPECT_EQ(fields.at("authority"), "COMMAND");
@@ -146,44 +143,38 @@ TEST(JournalFields, SayStatesAndOrdersInWords) {
 }
 
 TEST(JournalFields, HoldAsMuchOfAnArrayAsItsCountSaysAndNoMoreThanThereIs) {
-  decision_t decision{};
+  messages::Decision decision;
   decision.observation_size = 2;
   decision.observation[1] = 0.5F;
-  decision.action_count = -1;
+  decision.action_count = 255;  // -1 on the bus
   const nlohmann::ordered_json fields = fields_of(decision);
   EXPECT_EQ(to_line(fields.at("observation")), "[0.0,0.5]");
   EXPECT_TRUE(fields.at("logits").empty());
   EXPECT_TRUE(fields.at("likeliest_north_m").is_number());  // NaN, which is written as null
-  health_t health{};
-  health.port_count = 127;
-  EXPECT_EQ(fields_of(health).at("ports").size(), 8U);
 }
 
 TEST(JournalFields, SayNumbersForWordsThatThisProgramDoesNotKnow) {
-  health_t health{};
-  health.authority = -1;
-  health.response = 7;
+  messages::Health health;
+  health.authority = messages::Authority{255};
+  health.response = config::Response{7};
   EXPECT_EQ(fields_of(health).at("authority"), "255");
   EXPECT_EQ(fields_of(health).at("response"), "7");
   EXPECT_EQ(fields_of(event_of(static_cast<config::Condition>(100), config::Response::kWarn)).at("condition"), "100");
 }
 
 TEST(JournalFields, KeepBytesOfABuildThatAreNoTextOutOfTheJson) {
-  mission_t mission = known_mission();
+  messages::MissionRecord mission = known_mission();
   mission.build[0] = 0xFF;
   EXPECT_NE(to_line(fields_of(mission)).find("\"build\":\"\xEF\xBF\xBD.1.0 abc\""), std::string::npos);  // U+FFFD
 }
 
 TEST(JournalFields, HoldAFenceItsZonesAndItsRules) {
-  mission_t mission = known_mission();
-  mission.corners[1] = 1;
-  mission.corner_north_m[1][0] = 5;
-  mission.corner_east_m[1][0] = 6;
-  mission.rules = 1;
-  mission.rule_condition[0] = static_cast<std::int8_t>(config::Condition::kDepth);
-  mission.rule_limit[0] = 350;
-  mission.rule_persistence_us[0] = 2'000'000;
-  mission.rule_response[0] = 5;
+  messages::MissionRecord mission = known_mission();
+  mission.mission.safety.fence.emplace();
+  ASSERT_EQ(mission.mission.safety.fence->save.push_back(at(5, 6)), Status::kOk);
+  const config::Rule rule{
+      .condition = config::Condition::kDepth, .limit = 350, .persistence = Duration::seconds(2), .response = config::Response::kAbort};
+  ASSERT_EQ(mission.mission.safety.rules.push_back(rule), Status::kOk);
   const nlohmann::ordered_json fields = fields_of(mission);
   EXPECT_EQ(to_line(fields.at("fence_save")), R"([{"north_m":5.0,"east_m":6.0}])");
   EXPECT_EQ(to_line(fields.at("rules")),
@@ -196,8 +187,8 @@ TEST(JournalTopic, NamesEachKindOfRecord) {
   EXPECT_STREQ(topic_of(input(messages::HydrophoneStatus{})), "hydrophone_status");
   EXPECT_STREQ(topic_of(input(messages::BearingMeasurement{})), "bearing");
   EXPECT_STREQ(topic_of(input(messages::UnsentSetpoints{})), "unsent_setpoints");
-  EXPECT_STREQ(topic_of(health_t{}), "health");
-  EXPECT_STREQ(topic_of(wire::ClosingRecord{}), "journal_end");
+  EXPECT_STREQ(topic_of(messages::Health{}), "health");
+  EXPECT_STREQ(topic_of(messages::ClosingRecord{}), "journal_end");
   EXPECT_STREQ(topic_of(Unreadable{}), "unknown");
 }
 
