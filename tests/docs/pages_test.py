@@ -32,7 +32,8 @@ DBC = """BO_ 2314277411 VesselHeading: 8 Vehicle
 CM_ BO_ 2314277411 "PGN 127250; stale after 10000 ms";
 VAL_ 2314277411 Reference 0 "True" 1 "Magnetic" 3 "not available" ;
 """
-LCM = """package earshot;
+LCM = """// Generated: earshot lcm nav_t. Do not edit.
+package earshot;
 
 // Where it is.
 struct nav_t {

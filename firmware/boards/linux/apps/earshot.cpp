@@ -59,6 +59,7 @@ constexpr std::array kDescriptions{
     Description{"earshot-tools", "explain", "draws what a policy does, and says why it took one decision of a flight"},
     Description{"earshot-tools", "field", "computes how loud a source is at every range and depth (NetCDF)"},
     Description{"earshot-tools", "freeze", "freezes and signs a trained policy for the vehicle"},
+    Description{"earshot-tools", "lcm", "prints the LCM messages as .lcm files"},
     Description{"earshot-tools", "listen", "hears calls in recordings with the vehicle's detector"},
     Description{"earshot-tools", "tables", "makes the tables of what a vehicle believes possible of the ocean, and shows them"},
     Description{"earshot-tools", "train", "trains a policy"},
