@@ -23,6 +23,9 @@ foreach(scratch
     "Authority|firmware/messages/health.hpp|kAbort = 4"
     "Order|firmware/messages/operator_command.hpp|kTighten = 7"
     "CommandOutcome|firmware/messages/operator_command.hpp|kObeyedNotDurable = 13"
+    "Ending|firmware/messages/journal_records.hpp|kClockLost = 2"
+    "ControllerState|firmware/messages/journal_records.hpp|kBusOff = 1"
+    "BoardEvent|firmware/messages/board_report.hpp|kDecided = 4"
     "config::Response|firmware/config/safety.hpp|kRelease = 6"
     "config::Condition|firmware/config/safety.hpp|kSetpointsUnsent")
   string(REPLACE "|" ";" scratch ${scratch})
