@@ -19,4 +19,15 @@ inline constexpr std::string_view kSweeps = "sweeps the area: what it hears fits
 /// Of a sweep in a search that nothing has surprised (kSurprising_bits): there is no other reason for one.
 inline constexpr std::string_view kSweepsInSilence = "sweeps the area: it has heard nothing for long, where its tables say that it should";
 
+/// What else there is to say about a state that has not ended; mostly nothing. That the vehicle is surprised is said apart.
+[[nodiscard]] constexpr std::string_view remark_on(const Health& health, bool was_surprised) {
+  if (health.end_reason != EndReason::kNone) return {};
+  if (health.authority == Authority::kDisconnected) return "the autopilot is not heard";
+  if (health.authority == Authority::kListen) return "listening: it commands nothing";
+  if (health.is_paused) return "paused by an operator";
+  if (health.is_found) return kSaysFound;
+  if (health.is_sweeping) return was_surprised ? kSweeps : kSweepsInSilence;
+  return {};
+}
+
 }  // namespace earshot::messages

@@ -8,16 +8,15 @@
 #include <span>
 #include <sstream>
 #include <string_view>
+#include <variant>
 
 #include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/core/math.hpp"
 #include "firmware/host/file/bad_input.hpp"
-#include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/host/journal/reading/record_source.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/messages/health_words.hpp"
 #include "firmware/safety/fence.hpp"
-#include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/codec.hpp"
 #include "hil/bench/vehicle_bus.hpp"
 
 namespace earshot::hil {
@@ -51,29 +50,26 @@ Time since(Time began, Time time) {
   return Time{} + (time - began);
 }
 
-void read_records(const std::filesystem::path& journal, const config::Mission& mission, Time began, JournalFindings& found) {
-  host::JournalReader reader(journal);
-  for (host::JournalRecord record; reader.next(record);) {
-    messages::Health health;
-    messages::Setpoint setpoint;
-    messages::SafetyEvent event;
-    messages::ControllerTrouble trouble;
-    if (record.channel == wire::kHealthChannel && wire::decode(record.data, health) == Status::kOk) {
-      found.end = health.end_reason;
-      found.counters.navigation_refused = health.counters.navigation_refused;
-      found.counters.commands_refused = health.counters.commands_refused;
-      for (const messages::PortReport& port : health.ports) found.lost.at(port.port) = port.lost;
-    } else if (record.channel == wire::kControllerTroubleChannel && wire::decode(record.data, trouble) == Status::kOk) {
-      found.troubles.push_back({.is_bus_off = trouble.trouble == messages::ControllerState::kBusOff, .begins = trouble.is_there});
-    } else if (record.channel == wire::kDecisionChannel) {
-      found.decisions.push_back(since(began, record.time));
-    } else if (record.channel == wire::kSafetyEventChannel && wire::decode(record.data, event) == Status::kOk) {
-      found.events.push_back(event);
-      found.events.back().time = since(began, found.events.back().time);
-    } else if (record.channel == wire::kJournalledSetpointChannel && wire::decode(record.data, setpoint) == Status::kOk) {
-      ++found.setpoints;
-      judge(setpoint, since(began, record.time), mission, found.beyond_limits);
-    }
+void note(const messages::Health& health, JournalFindings& found) {
+  found.end = health.end_reason;
+  found.counters.navigation_refused = health.counters.navigation_refused;
+  found.counters.commands_refused = health.counters.commands_refused;
+  for (const messages::PortReport& port : health.ports) found.lost.at(port.port) = port.lost;
+}
+
+void note(const journal::Record& record, const config::Mission& mission, Time began, JournalFindings& found) {
+  if (const auto* const health = std::get_if<messages::Health>(&record.content)) {
+    note(*health, found);
+  } else if (const auto* const trouble = std::get_if<messages::ControllerTrouble>(&record.content)) {
+    found.troubles.push_back(*trouble);
+  } else if (std::holds_alternative<messages::Decision>(record.content)) {
+    found.decisions.push_back(since(began, record.time));
+  } else if (const auto* const event = std::get_if<messages::SafetyEvent>(&record.content)) {
+    found.events.push_back(*event);
+    found.events.back().time = since(began, event->time);
+  } else if (const auto* const setpoint = std::get_if<messages::Setpoint>(&record.content)) {
+    ++found.setpoints;
+    judge(*setpoint, since(began, record.time), mission, found.beyond_limits);
   }
 }
 
@@ -102,8 +98,9 @@ void judge_rules(const Case& c, const JournalFindings& journal, std::vector<std:
 void judge_notice(const Case& c, const JournalFindings& journal, std::vector<std::string>& wrong) {
   for (const TimedFault& fault : c.faults) {
     const auto says = [&](bool begins) {
-      return std::ranges::any_of(journal.troubles, [&](const ControllerTrouble& trouble) {
-        return trouble.is_bus_off == (fault.fault == Fault::kBusOff) && trouble.begins == begins;
+      const auto state = fault.fault == Fault::kBusOff ? messages::ControllerState::kBusOff : messages::ControllerState::kErrorPassive;
+      return std::ranges::any_of(journal.troubles, [&](const messages::ControllerTrouble& trouble) {
+        return trouble.trouble == state && trouble.is_there == begins;
       });
     };
     if (is_of_controller(fault.fault) && !says(true)) wrong.push_back("the journal does not say that it began: " + in_words(fault));
@@ -155,7 +152,7 @@ bool is_in_order(int status, const Case& c) {
 JournalFindings read_findings(const std::filesystem::path& journal, const config::Mission& mission, Time began) {
   JournalFindings found;
   try {
-    read_records(journal, mission, began, found);
+    journal::for_each_record(journal, [&](const journal::Record& record) { note(record, mission, began, found); });
     const board::ReplayResult again = board::replay(journal);
     found.is_same_again = again.is_same();
     if (again.difference) found.difference = "record " + std::to_string(again.difference->record) + " (" + again.difference->channel + ")";

@@ -10,6 +10,7 @@
 #include "firmware/config/mission.hpp"
 #include "firmware/core/units.hpp"
 #include "firmware/messages/health.hpp"
+#include "firmware/messages/journal_records.hpp"
 #include "firmware/messages/safety_event.hpp"
 #include "hil/bench/bench_flight.hpp"
 #include "hil/bench/case.hpp"
@@ -17,12 +18,6 @@
 namespace earshot::hil {
 
 inline constexpr Meters kAtSurface{1.0};  ///< a vehicle of a few metres shows its antenna
-
-/// That a CAN controller is in trouble, or no longer.
-struct ControllerTrouble {
-  bool is_bus_off = false;  ///< else error-passive
-  bool begins = false;
-};
 
 /// What the journal of a flight says.
 struct JournalFindings {
@@ -32,7 +27,7 @@ struct JournalFindings {
   messages::EndReason end = messages::EndReason::kNone;
   messages::Counters counters;  ///< refusals alone
   std::uint64_t setpoints = 0;
-  std::vector<ControllerTrouble> troubles;
+  std::vector<messages::ControllerTrouble> troubles;
   std::array<std::uint64_t, config::kMaxPorts>
       lost{};                              ///< of each port: messages that arrived faster than it read them, and samples of a hydrophone's
   std::vector<std::string> beyond_limits;  ///< set-points that no mission may give, in words

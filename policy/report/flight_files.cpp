@@ -7,15 +7,15 @@
 #include <sstream>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/journal/journal_parts.hpp"
-#include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/host/journal/reading/record_source.hpp"
+#include "firmware/host/journal/words/sentences.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/messages/health.hpp"
-#include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/codec.hpp"
 #include "policy/description/json_fault.hpp"
 #include "policy/report/search_account.hpp"
 
@@ -132,11 +132,6 @@ explain::RecordedDecision decision_of(const messages::Decision& m) {
           .logits = copied(messages::counted(m.logits, m.action_count))};
 }
 
-std::string lost_to_string(const messages::LostRecords& lost) {
-  return "Lost were " + std::to_string(lost.streams) + " of navigation, SNR and health, " + std::to_string(lost.steering) +
-         " set-points and decisions, and " + std::to_string(lost.orders) + " commands and changes of state.";
-}
-
 std::string bytes_to_string(const host::JournalDamage& damage) {
   return std::to_string(damage.bytes) + (damage.bytes == 1 ? " byte" : " bytes") + " from byte " + std::to_string(damage.offset) + " on" +
          (damage.part.empty() ? "" : " of " + damage.part);
@@ -160,7 +155,7 @@ std::string missing_records(const JournalledSearch& journal) {
   std::string text =
       "The journal lacks " + std::to_string(journal.missing) + " records from number " + std::to_string(journal.first_missing) + " on: ";
   text += journal.damages.empty() ? "the disk was full or too slow." : "damaged, or the disk was full or too slow.";
-  if (journal.closing && journal.closing->lost.all() > 0) text += " " + lost_to_string(journal.closing->lost);
+  if (journal.closing && journal.closing->lost.all() > 0) text += " Lost were " + journal::to_string(journal.closing->lost) + ".";
   return text;
 }
 
@@ -177,6 +172,21 @@ std::string ending_of(const JournalledSearch& journal) {
   if (journal.end == End::kCut)
     return "The journal ends with " + last + ", which are no whole record: the runtime was stopped while it wrote." + read;
   return "The journal's end is damaged: the last " + last + " are no record." + read;
+}
+
+void note(const journal::MissingRecords& missing, JournalledSearch& search) {
+  if (search.missing == 0) search.first_missing = missing.first;
+  search.missing += missing.count;
+}
+
+void note(const journal::Record& record, JournalledSearch& search) {
+  if (const auto* const closing = std::get_if<messages::ClosingRecord>(&record.content)) search.closing = *closing;
+  const auto* const decision = std::get_if<messages::Decision>(&record.content);
+  if (decision == nullptr) return;
+  explain::RecordedDecision recorded = decision_of(*decision);
+  const bool was_before = recorded.step > 0 && !search.decisions.empty() && search.decisions.back().was_surprised;
+  recorded.was_surprised = was_before || recorded.surprise_bits >= messages::kSurprising_bits;
+  search.decisions.push_back(std::move(recorded));
 }
 
 /// Those behind the first, the oldest first.
@@ -196,27 +206,15 @@ std::vector<std::string> other_journals(const std::filesystem::path& folder) {
 
 JournalledSearch read_journal(const std::filesystem::path& path) {
   JournalledSearch search;
-  host::JournalReader journal(path);
-  std::uint64_t expected_number = 0;
-  for (host::JournalRecord record; journal.next(record); ++search.records) {
-    if (record.number > expected_number) {
-      if (search.missing == 0) search.first_missing = expected_number;
-      search.missing += record.number - expected_number;
-    }
-    expected_number = record.number + std::uint64_t{1};
-    if (messages::ClosingRecord closing;
-        record.channel == wire::kJournalEndChannel && wire::read_closing_record(record.data, closing) == Status::kOk)
-      search.closing = closing;
-    messages::Decision decision;
-    if (record.channel != wire::kDecisionChannel || wire::decode(record.data, decision) != Status::kOk) continue;
-    explain::RecordedDecision recorded = decision_of(decision);
-    const bool was_before = recorded.step > 0 && !search.decisions.empty() && search.decisions.back().was_surprised;
-    recorded.was_surprised = was_before || recorded.surprise_bits >= messages::kSurprising_bits;
-    search.decisions.push_back(std::move(recorded));
+  journal::RecordSource source(path);
+  while (const std::optional<journal::Entry> entry = source.next()) {
+    if (const auto* const missing = std::get_if<journal::MissingRecords>(&*entry)) note(*missing, search);
+    if (const auto* const record = std::get_if<journal::Record>(&*entry)) note(*record, search);
   }
-  search.end = journal.end();
-  search.damages = journal.damages();
-  search.bytes = journal.file_size();
+  search.records = source.records();
+  search.end = source.file().end();
+  search.damages = source.file().damages();
+  search.bytes = source.file_size();
   return search;
 }
 

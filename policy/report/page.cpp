@@ -3,6 +3,7 @@
 #include <span>
 
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/journal/words/wording.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/messages/dictionary/mission_words.hpp"
 #include "firmware/policy/action_draw.hpp"
@@ -142,7 +143,7 @@ std::string decisions(const Flight& flight, const FlightExplanation& explanation
     text += "<th>" + directions.emplace_back(explain::direction_name(direction)) + "</th>";
   text += "<th>safety</th></tr></thead>\n<tbody>\n";
   for (std::size_t i = 0; i < taken.size(); ++i) {
-    text += row(taken[i], flight.sea ? flight.sea->began_s : 0.0, directions);
+    text += row(taken[i], flight.sea ? journal::seconds_of(flight.sea->began) : 0.0, directions);
     if (i < explanation.accounts.size()) text += reasons(explanation.accounts[i], explanation.charts[i], directions.size() + 6);
   }
   return text + "</tbody></table></div>\n";

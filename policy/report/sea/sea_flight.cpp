@@ -1,27 +1,18 @@
 #include "policy/report/sea/sea_flight.hpp"
 
 #include <algorithm>
-#include <array>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <iomanip>
-#include <iterator>
-#include <sstream>
+#include <utility>
 #include <variant>
 
 #include "firmware/config/safety.hpp"
-#include "firmware/host/journal/journal_reader.hpp"
-#include "firmware/host/journal/rule_event_words.hpp"
+#include "firmware/host/journal/reading/record_source.hpp"
+#include "firmware/host/journal/words/rule_event_words.hpp"
+#include "firmware/host/journal/words/wording.hpp"
 #include "firmware/host/safety_record/words/record_words.hpp"
-#include "firmware/messages/dictionary/command_words.hpp"
 #include "firmware/messages/health_words.hpp"
 #include "firmware/messages/input.hpp"
 #include "firmware/messages/safety_event.hpp"
-#include "firmware/wire/journal/input_record.hpp"
-#include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/encoding.hpp"
 
 namespace earshot::report {
 namespace {
@@ -29,20 +20,19 @@ namespace {
 using messages::EndReason;
 using messages::MissionState;
 
-constexpr double kSecondsPerMicrosecond = 1e-6;
 /// By which come the vehicle computer's own orders: the ABORT of a program that is told to stop.
 constexpr std::uint8_t kEarshotItself = 0;
 
-std::optional<SeaFlight> begun_with(const host::JournalRecord& record) {
-  messages::MissionRecord said;
-  if (record.channel != wire::kMissionChannel || wire::decode(record.data, said) != Status::kOk) return std::nullopt;
+std::optional<SeaFlight> begun_with(const journal::Record& first) {
+  const auto* const said = std::get_if<messages::MissionRecord>(&first.content);
+  if (said == nullptr) return std::nullopt;
   SeaFlight flight;
-  flight.began_s = static_cast<double>(record.time.us) * kSecondsPerMicrosecond;
-  flight.area = said.mission.operating_area;
+  flight.began = first.time;
+  flight.area = said->mission.operating_area;
   if (!is_finite(flight.area.south_west) || !is_finite(flight.area.north_east)) return std::nullopt;
-  flight.threshold = said.mission.detection_threshold;
-  flight.account.max_steps = said.mission.max_steps;
-  flight.build = messages::text_of(said.build);
+  flight.threshold = said->mission.detection_threshold;
+  flight.account.max_steps = said->mission.max_steps;
+  flight.build = messages::text_of(said->build);
   return flight;
 }
 
@@ -54,87 +44,87 @@ void note_account(const messages::Health& health, SearchAccount& account) {
   if (health.is_found && !account.declared_step) account.declared_step = step;
 }
 
-void note_health(double time_s, const messages::Health& health, SeaFlight& flight) {
-  const MissionState before = flight.state;
-  flight.state = health.state;
-  flight.end_reason = health.end_reason;
-  flight.steps_taken = health.steps_taken;
-  flight.counters.navigation_refused = health.counters.navigation_refused;
-  flight.counters.snr_refused = health.counters.snr_refused;
-  flight.counters.bearings_refused = health.counters.bearings_refused;
-  flight.counters.bearings_of_others = health.counters.bearings_of_others;
-  flight.counters.commands_refused = health.counters.commands_refused;
-  if (flight.state == MissionState::kSearch && before != MissionState::kSearch)
-    flight.account = {.believes = flight.account.believes, .max_steps = flight.account.max_steps};
-  if (flight.state != MissionState::kStandby) note_account(health, flight.account);
-  if (flight.state == before) return;
-  const std::string reason = flight.end_reason == EndReason::kNone ? "" : std::string(": ") + flight.why_it_ended();
-  flight.events.push_back({time_s, messages::to_string(flight.state) + reason});
-  if (flight.state == MissionState::kSearch) flight.search_began_s = time_s;
-  if (before == MissionState::kSearch) flight.search_ended_s = time_s;
-}
+/// Makes a flight of the records of its journal, one after the other.
+class Listener {
+ public:
+  explicit Listener(SeaFlight& flight) : flight_(flight) {}
 
-void note_answer(double time_s, const messages::CommandAcknowledgement& answer, SeaFlight& flight) {
-  std::optional<SeaFlight::Answer>& last = flight.last_answer;
-  if (last && last->issuer == answer.issuer && last->number == answer.number && last->outcome == answer.outcome) {
-    flight.events.at(last->event).what = last->what + " (" + std::to_string(++last->times) + " times)";
-    return;
+  void take(const journal::Record& record) {
+    time_s_ = (record.time - flight_.began).to_seconds();
+    const double last_s = std::exchange(flight_.ended_s, std::max(flight_.ended_s, time_s_));
+    silence_s_ = std::max(0.0, time_s_ - last_s);
+    std::visit([this](const auto& content) { note(content); }, record.content);
   }
-  const std::string what = std::string("order ") + messages::to_string(answer.order) + ", " + messages::to_string(answer.outcome);
-  last = {.issuer = answer.issuer, .number = answer.number, .outcome = answer.outcome, .what = what, .event = flight.events.size()};
-  flight.events.push_back({time_s, what});
-}
 
-/// @param last_s  of the last record of the process before
-std::string words_for_resuming(double last_s, double time_s) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(0) << "earshotd was killed or lost its power; another process goes on from the journal, "
-       << std::max(0.0, time_s - last_s) << " s after its last record";
-  return text.str();
-}
+ private:
+  void tell(std::string what) { flight_.events.push_back({time_s_, std::move(what)}); }
 
-void note(const host::JournalRecord& record, SeaFlight& flight) {
-  const double time_s = static_cast<double>(record.time.us) * kSecondsPerMicrosecond - flight.began_s;
-  const double last_s = flight.ended_s;
-  flight.ended_s = std::max(flight.ended_s, time_s);
-  messages::Input input;
-  messages::Health health;
-  messages::Decision decision;
-  messages::CommandAcknowledgement acknowledgement;
-  messages::SafetyEvent event;
-  messages::JournalResumed resumed;
-  if (wire::read_input(record.channel, record.time, record.data, 0, input) == Status::kOk) {
+  void note(const messages::Input& input) {
     if (const auto* fix = std::get_if<messages::Navigation>(&input.value); fix != nullptr && messages::is_usable(*fix))
-      flight.fixes.push_back({.time_s = time_s, .position = fix->position, .depth = fix->depth});
+      flight_.fixes.push_back({.time_s = time_s_, .position = fix->position, .depth = fix->depth});
     if (const auto* snr = std::get_if<messages::SnrMeasurement>(&input.value); snr != nullptr && std::isfinite(snr->snr.value))
-      flight.measurements.push_back({.time_s = time_s, .snr_db = snr->snr.value, .too_faint = snr->too_faint});
+      flight_.measurements.push_back({.time_s = time_s_, .snr_db = snr->snr.value, .too_faint = snr->too_faint});
     if (std::holds_alternative<messages::OperatorCommand>(input.value) && input.port == kEarshotItself &&
-        flight.end_reason == EndReason::kNone)
-      flight.is_stopped = true;
-  } else if (record.channel == wire::kHealthChannel && wire::decode(record.data, health) == Status::kOk) {
-    note_health(time_s, health, flight);
-  } else if (record.channel == wire::kDecisionChannel && wire::decode(record.data, decision) == Status::kOk) {
-    flight.account.believes = decision.belief.has_value();
-  } else if (record.channel == wire::kSafetyEventChannel && wire::decode(record.data, event) == Status::kOk) {
-    flight.events.push_back({time_s, host::to_string(event)});
-    if (flight.state == MissionState::kSearch && event.begins && event.response >= config::Response::kAbort)
-      flight.ending_rule = host::to_string(event);
-  } else if (record.channel == wire::kJournalResumedChannel && wire::decode(record.data, resumed) == Status::kOk) {
-    flight.events.push_back({time_s, words_for_resuming(last_s, time_s)});
-  } else if (record.channel == wire::kAcknowledgementChannel && wire::decode(record.data, acknowledgement) == Status::kOk) {
-    note_answer(time_s, acknowledgement, flight);
+        flight_.end_reason == EndReason::kNone)
+      flight_.aborted_by = journal::AbortedBy::kProgram;
   }
-}
+
+  void note(const messages::Health& health) {
+    const MissionState before = flight_.state;
+    flight_.state = health.state;
+    flight_.end_reason = health.end_reason;
+    flight_.steps_taken = health.steps_taken;
+    flight_.counters = health.counters;
+    const bool is_new_search = health.state == MissionState::kSearch && before != MissionState::kSearch;
+    if (is_new_search) flight_.account = {.believes = flight_.account.believes, .max_steps = flight_.account.max_steps};
+    if (health.state != MissionState::kStandby) note_account(health, flight_.account);
+    if (health.state == before) return;
+    const bool is_over = health.end_reason != EndReason::kNone;
+    tell(is_over ? journal::to_string(health, false, flight_.aborted_by) : messages::to_string(health.state));
+    if (is_new_search) flight_.search_began_s = time_s_;
+    if (before == MissionState::kSearch) flight_.search_ended_s = time_s_;
+  }
+
+  void note(const messages::CommandAcknowledgement& answer) {
+    std::optional<SeaFlight::Answer>& last = flight_.last_answer;
+    if (last && last->issuer == answer.issuer && last->number == answer.number && last->outcome == answer.outcome) {
+      flight_.events.at(last->event).what = last->what + " (" + std::to_string(++last->times) + " times)";
+      return;
+    }
+    const std::string what = journal::to_string(answer);
+    last = {.issuer = answer.issuer, .number = answer.number, .outcome = answer.outcome, .what = what, .event = flight_.events.size()};
+    tell(what);
+  }
+
+  void note(const messages::SafetyEvent& event) {
+    tell(journal::to_string(event));
+    if (flight_.state == MissionState::kSearch && event.begins && event.response >= config::Response::kAbort)
+      flight_.ending_rule = journal::to_string(event);
+  }
+
+  void note(const messages::JournalResumed& resumed) {
+    tell(journal::to_string(resumed) + "; " + journal::decimal(silence_s_, 0) + " s after the last record");
+  }
+
+  void note(const messages::Decision& decision) { flight_.account.believes = decision.belief.has_value(); }
+
+  /// Files, set-points, troubles of a controller, and what cannot be read.
+  template <class Content>
+  void note(const Content& /*content*/) {}
+
+  SeaFlight& flight_;
+  double time_s_ = 0.0;
+  double silence_s_ = 0.0;  ///< since the record before
+};
 
 }  // namespace
 
 const char* SeaFlight::why_it_ended() const {
-  return is_stopped && end_reason == EndReason::kOperatorAbort ? "its program was told to stop" : messages::to_string(end_reason);
+  return journal::why_it_ended(end_reason, aborted_by);
 }
 
 bool SeaFlight::is_dated() const {
-  constexpr double kSecondsToTheYear2000 = 946'684'800.0;  // no simulated flight lasts so long
-  return began_s >= kSecondsToTheYear2000;
+  return journal::is_dated(began);
 }
 
 Meters SeaFlight::distance() const {
@@ -149,26 +139,14 @@ Meters SeaFlight::distance() const {
 }
 
 std::optional<SeaFlight> read_sea_flight(const std::filesystem::path& journal) {
-  host::JournalReader reader(journal);
-  host::JournalRecord record;
-  if (!reader.next(record)) return std::nullopt;
-  std::optional<SeaFlight> flight = begun_with(record);
-  while (flight && reader.next(record)) note(record, *flight);
-  if (flight) flight->safety_record = host::safety_record_beside(journal);
+  journal::RecordSource source(journal);
+  std::optional<journal::Record> record = source.next_record();
+  std::optional<SeaFlight> flight = record ? begun_with(*record) : std::nullopt;
+  if (!flight) return std::nullopt;
+  Listener listener(*flight);
+  while ((record = source.next_record())) listener.take(*record);
+  flight->safety_record = host::safety_record_beside(journal);
   return flight;
-}
-
-std::string utc(double seconds_since_1970) {
-  using namespace std::chrono;
-  const sys_seconds time{seconds{std::llround(std::floor(seconds_since_1970))}};
-  const sys_days day = std::chrono::floor<days>(time);
-  const year_month_day date{day};
-  const hh_mm_ss clock{time - day};
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%04d-%02u-%02u %02d:%02d:%02d UTC", static_cast<int>(date.year()),
-                static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()), static_cast<int>(clock.hours().count()),
-                static_cast<int>(clock.minutes().count()), static_cast<int>(clock.seconds().count()));
-  return text.data();
 }
 
 }  // namespace earshot::report

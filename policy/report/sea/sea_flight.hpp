@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "firmware/core/geometry.hpp"
+#include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
+#include "firmware/host/journal/words/sentences.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/messages/operator_command.hpp"
 #include "policy/report/search_account.hpp"
@@ -17,10 +19,10 @@ namespace earshot::report {
 /// A flight as its vehicle journalled it, without a simulator's files: at sea nobody else knows where it went. Times are seconds since the
 /// journal's first record.
 struct SeaFlight {
-  double began_s = 0.0;  ///< when the journal begins, on the mission's clock: at sea seconds since 1970 in UTC
-  Rectangle area;        ///< where it was to search
-  Decibels threshold;    ///< of a detection
-  std::string build;     ///< version and commit of the program that flew
+  Time began;          ///< when the journal begins, on the mission's clock: at sea UTC
+  Rectangle area;      ///< where it was to search
+  Decibels threshold;  ///< of a detection
+  std::string build;   ///< version and commit of the program that flew
 
   struct Fix {
     double time_s = 0.0;
@@ -59,7 +61,7 @@ struct SeaFlight {
   messages::MissionState state = messages::MissionState::kStandby;  ///< the last
   messages::EndReason end_reason = messages::EndReason::kNone;
   std::optional<std::string> ending_rule;  ///< the safety rule that ended it, in words with its evidence
-  bool is_stopped = false;                 ///< by a signal to its program, before it was over
+  journal::AbortedBy aborted_by = journal::AbortedBy::kOperator;
   std::uint32_t steps_taken = 0;
   messages::Counters counters;           ///< the last
   SearchAccount account;                 ///< of the last search
@@ -76,8 +78,5 @@ struct SeaFlight {
 
 /// Nothing when the journal does not begin with a mission. @throws host::BadInput naming the file when it cannot be read.
 [[nodiscard]] std::optional<SeaFlight> read_sea_flight(const std::filesystem::path& journal);
-
-/// "2026-11-22 15:04:05 UTC"
-[[nodiscard]] std::string utc(double seconds_since_1970);
 
 }  // namespace earshot::report

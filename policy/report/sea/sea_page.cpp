@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "firmware/host/journal/words/wording.hpp"
 #include "policy/explain/wording.hpp"
 #include "policy/report/html.hpp"
 
@@ -47,7 +48,7 @@ std::string program_to_string(const JournalledSearch& journal) {
 std::string sea_headline(const SeaFlight& flight, const JournalledSearch& journal) {
   std::string text = ending_to_string(flight) + "<p>";
   if (flight.is_dated())
-    text += "The journal begins at <b>" + utc(flight.began_s) + "</b>; every time on this page is counted from there. ";
+    text += "The journal begins at <b>" + journal::utc(flight.began) + "</b>; every time on this page is counted from there. ";
   text += escaped(program_to_string(journal)) + "</p>\n";
   if (journal.is_whole()) text += "<p>The journal is whole: it was ended in order, and no record of it was lost.</p>\n";
   if (flight.safety_record) text += "<p>What stands beside the journal: " + escaped(*flight.safety_record) + "</p>\n";

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <string_view>
 
+#include "firmware/host/journal/words/wording.hpp"
 #include "policy/report/gnuplot_svg.hpp"
 
 namespace earshot::report {
@@ -26,8 +27,8 @@ void write_decisions(const fs::path& path, const SeaFlight& flight, const std::v
                      double unit_s) {
   std::ofstream out(path);
   for (const explain::RecordedDecision& d : decisions)
-    out << km(d.position) << ' ' << (d.detected ? 1 : 0) << ' ' << (d.time_s - flight.began_s) / unit_s << ' ' << d.reception.snr.value
-        << '\n';
+    out << km(d.position) << ' ' << (d.detected ? 1 : 0) << ' ' << (d.time_s - journal::seconds_of(flight.began)) / unit_s << ' '
+        << d.reception.snr.value << '\n';
 }
 
 /// The loudest of each group when there are more than the picture has points across: a call between two of them is not left out.

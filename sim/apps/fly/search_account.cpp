@@ -5,7 +5,7 @@
 
 #include "firmware/config/safety.hpp"
 #include "firmware/host/file/printable.hpp"
-#include "firmware/host/journal/rule_event_words.hpp"
+#include "firmware/host/journal/words/rule_event_words.hpp"
 #include "firmware/host/program/wrapped.hpp"
 #include "firmware/messages/dictionary/mission_words.hpp"
 #include "firmware/messages/dictionary/safety_words.hpp"
@@ -99,7 +99,7 @@ nlohmann::ordered_json SearchAccount::to_json() const {
 
 nlohmann::ordered_json ending_rule_to_json(const std::optional<messages::SafetyEvent>& rule) {
   if (!rule) return nullptr;
-  nlohmann::ordered_json json{{"what", host::to_string(*rule)}, {"rule", rule->rule + 1}};
+  nlohmann::ordered_json json{{"what", journal::to_string(*rule)}, {"rule", rule->rule + 1}};
   const auto condition = static_cast<std::size_t>(rule->condition);
   const auto response = static_cast<std::size_t>(rule->response);
   if (condition >= config::kConditions || response >= config::kResponses) return json;

@@ -25,6 +25,12 @@ TruePlace place(std::int64_t s, double north_m, double east_m, double depth_m = 
   return {.time = at_s(s), .position = {Meters{north_m}, Meters{east_m}}, .depth = Meters{depth_m}};
 }
 
+using messages::ControllerState;
+
+messages::ControllerTrouble trouble(ControllerState state, bool is_there) {
+  return {.time = at_s(30), .port = 1, .trouble = state, .is_there = is_there};
+}
+
 /// A flight that found the source and its journal, without a fault: nothing is wrong with them.
 class VerdictTest : public testing::Test {
  protected:
@@ -322,12 +328,12 @@ TEST_F(VerdictTest, WantsTheJournalToSayWhenTheControllersTroubleBeganAndWhenItE
   EXPECT_EQ(unmet_expectations(case_, flight_, journal_),
             (Words{"the journal does not say that it began: error passive from 20 s for 60 s",
                    "the journal does not say that it ended: error passive from 20 s for 60 s"}));
-  journal_.troubles = {{.is_bus_off = true, .begins = true}, {.is_bus_off = true, .begins = false}};
+  journal_.troubles = {trouble(ControllerState::kBusOff, true), trouble(ControllerState::kBusOff, false)};
   EXPECT_EQ(unmet_expectations(case_, flight_, journal_).size(), 2U) << "another trouble";
-  journal_.troubles = {{.is_bus_off = false, .begins = true}, {.is_bus_off = false, .begins = false}};
+  journal_.troubles = {trouble(ControllerState::kErrorPassive, true), trouble(ControllerState::kErrorPassive, false)};
   EXPECT_EQ(unmet_expectations(case_, flight_, journal_), Words{});
   case_.faults = {{.fault = Fault::kBusOff, .from = at_s(20)}};
-  journal_.troubles = {{.is_bus_off = true, .begins = true}};
+  journal_.troubles = {trouble(ControllerState::kBusOff, true)};
   EXPECT_EQ(unmet_expectations(case_, flight_, journal_), Words{}) << "it never ends";
 }
 

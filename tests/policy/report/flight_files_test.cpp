@@ -20,7 +20,7 @@ TEST(LackOf, CountsByWeightWhatTheClosingRecordSaysIsLost) {
   journal.closing.emplace().lost = {.streams = 3, .steering = 2, .orders = 1};
   EXPECT_EQ(lack_of(journal),
             "The journal lacks 6 records from number 3 on: the disk was full or too slow. Lost were 3 of navigation, SNR and health, 2 "
-            "set-points and decisions, and 1 commands and changes of state.");
+            "set-points and decisions, 1 orders and changes of state.");
 }
 
 TEST(ReadFlight, NamesTheKeyOfASummaryThatCannotBe) {

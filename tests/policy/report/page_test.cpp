@@ -113,7 +113,7 @@ TEST_F(PageTest, SaysWhichRuleEndedASimulatedFlightWhatHappenedBeforeAndWhatIsLe
   EXPECT_EQ(count(text, "<p>The mission ended because: safety rule: rule 10, battery_percent: 29.998, below 30.000: abort</p>"), 1U);
   EXPECT_EQ(count(text, "<h2>What happened</h2>"), 1U);
   EXPECT_EQ(count(text, "<td>10 min</td><td class=\"left\">rule 10, battery_percent: 29.998, below 30.000: abort</td>"), 1U);
-  EXPECT_EQ(count(text, "<td class=\"left\">order START, obeyed</td>"), 1U);
+  EXPECT_EQ(count(text, "<td class=\"left\">order START, number 1 of issuer 1: obeyed</td>"), 1U);
   EXPECT_EQ(count(text, "<dt>battery left</dt><dd>30.0 %</dd>"), 1U);
   EXPECT_EQ(count(text, "Refused as they came in"), 0U);
 }

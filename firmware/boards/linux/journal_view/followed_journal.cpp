@@ -5,16 +5,16 @@
 #include <system_error>
 #include <thread>
 
-#include "firmware/boards/linux/journal_view/wording.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/folder_lock.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/host/journal/words/wording.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/program/talk.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -86,4 +86,4 @@ std::optional<fs::path> wait_for_journal(const fs::path& folder_or_journal, std:
   }
 }
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

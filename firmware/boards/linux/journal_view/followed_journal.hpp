@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 
 /// Whether a program has marked the file as one that it is writing.
 [[nodiscard]] bool is_being_written(const std::filesystem::path& journal);
@@ -20,4 +20,4 @@ namespace earshot::journal_view {
 [[nodiscard]] std::optional<std::filesystem::path> wait_for_journal(const std::filesystem::path& folder_or_journal,
                                                                     std::chrono::seconds most);
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

@@ -4,14 +4,14 @@
 #include <utility>
 #include <variant>
 
-#include "firmware/boards/linux/journal_view/wording.hpp"
 #include "firmware/config/safety.hpp"
 #include "firmware/host/file/checksum_text.hpp"
 #include "firmware/host/file/printable.hpp"
-#include "firmware/host/journal/rule_event_words.hpp"
+#include "firmware/host/journal/words/rule_event_words.hpp"
+#include "firmware/host/journal/words/wording.hpp"
 #include "firmware/messages/health_words.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 
 using Severity = Event::Severity;
 
@@ -152,7 +152,7 @@ void Timeline::note_content(const messages::Decision& decision, const Record& /*
 
 void Timeline::note_content(const messages::SafetyEvent& event, const Record& /*record*/) {
   const bool ends_it = event.response >= config::Response::kAbort;
-  tell(!event.begins ? Severity::kInformation : ends_it ? Severity::kError : Severity::kWarning, host::to_string(event));
+  tell(!event.begins ? Severity::kInformation : ends_it ? Severity::kError : Severity::kWarning, to_string(event));
 }
 
 void Timeline::note_content(const messages::CommandAcknowledgement& acknowledgement, const Record& /*record*/) {
@@ -242,4 +242,4 @@ void Timeline::note_input(const messages::OperatorCommand& command, std::uint8_t
   tell_order(Severity::kInformation, to_string(command, port));
 }
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "firmware/boards/linux/journal_view/entry.hpp"
-#include "firmware/boards/linux/journal_view/sentences.hpp"
 #include "firmware/config/capacities.hpp"
+#include "firmware/host/journal/reading/entry.hpp"
+#include "firmware/host/journal/words/sentences.hpp"
 #include "firmware/messages/port_report.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 
 /// One thing that happened.
 struct Event {
@@ -142,4 +142,4 @@ class Timeline {
   std::array<Port, config::kMaxPorts + 1> ports_{};
 };
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

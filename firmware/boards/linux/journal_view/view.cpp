@@ -15,21 +15,21 @@
 #include "firmware/boards/linux/journal_view/export/record_lines.hpp"
 #include "firmware/boards/linux/journal_view/export/turn_table.hpp"
 #include "firmware/boards/linux/journal_view/followed_journal.hpp"
-#include "firmware/boards/linux/journal_view/record_source.hpp"
 #include "firmware/boards/linux/journal_view/timeline.hpp"
-#include "firmware/boards/linux/journal_view/wording.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/journal/journal_parts.hpp"
+#include "firmware/host/journal/reading/record_source.hpp"
+#include "firmware/host/journal/words/wording.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/safety_record/words/record_words.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 namespace {
 
 using std::chrono::steady_clock;
@@ -106,7 +106,7 @@ class Viewer {
  public:
   explicit Viewer(const ViewOptions& options)
       : options_(options),
-        source_(options.journal),
+        source_(options.journal, host::Accepts::kBusLogs),
         exports_(options),
         lacks_(host::printable(options.journal.string())),
         prints_(exports_.empty()) {}
@@ -209,4 +209,4 @@ int view(const ViewOptions& asked) {
   return Viewer(options).run();
 }
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

@@ -7,7 +7,7 @@
 #include "firmware/host/file/output_file.hpp"
 #include "firmware/wire/n2k/local_plane.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 
 /// What is to be made of a journal; with none of the files its timeline is printed.
 struct ViewOptions {
@@ -26,4 +26,4 @@ struct ViewOptions {
 /// @throws host::BadInput when there is no record in the journal, or a file may not be or cannot be written: then none is.
 [[nodiscard]] int view(const ViewOptions& options);
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

@@ -7,7 +7,7 @@
 #include "firmware/boards/linux/news/health_words.hpp"
 #include "firmware/boards/linux/news/text_line.hpp"
 #include "firmware/detector/bearing_listener.hpp"
-#include "firmware/host/journal/rule_event_words.hpp"
+#include "firmware/host/journal/words/rule_event_words.hpp"
 #include "firmware/messages/health_words.hpp"
 
 namespace earshot::board {
@@ -34,17 +34,17 @@ void write_chain(TextInto& line, const HeardChain& chain) {
   line.decimal(chain.delay_s, 2) << " s";
 }
 
-/// As host::to_string(), which allocates.
+/// As journal::to_string(), which allocates.
 void write_evidence(TextInto& line, const messages::SafetyEvent& event) {
   using config::ConditionTraits;
   const ConditionTraits& traits = config::kConditionTraits.at(static_cast<std::size_t>(event.condition));
-  const host::MeasureWords words = host::words_of_measure(event.condition).value_or(host::MeasureWords{});
-  const int places = host::decimals_apart(event.measure, event.limit);
+  const journal::MeasureWords words = journal::words_of_measure(event.condition).value_or(journal::MeasureWords{});
+  const int places = journal::decimals_apart(event.measure, event.limit);
   if (traits.kind != ConditionTraits::Kind::kFlag) {
     line << ": " << words.before;
     line.decimal(event.measure, places) << words.behind;
   }
-  if (host::names_limit(event)) {
+  if (journal::names_limit(event)) {
     line << (traits.kind == ConditionTraits::Kind::kAbove ? ", above " : ", below ");
     line.decimal(event.limit, places);
   }
@@ -53,14 +53,10 @@ void write_evidence(TextInto& line, const messages::SafetyEvent& event) {
 }
 
 /// What else there is to say about a state that has not ended.
-std::string_view remark_on(const messages::Health& health, bool is_surprised) {
-  if (health.end_reason != messages::EndReason::kNone) return {};
-  if (health.authority == messages::Authority::kDisconnected) return "the autopilot is not heard";
-  if (health.authority == messages::Authority::kListen) return "listening: it commands nothing";
-  if (health.is_paused) return "paused by an operator";
-  if (health.is_found) return messages::kSaysFound;
-  if (health.is_sweeping) return is_surprised ? messages::kSweeps : messages::kSweepsInSilence;
-  return is_surprised ? messages::kIsSurprised : std::string_view{};
+std::string_view remark_or_surprise(const messages::Health& health, bool is_surprised) {
+  const std::string_view remark = messages::remark_on(health, is_surprised);
+  const bool is_open = remark.empty() && health.end_reason == messages::EndReason::kNone;
+  return is_open && is_surprised ? messages::kIsSurprised : remark;
 }
 
 /// Of lines of which several may come at once: how far their time may run ahead.
@@ -232,7 +228,7 @@ void FlightNews::tell_chain(Time now, std::size_t port) {
 void FlightNews::tell_state(Time now, const messages::Health& health) {
   const bool has_begun = state_ != health.state && health.state == messages::MissionState::kSearch;
   is_surprised_ = (is_surprised_ && !has_begun) || health.surprise_bits >= messages::kSurprising_bits;
-  const std::string_view remark = remark_on(health, is_surprised_);
+  const std::string_view remark = remark_or_surprise(health, is_surprised_);
   if (state_ == health.state && (remark_ == remark || remark_due_ - now > kMostAhead)) return;
   if (state_ != health.state) {
     for (Refused* refused : {&navigation_, &snr_, &bearing_, &others_bearing_}) refused->is_told_in_state = false;

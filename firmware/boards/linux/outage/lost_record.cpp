@@ -1,11 +1,12 @@
 #include "firmware/boards/linux/outage/lost_record.hpp"
 
+#include <variant>
+
 #include "firmware/boards/linux/outage/safety_log.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/journal/journal_name.hpp"
-#include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/host/journal/reading/record_source.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/encoding.hpp"
 
 namespace earshot::board {
 namespace {
@@ -17,20 +18,17 @@ struct Standing {
   bool is_ended = false;  ///< in order
 };
 
-void note(const host::JournalRecord& record, Standing& standing) {
+void note(const journal::Record& record, Standing& standing) {
   standing.time = record.time;
-  standing.is_ended = record.channel == wire::kJournalEndChannel;
-  messages::MissionRecord said;
-  messages::Health health;
-  messages::Setpoint setpoint;
-  if (record.channel == wire::kMissionChannel && wire::decode(record.data, said) == Status::kOk) {
-    standing.mission = said.mission;
-  } else if (record.channel == wire::kJournalledSetpointChannel && wire::decode(record.data, setpoint) == Status::kOk) {
-    standing.outputs.setpoint = setpoint;
-  } else if (record.channel == wire::kHealthChannel && wire::decode(record.data, health) == Status::kOk) {
-    standing.outputs.health.state = health.state;
-    standing.outputs.health.end_reason = health.end_reason;
-    standing.outputs.health.is_paused = health.is_paused;
+  standing.is_ended = record.channel == wire::kJournalEndChannel;  // of another version of Earshot, too
+  if (const auto* const begun = std::get_if<messages::MissionRecord>(&record.content)) {
+    standing.mission = begun->mission;
+  } else if (const auto* const setpoint = std::get_if<messages::Setpoint>(&record.content)) {
+    standing.outputs.setpoint = *setpoint;
+  } else if (const auto* const health = std::get_if<messages::Health>(&record.content)) {
+    standing.outputs.health.state = health->state;
+    standing.outputs.health.end_reason = health->end_reason;
+    standing.outputs.health.is_paused = health->is_paused;
   }
 }
 
@@ -41,8 +39,7 @@ std::optional<host::SafetyRecord> record_by_journal(const std::filesystem::path&
   try {
     const std::optional<std::filesystem::path> newest = host::newest_journal(wanted);
     if (!newest) return std::nullopt;
-    host::JournalReader reader(*newest);
-    for (host::JournalRecord record; reader.next(record);) note(record, standing);
+    journal::for_each_record(*newest, [&standing](const journal::Record& record) { note(record, standing); });
   } catch (const host::BadInput&) {
     return std::nullopt;
   }

@@ -9,8 +9,8 @@
 #include "firmware/config/safety.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/host/journal/reading/decode_record.hpp"
 #include "firmware/runtime/runtime.hpp"
-#include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 
@@ -36,19 +36,19 @@ class Flight {
   }
 
   void take(const host::JournalRecord& record) {
-    messages::Input input;
-    if (wire::read_input(record.channel, record.time, record.data, inputs_, input) == Status::kOk) {
-      ++inputs_;
-      if (const auto* fix = std::get_if<messages::Navigation>(&input.value)) fix_ = fix->position;
-      runtime_->take(input);
+    journal::Content content = journal::decode_record(record.channel, record.time, record.data);
+    if (auto* const input = std::get_if<messages::Input>(&content)) {
+      input->sequence = inputs_++;
+      if (const auto* fix = std::get_if<messages::Navigation>(&input->value)) fix_ = fix->position;
+      runtime_->take(*input);
     } else if (record.channel == wire::kJournalledSetpointChannel) {
       setpoint_ = record.data;
-    } else if (record.channel == wire::kDecisionChannel) {
-      if (messages::Decision decision; wire::decode(record.data, decision) == Status::kOk) told_.then.push_back(decision);
-    } else if (record.channel == wire::kSafetyEventChannel) {
-      if (messages::SafetyEvent event; wire::decode(record.data, event) == Status::kOk) note(event, told_.then_ended);
+    } else if (const auto* const decision = std::get_if<messages::Decision>(&content)) {
+      told_.then.push_back(*decision);
+    } else if (const auto* const event = std::get_if<messages::SafetyEvent>(&content)) {
+      note(*event, told_.then_ended);
     } else if (record.channel == wire::kHealthChannel) {
-      end_turn(record);
+      end_turn(std::get_if<messages::Health>(&content), record.time);
     }
   }
 
@@ -59,14 +59,14 @@ class Flight {
   }
 
  private:
-  /// Its health ends every turn.
-  void end_turn(const host::JournalRecord& record) {
-    const runtime::Outputs outputs = runtime_->step(record.time);
-    if (messages::Health health; wire::decode(record.data, health) == Status::kOk) note(health, record.time, told_.then_ended);
-    note(outputs.health, record.time, told_.now_ended);
+  /// Its health ends every turn. @param then  null: it cannot be read
+  void end_turn(const messages::Health* then, Time time) {
+    const runtime::Outputs outputs = runtime_->step(time);
+    if (then != nullptr) note(*then, time, told_.then_ended);
+    note(outputs.health, time, told_.now_ended);
     for (const messages::SafetyEvent& event : outputs.safety_events) note(event, told_.now_ended);
     if (outputs.decision) told_.now.push_back(*outputs.decision);
-    compare_steering(outputs, record.time);
+    compare_steering(outputs, time);
     const bool is_believed = outputs.health.counters.navigation_refused == refused_;
     if (fix_ && is_believed) track_.add(*fix_);
     refused_ = outputs.health.counters.navigation_refused;

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "firmware/boards/linux/checklist/formatted.hpp"
-#include "firmware/boards/linux/journal_view/sentences.hpp"
-#include "firmware/boards/linux/journal_view/wording.hpp"
 #include "firmware/core/geometry.hpp"
-#include "firmware/host/journal/rule_event_words.hpp"
+#include "firmware/host/journal/words/rule_event_words.hpp"
+#include "firmware/host/journal/words/sentences.hpp"
+#include "firmware/host/journal/words/wording.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/messages/health_words.hpp"
 
@@ -14,7 +14,7 @@ namespace earshot::replay_view {
 namespace {
 
 using board::formatted;
-using journal_view::counted;
+using journal::counted;
 
 double seconds_since(Time began, Time time) {
   return static_cast<double>((time - began).us) / 1e6;
@@ -24,7 +24,7 @@ double seconds_since(Time began, Time time) {
 int degrees_towards(const messages::Decision& d) {
   const NorthEast leg = d.waypoint - d.position;
   const Radians bearing = bearing_of(leg.north.value, leg.east.value);
-  return static_cast<int>(std::lround(journal_view::compass_degrees(bearing))) % 360;
+  return static_cast<int>(std::lround(journal::compass_degrees(bearing))) % 360;
 }
 
 std::string half_row(const std::optional<messages::Decision>& decision, Time began) {
@@ -42,10 +42,10 @@ std::string one_way(const std::optional<messages::Decision>& d, Time began) {
 
 std::string to_string(const Standing& standing, Time began) {
   const bool is_by_rule = standing.rule && standing.health.end_reason == messages::EndReason::kSafetyRule;
-  const std::string rule = is_by_rule ? ", " + host::to_string(*standing.rule) : "";
+  const std::string rule = is_by_rule ? ", " + journal::to_string(*standing.rule) : "";
   const bool was_surprised = standing.health.surprise_bits >= messages::kSurprising_bits;
-  return journal_view::to_string(standing.health, was_surprised) + formatted(" (since %.1f s", seconds_since(began, standing.since)) +
-         rule + ")";
+  return journal::to_string(standing.health, was_surprised) + formatted(" (since %.1f s", seconds_since(began, standing.since)) + rule +
+         ")";
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ std::string what_it_means(const Counterfactual& told, std::span<const StepPair> 
     text += formatted("set-points differ from %.1f s on: ", seconds_since(told.began, told.steering->time)) +
             to_string(told.steering->fields) + "\n";
   if (told.steering) {
-    for (const messages::SafetyEvent& rule : told.steering->rules) text += "now steers there: " + host::to_string(rule) + "\n";
+    for (const messages::SafetyEvent& rule : told.steering->rules) text += "now steers there: " + journal::to_string(rule) + "\n";
   }
   const std::string where = told.gap ? "where record " + std::to_string(*told.gap) + " is missing" : "at the journal's end";
   text += where + ", then: " + to_string(told.then_ended, told.began) + "; now: " + to_string(told.now_ended, told.began) + "\n";

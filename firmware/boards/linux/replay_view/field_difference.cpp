@@ -4,20 +4,20 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 
-#include "firmware/boards/linux/journal_view/content.hpp"
 #include "firmware/boards/linux/journal_view/export/fields.hpp"
-#include "firmware/boards/linux/journal_view/wording.hpp"
+#include "firmware/host/journal/reading/decode_record.hpp"
+#include "firmware/host/journal/words/wording.hpp"
 
 namespace earshot::replay_view {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using journal_view::counted;
+using journal::counted;
 
 /// By what is printed: a NaN, which is null there, is what a NaN was.
 void compare(const std::string& name, const Json& then, const Json& now, std::vector<FieldDifference>& differences) {
-  const std::string before = journal_view::to_line(then);
-  const std::string after = journal_view::to_line(now);
+  const std::string before = journal::to_line(then);
+  const std::string after = journal::to_line(now);
   if (before == after) return;
   if (then.is_object() && now.is_object()) {
     for (const auto& [key, value] : then.items())
@@ -42,8 +42,8 @@ std::vector<FieldDifference> field_differences(std::string_view channel, std::sp
                                                std::span<const std::uint8_t> now) {
   std::vector<FieldDifference> differences;
   if (std::ranges::equal(then, now)) return differences;
-  compare("", journal_view::fields_of(journal_view::content_of(channel, Time{}, then)),
-          journal_view::fields_of(journal_view::content_of(channel, Time{}, now)), differences);
+  compare("", journal::fields_of(journal::decode_record(channel, Time{}, then)),
+          journal::fields_of(journal::decode_record(channel, Time{}, now)), differences);
   if (differences.empty() || differences.front().field.empty()) differences = {byte_difference(then, now)};
   return differences;
 }

@@ -4,10 +4,10 @@
 #include <cstddef>
 
 #include "firmware/boards/linux/checklist/formatted.hpp"
-#include "firmware/boards/linux/journal_view/entry.hpp"
-#include "firmware/boards/linux/journal_view/sentences.hpp"
-#include "firmware/boards/linux/journal_view/wording.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/journal/reading/entry.hpp"
+#include "firmware/host/journal/words/sentences.hpp"
+#include "firmware/host/journal/words/wording.hpp"
 
 namespace earshot::replay_view {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 using board::formatted;
 using board::Playback;
 using board::ReplayResult;
-using journal_view::counted;
+using journal::counted;
 using End = host::JournalReader::End;
 
 std::string what_is_wrong(const Playback::Difference& difference) {
@@ -26,16 +26,16 @@ std::string what_is_wrong(const Playback::Difference& difference) {
 
 std::string damage_to_string(const ReplayResult& result, std::size_t i) {
   const bool is_end = result.end != End::kWhole && i + 1 == result.damages.size();
-  if (!is_end) return journal_view::to_string(result.damages[i]);
-  return to_string(journal_view::TornEnd{.where = result.damages[i], .is_cut = result.end == End::kCut});
+  if (!is_end) return journal::to_string(result.damages[i]);
+  return to_string(journal::TornEnd{.where = result.damages[i], .is_cut = result.end == End::kCut});
 }
 
 /// Of the record, as the journal's files for other programs name it.
 FieldDifference date_difference(Time then, Time now) {
   constexpr int kMicroseconds = 6;
   return {.field = "time_s",
-          .then = journal_view::decimal(journal_view::seconds_of(then), kMicroseconds),
-          .now = journal_view::decimal(journal_view::seconds_of(now), kMicroseconds)};
+          .then = journal::decimal(journal::seconds_of(then), kMicroseconds),
+          .now = journal::decimal(journal::seconds_of(now), kMicroseconds)};
 }
 
 /// What follows a difference or a gap is not given to the runtime, which would not be as it was.
@@ -58,7 +58,7 @@ std::vector<FieldDifference> fields_of(const Playback::Difference& difference) {
 
 std::string to_string(const Playback::Difference& difference, Time began) {
   return "record " + std::to_string(difference.record) + ", " + host::printable(difference.channel) +
-         formatted(" at %.3f s: ", journal_view::seconds_of(Time{(difference.time - began).us})) + what_is_wrong(difference);
+         formatted(" at %.3f s: ", journal::seconds_of(Time{(difference.time - began).us})) + what_is_wrong(difference);
 }
 
 std::vector<std::string> findings(const ReplayResult& result) {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "firmware/boards/linux/checklist/formatted.hpp"
-#include "firmware/boards/linux/journal_view/wording.hpp"
 #include "firmware/boards/linux/map/svg_map.hpp"
+#include "firmware/host/journal/words/wording.hpp"
 
 namespace earshot::replay_view {
 namespace {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "firmware/boards/linux/journal_view/export/fields.hpp"
-#include "firmware/boards/linux/journal_view/sentences.hpp"
 #include "firmware/boards/linux/replay_view/findings.hpp"
-#include "firmware/host/journal/rule_event_words.hpp"
+#include "firmware/host/journal/words/rule_event_words.hpp"
+#include "firmware/host/journal/words/sentences.hpp"
 
 namespace earshot::replay_view {
 namespace {
@@ -32,15 +32,15 @@ Json fields_json(std::span<const FieldDifference> fields) {
 Json decision_json(const std::optional<messages::Decision>& decision, Time began) {
   if (!decision) return nullptr;
   Json json{{"time_s", seconds_since(began, decision->time)}};
-  json.update(journal_view::fields_of(*decision));
+  json.update(journal::fields_of(*decision));
   return json;
 }
 
 Json standing_json(const Standing& standing, Time began) {
   Json json{{"since_s", seconds_since(began, standing.since)}};
-  const Json health = journal_view::fields_of(standing.health);
+  const Json health = journal::fields_of(standing.health);
   for (const char* key : {"state", "end_reason", "steps_taken"}) json[key] = health.at(key);
-  json["rule"] = standing.rule ? Json(host::to_string(*standing.rule)) : Json();
+  json["rule"] = standing.rule ? Json(journal::to_string(*standing.rule)) : Json();
   return json;
 }
 

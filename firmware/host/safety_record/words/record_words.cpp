@@ -2,25 +2,16 @@
 
 #include <array>
 #include <cstdio>
-#include <ctime>
 #include <system_error>
 
 #include "firmware/core/time.hpp"
 #include "firmware/host/journal/journal_name.hpp"
+#include "firmware/host/journal/words/wording.hpp"
 #include "firmware/host/safety_record/record_file.hpp"
 #include "firmware/messages/health_words.hpp"
 
 namespace earshot::host {
 namespace {
-
-std::string utc(Time time) {
-  const std::time_t seconds = time.us / 1'000'000;
-  std::tm parts{};
-  std::array<char, 64> text{};
-  if (::gmtime_r(&seconds, &parts) == nullptr || std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M:%S UTC", &parts) == 0)
-    return "at no date";
-  return text.data();
-}
 
 std::string standing(const SafetyRecord& record) {
   std::string text = messages::to_string(record.state);
@@ -43,7 +34,8 @@ std::string to_string(const SafetyRecord& record) {
   std::array<char, 64> depth{};
   (void)std::snprintf(depth.data(), depth.size(), "; depth at most %g m", record.max_depth.value);
   const std::string starts = record.starts == 0 ? "" : "; " + std::to_string(record.starts) + (record.starts == 1 ? " start" : " starts");
-  return "safety record, " + utc(record.utc) + ": " + standing(record) + depth.data() + starts + ". " + what_follows(record);
+  return "safety record, " + (journal::is_dated(record.utc) ? journal::utc(record.utc) : "at no date") + ": " + standing(record) +
+         depth.data() + starts + ". " + what_follows(record);
 }
 
 std::optional<std::string> safety_record_beside(const std::filesystem::path& journal) {

@@ -55,15 +55,15 @@ TEST(ScratchField, StandsInTheLcmDefinition) {
 }
 
 TEST(ScratchField, StandsInJsonAndInTheSchemaOfAnMcapFile) {
-  const nlohmann::ordered_json fields = journal_view::fields_of(health_with_a_scratch());
+  const nlohmann::ordered_json fields = journal::fields_of(health_with_a_scratch());
   EXPECT_EQ(fields.at("scratch_percent"), 12.5);
-  EXPECT_EQ(journal_view::schema_of(fields).at("properties").at("scratch_percent").at("type"), "number");
+  EXPECT_EQ(journal::schema_of(fields).at("properties").at("scratch_percent").at("type"), "number");
 }
 
 TEST(ScratchField, HasAColumnInTheTableOfTurns) {
   const support::TemporaryFolder folder;
-  journal_view::TurnTable table(folder / "turns.csv", std::nullopt);
-  table.take(journal_view::Record{.time = Time{5}, .channel = "EARSHOT_HEALTH", .content = health_with_a_scratch()}, {});
+  journal::TurnTable table(folder / "turns.csv", std::nullopt);
+  table.take(journal::Record{.time = Time{5}, .channel = "EARSHOT_HEALTH", .content = health_with_a_scratch()}, {});
   table.finish({});
   std::ifstream file(folder / "turns.csv");
   std::string header;

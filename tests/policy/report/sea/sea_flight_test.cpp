@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "firmware/host/journal/words/wording.hpp"
 #include "tests/policy/report/sea/sea_journal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -29,7 +30,7 @@ TEST_F(SeaFlightTest, CountsItsTimesFromTheFirstRecordAndKnowsItsDate) {
   const std::optional<SeaFlight> flight = read_sea_flight(path_);
   ASSERT_TRUE(flight);
   EXPECT_TRUE(flight->is_dated());
-  EXPECT_EQ(utc(flight->began_s), "2026-11-18 11:06:40 UTC");
+  EXPECT_EQ(journal::utc(flight->began), "2026-11-18 11:06:40 UTC");
   EXPECT_EQ(flight->build, "of a test");
   EXPECT_EQ(flight->area.north_east, (NorthEast{Meters{26'000}, Meters{27'000}}));
   ASSERT_EQ(flight->fixes.size(), 1U);
@@ -59,9 +60,9 @@ TEST_F(SeaFlightTest, TellsItsOrdersAndStatesAndHowFarItSailedInItsSearchAlone) 
   EXPECT_EQ(flight.counters.bearings_refused, 2U);
   EXPECT_EQ(flight.counters.bearings_of_others, 3U);
   ASSERT_EQ(flight.events.size(), 3U);
-  EXPECT_EQ(flight.events[0].what, "order START, obeyed");
+  EXPECT_EQ(flight.events[0].what, "order START, number 1 of issuer 1: obeyed");
   EXPECT_EQ(flight.events[1].what, "SEARCH");
-  EXPECT_EQ(flight.events[2].what, "ABORT: navigation went silent");
+  EXPECT_EQ(flight.events[2].what, "ABORT: navigation went silent, after 2 steps");
   EXPECT_NEAR(flight.events[2].time_s, 50.0, 1e-5);
 }
 
@@ -74,7 +75,7 @@ TEST_F(SeaFlightTest, TellsAnAnswerThatIsGivenAgainOnceAndHowOften) {
   journal.end(messages::Ending::kStopped);
   const SeaFlight flight = read_sea_flight(path_).value();
   ASSERT_EQ(flight.events.size(), 2U);
-  EXPECT_EQ(flight.events[0].what, "order START, obeyed (11 times)");
+  EXPECT_EQ(flight.events[0].what, "order START, number 1 of issuer 1: obeyed (11 times)");
   EXPECT_NEAR(flight.events[0].time_s, 10.0, 1e-5) << "when it was first";
 }
 
@@ -86,8 +87,10 @@ TEST_F(SeaFlightTest, TellsThatAnotherProcessWentOnAndHowLongNobodyFlew) {
   journal.end(messages::Ending::kStopped);
   const SeaFlight flight = read_sea_flight(path_).value();
   ASSERT_EQ(flight.events.size(), 2U);
-  EXPECT_EQ(flight.events[1].what,
-            "earshotd was killed or lost its power; another process goes on from the journal, 37 s after its last record");
+  EXPECT_EQ(
+      flight.events[1].what,
+      "another process goes on from here (earshotd --resume): the one before was killed or lost its power; 0 bytes that it left behind "
+      "were cut off; 37 s after the last record");
   EXPECT_NEAR(flight.events[1].time_s, 57.0, 1e-5);
 }
 

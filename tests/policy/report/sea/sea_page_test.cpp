@@ -45,7 +45,7 @@ TEST_F(SeaPageTest, SaysHowAndWhyTheSearchEndedAndWhenTheFlightWas) {
   const std::string text = page_of_it();
   EXPECT_TRUE(has(text, "Search aborted after 3 steps: an operator aborted it</h1>"));
   EXPECT_TRUE(has(text, "<b>2026-11-18 11:06:40 UTC</b>"));
-  EXPECT_TRUE(has(text, "<td class=\"left\">ABORT: an operator aborted it</td>"));
+  EXPECT_TRUE(has(text, "<td class=\"left\">ABORT: an operator aborted it, after 3 steps</td>"));
   EXPECT_TRUE(has(text, "<td data-name=\"at\">90 s</td>")) << "the decision's time is the flight's";
   EXPECT_EQ(text.find("1970"), std::string::npos);
   EXPECT_TRUE(has(text, "earshotd was stopped by a signal, and ended in order."));
@@ -134,7 +134,7 @@ TEST_F(SeaPageTest, OfASearchThatASignalBrokeOffSaysThatNoOperatorAbortedIt) {
   journal.end(messages::Ending::kStopped);
   const std::string text = page_of_it();
   EXPECT_TRUE(has(text, "Search aborted after 3 steps: its program was told to stop</h1>"));
-  EXPECT_TRUE(has(text, "<td class=\"left\">ABORT: its program was told to stop</td>"));
+  EXPECT_TRUE(has(text, "<td class=\"left\">ABORT: its program was told to stop, after 3 steps</td>"));
   EXPECT_FALSE(has(text, "an operator aborted it"));
 }
 

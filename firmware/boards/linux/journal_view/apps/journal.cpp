@@ -34,7 +34,7 @@ int main(int argc, char** argv) {
       "that\ngo down, and what the journal lacks. With --csv, --jsonl or --mcap it writes files for other programs instead.\n"
       "Exit status: 0 all was read, 1 all that can be read was: the journal is damaged, lacks records or its end, which\n"
       "standard error says, 2 it is no journal or a file was refused, 3 standard output is gone, 130 stopped while it followed.");
-  journal_view::ViewOptions options;
+  journal::ViewOptions options;
   std::optional<std::string> origin;
   bool force = false;
   std::uint32_t wait_s = 60;
@@ -58,6 +58,6 @@ int main(int argc, char** argv) {
     if (origin) options.plane = plane_about(*origin);
     options.wait = std::chrono::seconds(wait_s);
     options.replace = host::replaced_by(force);
-    return journal_view::view(options);
+    return journal::view(options);
   });
 }

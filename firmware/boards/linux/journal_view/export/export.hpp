@@ -5,11 +5,11 @@
 #include <string_view>
 #include <utility>
 
-#include "firmware/boards/linux/journal_view/entry.hpp"
 #include "firmware/boards/linux/journal_view/timeline.hpp"
 #include "firmware/host/file/output_file.hpp"
+#include "firmware/host/journal/reading/entry.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 
 /// A file made of a journal's entries.
 class Export {
@@ -51,4 +51,4 @@ class PiecewiseFile {
   std::string waiting_;
 };
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

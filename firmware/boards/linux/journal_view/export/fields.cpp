@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "firmware/boards/linux/journal_view/wording.hpp"
 #include "firmware/host/file/checksum_text.hpp"
+#include "firmware/host/journal/words/wording.hpp"
 #include "firmware/messages/dictionary/every_message.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -196,4 +196,4 @@ std::string to_line(const nlohmann::ordered_json& json) {
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "firmware/boards/linux/journal_view/entry.hpp"
+#include "firmware/host/journal/reading/entry.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 
 /// What a record says as a JSON object: the fields of its message by name, their units in the names, SI throughout; times in seconds on the
 /// mission's clock (at sea: since 1970, UTC). States, orders and the like are words. A number that is not known is NaN, which JSON writes
@@ -17,4 +17,4 @@ namespace earshot::journal_view {
 /// JSON on one line. Bytes of a text that are no UTF-8 become U+FFFD.
 [[nodiscard]] std::string to_line(const nlohmann::ordered_json& json);
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

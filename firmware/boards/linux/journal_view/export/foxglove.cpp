@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -92,4 +92,4 @@ Json schema_of(const Json& example) {
   return schema;
 }
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

@@ -8,7 +8,7 @@
 #include "firmware/messages/navigation.hpp"
 #include "firmware/wire/n2k/local_plane.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 
 // Messages that Foxglove and Lichtblick show without a plug-in: on a map, in space, as a log.
 // Source: Foxglove SDK, schemas/jsonschema (LocationFix, PoseInFrame, Log): the names of the fields and their meaning.
@@ -32,4 +32,4 @@ extern const McapFile::Schema kLogSchema;
 /// The JSON schema of objects such as this one. Nothing is required: what is not known is left out.
 [[nodiscard]] nlohmann::ordered_json schema_of(const nlohmann::ordered_json& example);
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

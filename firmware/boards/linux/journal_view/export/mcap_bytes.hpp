@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 
 /// Bytes as MCAP writes them: integers little-endian, text and maps behind their length in 32 bits.
 /// Source: MCAP Format Specification, "Serialization"
@@ -33,4 +33,4 @@ class McapBytes {
   std::string bytes_;
 };
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

@@ -5,10 +5,10 @@
 
 #include "firmware/boards/linux/journal_view/export/fields.hpp"
 #include "firmware/boards/linux/journal_view/export/foxglove.hpp"
-#include "firmware/boards/linux/journal_view/wording.hpp"
+#include "firmware/host/journal/words/wording.hpp"
 #include "firmware/host/program/version.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -96,4 +96,4 @@ std::string McapExport::what() const {
   return counted(file_.messages(), "message");
 }
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

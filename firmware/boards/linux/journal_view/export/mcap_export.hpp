@@ -12,7 +12,7 @@
 #include "firmware/messages/navigation.hpp"
 #include "firmware/wire/n2k/local_plane.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 
 /// A journal as an MCAP file. Every record is a message on a topic of its kind (/navigation, /snr, /setpoint, /health, ...) with the fields
 /// of fields_of(), numbers that are not known left out; beside them /pose and, where the mission's origin is known, /position of every
@@ -46,4 +46,4 @@ class McapExport final : public Export {
   std::uint32_t events_ = 0;
 };
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

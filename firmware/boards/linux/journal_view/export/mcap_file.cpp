@@ -5,7 +5,7 @@
 
 #include "firmware/core/crc32.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 namespace {
 
 enum class Opcode : std::uint8_t {
@@ -171,4 +171,4 @@ void McapFile::end_summary(std::uint64_t summary_start) {
   put(checksum.bytes());
 }
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

@@ -12,7 +12,7 @@
 #include "firmware/boards/linux/journal_view/export/mcap_bytes.hpp"
 #include "firmware/core/time.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 
 inline constexpr host::OutputKind kMcapOutput{"an MCAP file", {"\x89MCAP0\r\n", {}}};
 
@@ -76,4 +76,4 @@ class McapFile {
   McapBytes chunk_indexes_;
 };
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

@@ -1,9 +1,9 @@
 #include "firmware/boards/linux/journal_view/export/record_lines.hpp"
 
 #include "firmware/boards/linux/journal_view/export/fields.hpp"
-#include "firmware/boards/linux/journal_view/wording.hpp"
+#include "firmware/host/journal/words/wording.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 
 void RecordLines::take(const Entry& entry, std::span<const Event> /*events*/) {
   const auto* const record = std::get_if<Record>(&entry);
@@ -20,4 +20,4 @@ std::string RecordLines::what() const {
   return counted(records_, "record");
 }
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

@@ -5,7 +5,7 @@
 
 #include "firmware/boards/linux/journal_view/export/export.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 
 inline constexpr host::OutputKind kRecordLinesOutput{"a file of a journal's records", {"{\"number\":", {}}};
 
@@ -23,4 +23,4 @@ class RecordLines final : public Export {
   std::uint64_t records_ = 0;
 };
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

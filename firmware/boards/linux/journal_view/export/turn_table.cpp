@@ -8,11 +8,11 @@
 #include <string_view>
 #include <type_traits>
 
-#include "firmware/boards/linux/journal_view/wording.hpp"
 #include "firmware/core/math.hpp"
+#include "firmware/host/journal/words/wording.hpp"
 #include "firmware/messages/dictionary/output_fields.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 namespace {
 
 using std::literals::operator""sv;
@@ -190,4 +190,4 @@ std::string TurnTable::what() const {
   return counted(rows_, "turn");
 }
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

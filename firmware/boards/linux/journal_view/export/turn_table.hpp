@@ -10,7 +10,7 @@
 #include "firmware/messages/vehicle_status.hpp"
 #include "firmware/wire/n2k/local_plane.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 
 inline constexpr host::OutputKind kTurnTableOutput{"a table of a journal's turns", {"turn,time_s,mission_s,", {}}};
 
@@ -38,4 +38,4 @@ class TurnTable final : public Export {
   std::uint64_t rows_ = 0;
 };
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

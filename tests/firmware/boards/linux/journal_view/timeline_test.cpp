@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "firmware/boards/linux/journal_view/record_source.hpp"
-#include "tests/firmware/boards/linux/journal_view/known_journal.hpp"
+#include "firmware/host/journal/reading/record_source.hpp"
+#include "tests/firmware/host/journal/known_journal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 namespace {
 
 using Severity = Event::Severity;
@@ -281,4 +281,4 @@ TEST_F(TimelineTest, WarnsOfARuleThatActsAndNotOfOneThatEnds) {
 }
 
 }  // namespace
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

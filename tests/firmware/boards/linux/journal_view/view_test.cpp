@@ -20,11 +20,11 @@
 #include "firmware/host/journal/journal_format.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/host/safety_record/safety_copies.hpp"
-#include "tests/firmware/boards/linux/journal_view/known_journal.hpp"
+#include "tests/firmware/host/journal/known_journal.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 namespace {
 
 using namespace std::chrono_literals;
@@ -359,4 +359,4 @@ TEST_F(FlightFollowed, ThatDoesNotComeIsSaidAndNotReplacedByAnOlderOne) {
 }
 
 }  // namespace
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

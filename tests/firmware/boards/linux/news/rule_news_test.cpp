@@ -6,7 +6,7 @@
 #include <string>
 
 #include "firmware/config/safety.hpp"
-#include "firmware/host/journal/rule_event_words.hpp"
+#include "firmware/host/journal/words/rule_event_words.hpp"
 #include "tests/firmware/boards/linux/news/told_news.hpp"
 
 namespace earshot::board {
@@ -30,7 +30,7 @@ TEST_F(RuleNews, SaysOfARuleWhatTheJournalSays) {
                                       .measure = 275.25,
                                       .limit = condition == Condition::kSetpointsUnsent ? 10.0 : 0.0};
     news_->tell(event);
-    expected += "earshotd: 2026-11-18 11:06:40 UTC: " + host::to_string(event) + "\n";
+    expected += "earshotd: 2026-11-18 11:06:40 UTC: " + journal::to_string(event) + "\n";
   }
   EXPECT_EQ(told(), expected);
 }

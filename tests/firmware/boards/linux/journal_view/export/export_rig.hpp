@@ -6,9 +6,9 @@
 #include <string>
 
 #include "firmware/boards/linux/journal_view/export/export.hpp"
-#include "firmware/boards/linux/journal_view/record_source.hpp"
+#include "firmware/host/journal/reading/record_source.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 
 /// Gives an export all of a journal.
 inline void export_all(const std::filesystem::path& journal, Export& to) {
@@ -26,4 +26,4 @@ inline std::string text_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

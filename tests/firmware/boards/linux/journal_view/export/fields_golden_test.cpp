@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "firmware/boards/linux/journal_view/content.hpp"
 #include "firmware/boards/linux/journal_view/export/fields.hpp"
+#include "firmware/host/journal/reading/decode_record.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "tests/firmware/wire/golden/golden_file.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 namespace {
 
 using wire::GoldenFile;
@@ -63,15 +63,15 @@ std::string channel_of(const std::string& name) {
 TEST(JournalFields, AreOfEveryRecordWhatTheyAlwaysWere) {
   GoldenFile golden("fields.txt");
   for (const RecordedLine& line : recorded("input_records.txt"))
-    golden.add(line.name, to_line(fields_of(content_of(line.channel, Time{5}, line.data))));
+    golden.add(line.name, to_line(fields_of(decode_record(line.channel, Time{5}, line.data))));
   for (const char* file : {"lcm.txt", "lcm_types.txt"}) {
     for (const RecordedLine& line : recorded(file)) {
       const std::string channel = channel_of(line.name);
-      if (!channel.empty()) golden.add(line.name, to_line(fields_of(content_of(channel, Time{5}, line.data))));
+      if (!channel.empty()) golden.add(line.name, to_line(fields_of(decode_record(channel, Time{5}, line.data))));
     }
   }
   golden.expect_as_recorded();
 }
 
 }  // namespace
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

@@ -7,11 +7,11 @@
 #include <set>
 #include <string>
 
-#include "firmware/boards/linux/journal_view/content.hpp"
+#include "firmware/host/journal/reading/decode_record.hpp"
 #include "tests/firmware/boards/linux/journal_view/export/export_rig.hpp"
-#include "tests/firmware/boards/linux/journal_view/known_journal.hpp"
+#include "tests/firmware/host/journal/known_journal.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 namespace {
 
 Content input(const auto& value) {
@@ -192,5 +192,15 @@ TEST(JournalTopic, NamesEachKindOfRecord) {
   EXPECT_STREQ(topic_of(Unreadable{}), "unknown");
 }
 
+TEST(JournalFields, SayWhereAnotherProcessGoesOnAndTheTroublesOfACanController) {
+  messages::JournalResumed resumed{.time = Time{5}, .cut_bytes = 17};
+  resumed.build = {'0', '.', '1'};
+  EXPECT_STREQ(topic_of(resumed), "journal_resumed");
+  EXPECT_EQ(fields_of(resumed).dump(), R"({"cut_bytes":17,"build":"0.1"})");
+  const messages::ControllerTrouble trouble{.time = Time{5}, .port = 1, .trouble = messages::ControllerState::kBusOff, .is_there = true};
+  EXPECT_STREQ(topic_of(trouble), "controller_trouble");
+  EXPECT_EQ(fields_of(trouble).dump(), R"({"port":1,"trouble":"bus off","is_there":true})");
+}
+
 }  // namespace
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

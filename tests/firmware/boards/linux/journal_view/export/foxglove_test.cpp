@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "firmware/boards/linux/journal_view/export/fields.hpp"
-#include "tests/firmware/boards/linux/journal_view/known_journal.hpp"
+#include "tests/firmware/host/journal/known_journal.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 namespace {
 
 // Heading 30 degrees is 60 degrees from east: the quaternion (0, 0, sin 30, cos 30) = (0, 0, 1/2, sqrt(3)/2).
@@ -72,4 +72,4 @@ TEST(Foxglove, SchemasOfOtherObjectsSayWhatTheirFieldsAre) {
 }
 
 }  // namespace
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 namespace {
 
 TEST(McapBytes, AreLittleEndianAndTextStandsBehindItsLength) {
@@ -12,4 +12,4 @@ TEST(McapBytes, AreLittleEndianAndTextStandsBehindItsLength) {
 }
 
 }  // namespace
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

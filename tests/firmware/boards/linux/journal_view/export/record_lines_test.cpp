@@ -5,10 +5,10 @@
 #include <array>
 
 #include "tests/firmware/boards/linux/journal_view/export/export_rig.hpp"
-#include "tests/firmware/boards/linux/journal_view/known_journal.hpp"
+#include "tests/firmware/host/journal/known_journal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 namespace {
 
 TEST(RecordLines, HoldARecordOnEachLineAndThoseThatCannotBeReadToo) {
@@ -34,4 +34,4 @@ TEST(RecordLines, LeaveNothingBehindThatIsNotFinished) {
 }
 
 }  // namespace
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "tests/firmware/boards/linux/journal_view/export/export_rig.hpp"
-#include "tests/firmware/boards/linux/journal_view/known_journal.hpp"
+#include "tests/firmware/host/journal/known_journal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 namespace {
 
 std::vector<std::string> rows_of_known_journal(const std::optional<n2k::LocalPlane>& plane) {
@@ -80,4 +80,4 @@ TEST(TurnTable, HasAsManyCellsInEveryRowAsInItsHeader) {
 }
 
 }  // namespace
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

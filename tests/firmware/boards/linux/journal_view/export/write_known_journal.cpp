@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "tests/firmware/boards/linux/journal_view/known_journal.hpp"
+#include "tests/firmware/host/journal/known_journal.hpp"
 
 int main(int argc, char** argv) {
   using namespace earshot;
-  using namespace earshot::journal_view;
+  using namespace earshot::journal;
   if (argc < 3) {
     write_known_journal(argv[1]);
     return 0;

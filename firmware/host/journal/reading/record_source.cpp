@@ -1,14 +1,14 @@
-#include "firmware/boards/linux/journal_view/record_source.hpp"
+#include "firmware/host/journal/reading/record_source.hpp"
 
 #include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
 
-#include "firmware/boards/linux/journal_view/content.hpp"
+#include "firmware/host/journal/reading/decode_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 namespace {
 
 /// The channel in a journal of what was on a bus: a bus log knows one port.
@@ -33,6 +33,13 @@ std::optional<Entry> RecordSource::next() {
   return entry;
 }
 
+std::optional<Record> RecordSource::next_record() {
+  while (std::optional<Entry> entry = next()) {
+    if (auto* const record = std::get_if<Record>(&*entry)) return std::move(*record);
+  }
+  return std::nullopt;
+}
+
 void RecordSource::keep(host::JournalRecord record) {
   const bool was_damaged = reader_.damages().size() > damages_told_;
   for (; damages_told_ < reader_.damages().size(); ++damages_told_) {
@@ -43,12 +50,12 @@ void RecordSource::keep(host::JournalRecord record) {
   expected_number_ = record.number + 1;
   ++records_;
   const std::string channel = reader_.is_bus_log() ? journalled_channel(record.channel) : record.channel;
-  const Content content = content_of(channel, record.time, record.data);
+  Content content = decode_record(channel, record.time, record.data);
   waiting_.emplace_back(Record{.number = record.number,
                                .time = record.time,
                                .channel = std::move(record.channel),
                                .size_bytes = record.data.size(),
-                               .content = content});
+                               .content = std::move(content)});
 }
 
 void RecordSource::keep_gap_before(std::uint32_t number, bool was_damaged) {
@@ -76,4 +83,4 @@ std::optional<TornEnd> RecordSource::torn_end() const {
   return TornEnd{.where = damage, .is_cut = reader_.end() == End::kCut};
 }
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

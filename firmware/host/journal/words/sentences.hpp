@@ -3,12 +3,13 @@
 #include <cstdint>
 #include <string>
 
-#include "firmware/boards/linux/journal_view/entry.hpp"
+#include "firmware/host/journal/reading/entry.hpp"
 #include "firmware/messages/bearing_measurement.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 
-// One entry in words, on one line: whatever another wrote into the journal is spelled out (host::printable).
+// The words for what a journal holds: `earshot journal`, `replay` and `report` say it with these. One entry is one line, and whatever
+// another wrote into the journal is spelled out (host::printable). Rules that act: rule_event_words.hpp.
 
 /// "mission begins: area of 25.0 km x 25.0 km, at 300 m depth and 2.0 m/s, up to 100 steps of 1000 m in 60000 s; ..."
 [[nodiscard]] std::string to_string(const messages::MissionRecord& mission);
@@ -27,8 +28,17 @@ namespace earshot::journal_view {
 /// Whose order an ABORT was that no rule gave: a program that is told to stop gives one, too.
 enum class AbortedBy : std::uint8_t { kOperator, kProgram };
 
-/// "ABORT: navigation went silent, after 12 steps"; "SEARCH, listening: it commands nothing"
+/// "navigation went silent"; "its program was told to stop"
+[[nodiscard]] const char* why_it_ended(messages::EndReason reason, AbortedBy by);
+
+/// "ABORT: navigation went silent, after 12 steps"
+[[nodiscard]] std::string to_string(messages::MissionState state, messages::EndReason reason, std::uint32_t steps, AbortedBy by);
+
+/// Likewise, and of one that is not over what else there is to say: "SEARCH, listening: it commands nothing"
 [[nodiscard]] std::string to_string(const messages::Health& health, bool was_surprised, AbortedBy by = AbortedBy::kOperator);
+
+/// "2 of navigation, SNR and health, 0 set-points and decisions, 1 orders and changes of state"
+[[nodiscard]] std::string to_string(const messages::LostRecords& lost);
 
 /// "end: the mission was over; DONE: completed, the source is reached, after 37 steps; no record was lost"
 [[nodiscard]] std::string to_string(const messages::ClosingRecord& closing, AbortedBy by = AbortedBy::kOperator);
@@ -42,4 +52,4 @@ enum class AbortedBy : std::uint8_t { kOperator, kProgram };
 [[nodiscard]] std::string to_string(const NumbersGoBack& numbers);
 [[nodiscard]] std::string to_string(const TornEnd& end);
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

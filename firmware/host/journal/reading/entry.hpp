@@ -14,7 +14,7 @@
 #include "firmware/messages/safety_event.hpp"
 #include "firmware/messages/setpoint.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 
 // What a journal holds, one entry after the other.
 
@@ -76,4 +76,4 @@ struct BusLog {};
 
 using Entry = std::variant<Record, MissingRecords, DamagedBytes, NumbersGoBack, BusLog>;
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

@@ -16,7 +16,7 @@
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/firmware/place.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 
 /// 2026-11-22 15:04:00 UTC (GNU date).
 inline constexpr Time kBegan{1'795'359'840'000'000};
@@ -181,4 +181,4 @@ inline void write_known_journal(const std::filesystem::path& path) {
 }
 inline constexpr std::size_t kKnownRecords = 18;
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

@@ -1,19 +1,18 @@
-#include "firmware/boards/linux/journal_view/sentences.hpp"
+#include "firmware/host/journal/words/sentences.hpp"
 
 #include <cmath>
 #include <numbers>
 
-#include "firmware/boards/linux/journal_view/wording.hpp"
 #include "firmware/core/geometry.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/journal/words/wording.hpp"
 #include "firmware/messages/dictionary/command_words.hpp"
 #include "firmware/messages/dictionary/journal_fields.hpp"
 #include "firmware/messages/health_words.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 namespace {
 
-using messages::Authority;
 using messages::EndReason;
 using messages::MissionState;
 
@@ -28,14 +27,6 @@ std::string limits_in(const messages::OperatorLimits& limits) {
   if (limits.max_speed) say(decimal(limits.max_speed->value, 2) + " m/s");
   if (limits.max_time_s) say(decimal(*limits.max_time_s, 0) + " s of search");
   return text;
-}
-
-std::string state_to_string(MissionState state, EndReason reason, std::uint32_t steps, AbortedBy by) {
-  const bool is_stopped = reason == EndReason::kOperatorAbort && by == AbortedBy::kProgram;
-  const std::string why = is_stopped ? "its program was told to stop" : messages::to_string(reason);
-  const std::string ended = reason == EndReason::kNone ? "" : ": " + why;
-  if (!messages::counts_steps(reason)) return messages::to_string(state) + ended;
-  return messages::to_string(state) + ended + ", after " + counted(steps, "step");
 }
 
 std::string bytes_to_string(const DamagedBytes& damage) {
@@ -95,25 +86,34 @@ std::string to_string(const messages::Decision& m) {
   return text;
 }
 
+const char* why_it_ended(EndReason reason, AbortedBy by) {
+  const bool is_stopped = reason == EndReason::kOperatorAbort && by == AbortedBy::kProgram;
+  return is_stopped ? "its program was told to stop" : messages::to_string(reason);
+}
+
+std::string to_string(MissionState state, EndReason reason, std::uint32_t steps, AbortedBy by) {
+  std::string text = messages::to_string(state);
+  if (reason != EndReason::kNone) text += std::string(": ") + why_it_ended(reason, by);
+  return messages::counts_steps(reason) ? text + ", after " + counted(steps, "step") : text;
+}
+
 std::string to_string(const messages::Health& m, bool was_surprised, AbortedBy by) {
-  if (m.end_reason != EndReason::kNone) return state_to_string(m.state, m.end_reason, m.steps_taken, by);
-  std::string text = messages::to_string(m.state);
-  if (m.authority == Authority::kDisconnected) return text + ", the autopilot is not heard";
-  if (m.authority == Authority::kListen) return text + ", listening: it commands nothing";
-  if (m.is_paused) return text + ", paused by an operator";
-  if (m.is_found) return text + ", " + std::string(messages::kSaysFound);
-  return m.is_sweeping ? text + ", " + std::string(was_surprised ? messages::kSweeps : messages::kSweepsInSilence) : text;
+  if (m.end_reason != EndReason::kNone) return to_string(m.state, m.end_reason, m.steps_taken, by);
+  const std::string_view remark = messages::remark_on(m, was_surprised);
+  return messages::to_string(m.state) + (remark.empty() ? "" : ", " + std::string(remark));
+}
+
+std::string to_string(const messages::LostRecords& lost) {
+  return std::to_string(lost.streams) + " of navigation, SNR and health, " + std::to_string(lost.steering) + " set-points and decisions, " +
+         std::to_string(lost.orders) + " orders and changes of state";
 }
 
 std::string to_string(const messages::ClosingRecord& closing, AbortedBy by) {
   const messages::LostRecords& lost = closing.lost;
-  const std::string what = lost.all() == 0
-                               ? "no record was lost"
-                               : counted(lost.all(), "record") + " lost on a full or slow disk: " + std::to_string(lost.streams) +
-                                     " of navigation, SNR and health, " + std::to_string(lost.steering) + " set-points and decisions, " +
-                                     std::to_string(lost.orders) + " orders and changes of state";
+  const std::string what =
+      lost.all() == 0 ? "no record was lost" : counted(lost.all(), "record") + " lost on a full or slow disk: " + to_string(lost);
   return std::string("end: ") + messages::to_string(closing.ending) + "; " +
-         state_to_string(closing.state, closing.end_reason, closing.steps_taken, by) + "; " + what;
+         to_string(closing.state, closing.end_reason, closing.steps_taken, by) + "; " + what;
 }
 
 std::string to_string(const messages::JournalResumed& resumed) {
@@ -161,4 +161,4 @@ std::string to_string(const NumbersGoBack& numbers) {
          ": what follows was not written behind it";
 }
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

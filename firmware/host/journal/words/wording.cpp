@@ -1,4 +1,4 @@
-#include "firmware/boards/linux/journal_view/wording.hpp"
+#include "firmware/host/journal/words/wording.hpp"
 
 #include <array>
 #include <charconv>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 namespace {
 
 std::string two_digits(unsigned number) {
@@ -67,4 +67,4 @@ std::string compass(Radians heading, int places) {
   return text.starts_with("360") ? decimal(0.0, places) : text;
 }
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

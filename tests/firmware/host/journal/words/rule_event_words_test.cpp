@@ -1,10 +1,10 @@
-#include "firmware/host/journal/rule_event_words.hpp"
+#include "firmware/host/journal/words/rule_event_words.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-namespace earshot::host {
+namespace earshot::journal {
 namespace {
 
 messages::SafetyEvent event_of(config::Condition condition, config::Response response) {
@@ -70,4 +70,4 @@ TEST(RuleEventWords, NeedNoMoreDecimalsThanThereAreToTellNumbersApart) {
 }
 
 }  // namespace
-}  // namespace earshot::host
+}  // namespace earshot::journal

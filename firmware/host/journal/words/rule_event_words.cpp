@@ -1,4 +1,4 @@
-#include "firmware/host/journal/rule_event_words.hpp"
+#include "firmware/host/journal/words/rule_event_words.hpp"
 
 #include <array>
 #include <charconv>
@@ -7,7 +7,7 @@
 
 #include "firmware/config/safety.hpp"
 
-namespace earshot::host {
+namespace earshot::journal {
 namespace {
 
 constexpr int kMostDecimals = 6;
@@ -81,4 +81,4 @@ std::string to_string(const messages::SafetyEvent& event) {
   return words ? text + "; " + std::string(words->look_at) : text;
 }
 
-}  // namespace earshot::host
+}  // namespace earshot::journal

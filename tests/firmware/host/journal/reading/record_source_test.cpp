@@ -1,4 +1,4 @@
-#include "firmware/boards/linux/journal_view/record_source.hpp"
+#include "firmware/host/journal/reading/record_source.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 #include <iterator>
 #include <vector>
 
-#include "tests/firmware/boards/linux/journal_view/known_journal.hpp"
+#include "tests/firmware/host/journal/known_journal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 namespace {
 
 // Each record: header 28, channel "EARSHOT_POLICY" 14, data 3.
@@ -147,4 +147,4 @@ TEST_F(RecordSourceTest, ReadsOnWhereARecordWasHalfWrittenWhenItIsWhole) {
 }
 
 }  // namespace
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

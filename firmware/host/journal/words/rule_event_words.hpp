@@ -7,7 +7,7 @@
 #include "firmware/config/safety.hpp"
 #include "firmware/messages/safety_event.hpp"
 
-namespace earshot::host {
+namespace earshot::journal {
 
 /// How many decimals it takes to tell a measure from its limit, 1 to 6: a battery that is told twice a second ends at 29.998, below 30.
 [[nodiscard]] int decimals_apart(double measure, double limit);
@@ -28,4 +28,4 @@ struct MeasureWords {
 /// "rule 14, setpoints_unsent_s: no set-point could be sent for 10.2 s, above 10.0: abort; look at the port's bus and its address"
 [[nodiscard]] std::string to_string(const messages::SafetyEvent& event);
 
-}  // namespace earshot::host
+}  // namespace earshot::journal

@@ -7,7 +7,7 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/time.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 
 /// Whether a clock that says this is one of dates; a simulator's begins at 0.
 [[nodiscard]] bool is_dated(Time time);
@@ -32,4 +32,4 @@ namespace earshot::journal_view {
 /// Likewise with so many decimals, below 360 then, too; nothing of what is no number.
 [[nodiscard]] std::string compass(Radians heading, int places);
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

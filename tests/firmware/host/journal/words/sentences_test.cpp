@@ -1,10 +1,10 @@
-#include "firmware/boards/linux/journal_view/sentences.hpp"
+#include "firmware/host/journal/words/sentences.hpp"
 
 #include <gtest/gtest.h>
 
-#include "tests/firmware/boards/linux/journal_view/known_journal.hpp"
+#include "tests/firmware/host/journal/known_journal.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 namespace {
 
 TEST(JournalSentence, SaysAMissionInKilometresAndWhoFlewIt) {
@@ -122,5 +122,21 @@ TEST(JournalSentence, SaysWhereAJournalIsDamagedAndHowMuch) {
   EXPECT_EQ(to_string(TornEnd{.where = {.offset = 90, .bytes = 12}}), "the end is damaged: 12 bytes from byte 90 on are no record");
 }
 
+TEST(JournalSentence, SaysWhereAnotherProcessGoesOn) {
+  EXPECT_EQ(to_string(messages::JournalResumed{.time = Time{5}, .cut_bytes = 17}),
+            "another process goes on from here (earshotd --resume): the one before was killed or lost its power; 17 bytes that it left "
+            "behind were cut off");
+}
+
+TEST(JournalSentence, SaysTheTroublesOfACanControllerAndTheirEnd) {
+  using messages::ControllerState;
+  const auto said = [](ControllerState trouble, bool is_there) {
+    return to_string(messages::ControllerTrouble{.time = Time{5}, .port = 1, .trouble = trouble, .is_there = is_there});
+  };
+  EXPECT_EQ(said(ControllerState::kBusOff, true), "port 1: the CAN controller has left the bus after too many errors (bus-off)");
+  EXPECT_EQ(said(ControllerState::kBusOff, false), "port 1: the CAN controller is back on the bus");
+  EXPECT_EQ(said(ControllerState::kErrorPassive, false), "port 1: the CAN controller counts few errors");
+}
+
 }  // namespace
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

@@ -1,4 +1,4 @@
-#include "firmware/boards/linux/journal_view/wording.hpp"
+#include "firmware/host/journal/words/wording.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 namespace {
 
 // Dates: GNU date.
@@ -56,4 +56,4 @@ TEST(JournalWording, KeepsTheMicrosecondsOfADate) {
 }
 
 }  // namespace
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal

@@ -1,4 +1,4 @@
-#include "firmware/boards/linux/journal_view/content.hpp"
+#include "firmware/host/journal/reading/decode_record.hpp"
 
 #include "firmware/core/crc32.hpp"
 #include "firmware/wire/journal/closing_record.hpp"
@@ -6,7 +6,7 @@
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/codec.hpp"
 
-namespace earshot::journal_view {
+namespace earshot::journal {
 namespace {
 
 constexpr Unreadable kOfAnotherVersion{.is_known_channel = true};
@@ -26,7 +26,7 @@ Content closing_in(std::span<const std::uint8_t> data) {
 
 }  // namespace
 
-Content content_of(std::string_view channel, Time time, std::span<const std::uint8_t> data) {
+Content decode_record(std::string_view channel, Time time, std::span<const std::uint8_t> data) {
   messages::Input input;
   const Status as_input = wire::read_input(channel, time, data, 0, input);
   if (as_input == Status::kOk) return input;
@@ -45,4 +45,4 @@ Content content_of(std::string_view channel, Time time, std::span<const std::uin
   return Unreadable{};
 }
 
-}  // namespace earshot::journal_view
+}  // namespace earshot::journal
