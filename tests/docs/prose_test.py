@@ -11,7 +11,10 @@ import prose
 ROOT = Path(__file__).resolve().parents[2]
 SITE = "toolchains/docs/site"
 GLOSSARY = f"{SITE}/help/glossary.md"
-WORDS = prose.read_words(Path(__file__).resolve().parent / "forbidden_words.txt")
+HERE = Path(__file__).resolve().parent
+WORDS = prose.read_words(HERE / "forbidden_words.txt")
+EVERYWHERE = prose.read_words(HERE / "forbidden_everywhere.txt")
+NOTES = ("policy/experiments/", "toolchains/changelog.md", GLOSSARY)  # besides folders called results
 GENERATED = "policy/reproduce/results/reproduction.md"  # its cells are paragraphs
 LONG = " ".join(["word"] * 46)
 
@@ -55,6 +58,11 @@ class Documentation(unittest.TestCase):
         problems = [
             p for name, text in pages().items() if name != GLOSSARY for p in prose.forbidden_words(name, text, WORDS)
         ]
+        self.assertEqual(problems, [], "\n".join(problems))
+
+    def test_has_few_such_words_in_folders_either(self):
+        texts = {n: text for n, text in markdown("*.md").items() if not n.startswith(NOTES) and "/results/" not in n}
+        problems = [p for name, text in texts.items() for p in prose.forbidden_words(name, text, EVERYWHERE)]
         self.assertEqual(problems, [], "\n".join(problems))
 
     def test_has_no_row_that_no_screen_shows(self):
