@@ -22,7 +22,7 @@ class NavigationJudge {
   NavigationJudge(const config::VehicleLimits& vehicle, Duration timeout) : vehicle_(vehicle), timeout_(timeout) {}
   NavigationJudge() = default;
 
-  /// @param time      when the fix arrived; never goes back
+  /// @param arrival   when the fix arrived; never goes back
   /// @param is_to_move  whether the vehicle is told to move; one that is not may have been carried: once the newest fix is too old, any is
   /// believed
   /// @return whether it is believed; then it is newest(), dated no later than its arrival

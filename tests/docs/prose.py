@@ -10,6 +10,7 @@ import re
 from pathlib import Path
 
 LONGEST_SENTENCE = 45  # words
+LONGEST_ROW = 300  # characters: of a table, and of any other line that is no code
 
 _BLOCK = re.compile(r"^```.*?^```[ \t]*$", re.MULTILINE | re.DOTALL)
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
@@ -56,6 +57,11 @@ def long_sentences(name: str, text: str) -> list[str]:
             if words > LONGEST_SENTENCE:
                 problems.append(f"{name}:{number}: a sentence of {words} words: {sentence}")
     return problems
+
+
+def long_rows(name: str, text: str) -> list[str]:
+    lines = _BLOCK.sub(lambda match: "\n" * match.group().count("\n"), text).split("\n")
+    return [f"{name}:{n}: {len(line)} characters" for n, line in enumerate(lines, 1) if len(line) > LONGEST_ROW]
 
 
 def read_words(file: Path) -> list[tuple[re.Pattern[str], str]]:
