@@ -51,6 +51,12 @@ namespace earshot::messages {
   return "?";
 }
 
+/// Whether it is known how many steps a mission that ended so has taken: what brings a vehicle up after an outage knows only the safety
+/// record.
+[[nodiscard]] constexpr bool counts_steps(EndReason reason) {
+  return reason != EndReason::kOutage;
+}
+
 // What else there is to say of a search.
 inline constexpr std::string_view kSaysFound = "says that the source is found";
 inline constexpr std::string_view kIsSurprised = "is surprised: what it hears is unlikely in every ocean of its tables";

@@ -157,11 +157,13 @@ void Runtime::take(Time arrival, std::uint8_t port, const messages::Navigation& 
   }
   situation.navigation.hold(port, arrival);
   const messages::Navigation& fix = *situation.navigation.newest();
-  situation.depth.take(fix, mission_.safety.vehicle);
-  if (is_to_move && !situation.navigation.newest_is_correction()) {
-    situation.place.take(fix, *situation.commanded, mission_.safety.vehicle);
-  } else {
+  situation.depth.take(fix);
+  if (!is_to_move || situation.depth.is_left_alone(arrival)) {
     situation.place.begin(fix);
+  } else if (situation.navigation.newest_is_correction()) {
+    situation.place.correct(fix);
+  } else {
+    situation.place.take(fix, *situation.commanded, mission_.safety.vehicle);
   }
   if (progress_.state == MissionState::kSearch && situation.navigation.newest_is_correction()) {
     situation.track.correct(*situation.navigation.newest());

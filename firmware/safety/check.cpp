@@ -21,17 +21,15 @@ constexpr double kHalfPi = 1.5707963267948966;
 constexpr Meters kDeepestSurface{10.0};
 constexpr Duration kLongestPersistence = Duration::seconds(86'400);
 
-bool is_length(double value) {
-  return is_finite(value) && value >= 0.0;
-}
-
 bool is_usable(const config::VehicleLimits& vehicle, MetersPerSecond search_speed) {
+  const auto is_length = [](double value) { return is_finite(value) && value >= 0.0; };
   const std::array values{vehicle.max_speed.value,  vehicle.max_current.value,  vehicle.turn_radius.value,
                           vehicle.hold_speed.value, vehicle.ascent_speed.value, vehicle.battery_percent_per_km};
-  return std::ranges::all_of(values, [](double value) { return is_length(value); }) && vehicle.max_speed >= search_speed &&
-         vehicle.max_current < search_speed && vehicle.hold_speed <= search_speed && vehicle.ascent_speed <= vehicle.max_speed &&
-         vehicle.ascent_rate >= config::kSlowestAscent && vehicle.ascent_rate <= config::kFastestAscent &&
-         vehicle.surface_depth > Meters{0.0} && vehicle.surface_depth <= kDeepestSurface;
+  return std::all_of(values.begin(), values.end(), is_length) && vehicle.max_speed >= search_speed && vehicle.max_current < search_speed &&
+         vehicle.hold_speed <= search_speed && vehicle.ascent_speed <= vehicle.max_speed && vehicle.ascent_rate >= config::kSlowestAscent &&
+         vehicle.ascent_rate <= config::kFastestAscent &&
+         (vehicle.ascent_speed.value == 0.0 || vehicle.ascent_rate <= vehicle.ascent_speed) && vehicle.surface_depth > Meters{0.0} &&
+         vehicle.surface_depth <= kDeepestSurface;
 }
 
 const Polygon& polygon_of(const config::Fence& fence, std::size_t index) {

@@ -15,18 +15,24 @@ Meters between(Meters a, Meters b) {
 }
 
 /// From one depth towards another.
-Meters moved(Meters from, Meters to, double seconds, MetersPerSecond up) {
-  if (to > from) return std::min(to, from + Meters{DepthEstimate::kFastestSink.value * seconds});
-  return std::max(to, from - Meters{up.value * seconds});
+Meters moved(Meters from, Meters to, Meters down, Meters up) {
+  return to > from ? std::min(to, from + down) : std::max(to, from - up);
 }
 
 }  // namespace
 
 void DepthEstimate::tell(Time now, const messages::Setpoint& setpoint, const config::VehicleLimits& vehicle) {
+  const bool was_left_alone = is_left_alone(now);
+  if (was_left_alone) told_speed_ = MetersPerSecond{};  // nobody knows that it came up meanwhile
+  if (!comes_up_) {
+    deepest_ = std::max(deepest_, std::min(depth_, before_));
+    deepest_of_slow_ = std::max(deepest_of_slow_, deepest_);
+  }
   if (told_at_) pass(now - *told_at_, vehicle);
-  if (!told_at_ || !(told_ == setpoint.depth)) {
+  if (!told_at_ || was_left_alone || !(told_ == setpoint.depth)) {
     allowed_ = std::max(allowed_, between(depth_, setpoint.depth) + kOff);
     turning_ = kToTurn;
+    turn_up(vehicle);
   }
   told_at_ = now;
   told_ = setpoint.depth;
@@ -36,7 +42,7 @@ void DepthEstimate::tell(Time now, const messages::Setpoint& setpoint, const con
     is_up_ = false;
   } else if (!comes_up_) {
     comes_up_ = true;
-    deepest_ = deepest_ + std::min(kOff, deepest_ * kTurnsUpWithin);
+    deepest_ = while_it_turns_up(deepest_);
     deepest_of_slow_ = deepest_;
     shallowest_ = depth_;
     fell_at_ = now;
@@ -44,12 +50,21 @@ void DepthEstimate::tell(Time now, const messages::Setpoint& setpoint, const con
   if (comes_up_) look(now, vehicle);
 }
 
+/// From now on, and no less deep for as long as it takes: but where it is at the surface already.
+void DepthEstimate::turn_up(const config::VehicleLimits& vehicle) {
+  turning_up_ = deepest_ > vehicle.surface_depth ? kToTurn : Duration{};
+}
+
 /// It did for so long what it was told. One that is told to stop goes no deeper, and up only where it floats up.
 void DepthEstimate::pass(Duration time, const config::VehicleLimits& vehicle) {
   const double seconds = time.to_seconds();
   const bool comes_up = told_speed_ >= vehicle.ascent_speed;
-  deepest_ = moved(deepest_, told_, seconds, comes_up ? vehicle.ascent_rate : MetersPerSecond{});
-  deepest_of_slow_ = moved(deepest_of_slow_, told_, seconds, comes_up ? config::kSlowestAscent : MetersPerSecond{});
+  const Duration turns = comes_up ? std::min(turning_up_, time) : Duration{};
+  turning_up_ = turning_up_ - turns;
+  const double rises_s = comes_up ? (time - turns).to_seconds() : 0.0;
+  const Meters down{kFastestSink.value * seconds};
+  deepest_ = moved(deepest_, told_, down, Meters{vehicle.ascent_rate.value * rises_s});
+  deepest_of_slow_ = moved(deepest_of_slow_, told_, down, Meters{config::kSlowestAscent.value * rises_s});
   if (!(told_speed_ > MetersPerSecond{}) && !(comes_up && told_ < depth_)) return;
   if (turning_ > Duration{}) {
     turning_ = turning_ - time;
@@ -58,41 +73,56 @@ void DepthEstimate::pass(Duration time, const config::VehicleLimits& vehicle) {
   }
 }
 
-void DepthEstimate::take(const messages::Navigation& fix, const config::VehicleLimits& vehicle) {
+void DepthEstimate::take(const messages::Navigation& fix) {
   before_ = told_at_ ? depth_ : fix.depth;
-  depth_ = fix.depth;
-  if (!told_at_) {
-    deepest_ = deepest_of_slow_ = std::max(depth_, kSurface);
-  } else if (comes_up_) {
-    look(std::max(fix.time, *told_at_), vehicle);
-  } else {
-    deepest_ = std::max(deepest_, std::min(depth_, before_));
-    deepest_of_slow_ = std::max(deepest_of_slow_, deepest_);
+  if (fixed_at_) {
+    const Meters rises{kFastestSink.value * std::max((fix.time - *fixed_at_).to_seconds(), 0.0)};
+    if (fix.depth < depth_ - rises - kFall) flickered_at_ = fix.time;
   }
+  fixed_at_ = fix.time;
+  depth_ = fix.depth;
+  if (!told_at_) deepest_ = deepest_of_slow_ = std::max(depth_, kSurface);
 }
 
 void DepthEstimate::look(Time now, const config::VehicleLimits& vehicle) {
   const Meters seen = std::min(depth_, before_);
+  const bool sinks = seen > std::max(shallowest_, vehicle.surface_depth) + kSinksAgain;
+  if (sinks) deepest_ = std::max(deepest_, seen);
+  if (is_up_) return look_again(now, sinks, vehicle);
   if (depth_ <= shallowest_ - kFall) {
     shallowest_ = depth_;
     fell_at_ = now;
   }
-  if (seen > std::max(shallowest_, vehicle.surface_depth) + kSinksAgain && (is_up_ || seen > deepest_)) start_anew(now);
   const bool had_time = !(deepest_of_slow_ > kSurface) && now - fell_at_ >= kLongestHalt;
-  is_up_ = is_up_ || had_time || is_up(vehicle);
+  rests_ = !is_up(vehicle);
+  is_up_ = had_time || !rests_;
+  stopped_at_ = now;
 }
 
-/// From where its depth says that it is now.
-void DepthEstimate::start_anew(Time now) {
-  deepest_ = std::max(deepest_, std::min(depth_, before_));
-  deepest_of_slow_ = std::max(deepest_of_slow_, deepest_);
+/// One that sinks from the surface comes up again at once. What says all the time that it is below may be a depth that lies, or a vehicle
+/// under ice or in a line: that rests, and tries again. So does one whose depth falls faster than vehicles rise: it lies now and then.
+void DepthEstimate::look_again(Time now, bool sinks, const config::VehicleLimits& vehicle) {
+  const bool says_up = std::max(depth_, before_) <= vehicle.surface_depth;
+  if (rests_ && says_up && !(deepest_ > kSurface)) {
+    rests_ = false;
+    shallowest_ = depth_;
+  }
+  if (sinks && flickered_at_ && now - *flickered_at_ < kRest) rests_ = true;
+  const bool tries = rests_ && now - stopped_at_ >= kRest && std::min(depth_, before_) > vehicle.surface_depth;
+  if (!tries && (rests_ || !sinks)) return;
+  if (!rests_) deepest_of_slow_ = std::max(deepest_of_slow_, deepest_);
   shallowest_ = depth_;
   fell_at_ = now;
   is_up_ = false;
+  turn_up(vehicle);
 }
 
 bool DepthEstimate::is_up(const config::VehicleLimits& vehicle) const {
   return is_up_ || (!(deepest_ > kSurface) && depth_ <= vehicle.surface_depth);
+}
+
+Meters DepthEstimate::while_it_turns_up(Meters depth) {
+  return depth + std::min(kOff, depth * kTurnsUpWithin);
 }
 
 Meters DepthEstimate::unexplained() const {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "firmware/safety/depth_estimate.hpp"
+
 namespace earshot::safety {
 namespace {
 
@@ -22,8 +24,19 @@ void NavigationJudge::compare(Time arrival, const messages::Navigation& fix) {
   if (!messages::is_usable(fix) || !lies_within(fix.time, arrival, timeout_)) return;
   messages::Navigation dated = fix;
   dated.time = std::min(fix.time, arrival);
-  const bool is_late = dated.time < newest_->time;
-  dispute(arrival, is_late ? excess(dated, *newest_, kNoise) : excess(*newest_, dated, kNoise));
+  const Mark other = mark_of(dated);
+  const Mark newest = mark_of(*newest_);
+  dispute(arrival, other.time < newest.time ? excess(other, newest, kNoise) : excess(newest, other, kNoise));
+  compare_depth(arrival, dated);
+}
+
+void NavigationJudge::compare_depth(Time arrival, const messages::Navigation& dated) {
+  const double seconds = (dated.time - newest_->time).to_seconds();
+  const Meters way = dated.depth - newest_->depth;
+  const Meters by = std::max(way, -way) - Meters{DepthEstimate::kFastestSink.value * std::max(seconds, -seconds)} - DepthEstimate::kOff;
+  if (!(by > Meters{0.0})) return;
+  depth_disputed_ = arrival;
+  depth_dispute_ = by;
 }
 
 void NavigationJudge::dispute(Time arrival, Meters by) {
@@ -35,7 +48,8 @@ void NavigationJudge::dispute(Time arrival, Meters by) {
 }
 
 Meters NavigationJudge::dispute(Time now) const {
-  return now - disputed_ > dispute_memory_ ? Meters{0.0} : dispute_;
+  const Meters of_place = now - disputed_ > dispute_memory_ ? Meters{0.0} : dispute_;
+  return std::max(of_place, now - depth_disputed_ > kJumpMemory ? Meters{0.0} : depth_dispute_);
 }
 
 bool NavigationJudge::take(Time arrival, const messages::Navigation& fix, bool is_to_move) {
@@ -43,44 +57,45 @@ bool NavigationJudge::take(Time arrival, const messages::Navigation& fix, bool i
   messages::Navigation dated = fix;
   dated.time = std::min(fix.time, arrival);  // a sender whose clock is fast does not stay fresh for longer
   if (newest_ && dated.time < newest_->time) {
-    dispute(arrival, excess(dated, *newest_, kNoise));
+    compare(arrival, dated);
     return false;
   }
   const bool starts_over = !newest_ || (!is_to_move && arrival - newest_->time > timeout_);  // carried about, as on a ship's deck
-  const Meters jump = starts_over ? Meters{0.0} : excess(dated);
-  const bool corrects = jump > Meters{0.0} && is_correction(dated, jump);
+  if (!starts_over) compare_depth(arrival, dated);
+  const Mark mark = mark_of(dated);
+  const Meters jump = starts_over ? Meters{0.0} : excess(mark);
+  const bool corrects = jump > Meters{0.0} && is_correction(mark, jump);
   const bool is_believed = corrects || !(jump > Meters{0.0});
   count(!is_believed);
   if (!is_believed) {
-    jump_ = jump;
-    jump_seen_ = arrival;
-    remember_sender(dated);
+    refuse(arrival, mark, jump);
     return false;
   }
-  if (corrects) correct(dated, jump);
+  if (corrects) correct(dated.time, jump);
   newest_is_correction_ = starts_over || corrects;
   if (newest_is_correction_) {
-    anchor_ = dated;
-    next_anchor_ = dated;
+    anchor_ = {.old = mark, .next = mark};
+    young_anchor_ = anchor_;
   }
-  believe(dated, is_to_move);
+  believe(arrival, dated, is_to_move);
   return true;
 }
 
 /// By how much they lie further apart than the vehicle can have gone; zero if it can.
-Meters NavigationJudge::excess(const messages::Navigation& from, const messages::Navigation& to, Meters noise) const {
+Meters NavigationJudge::excess(const Mark& from, const Mark& to, Meters noise) const {
   const double seconds = (to.time - from.time).to_seconds();
   const Meters way = (vehicle_.max_speed + vehicle_.max_current).value * seconds * Meters{1.0} + noise;
   return std::max(range_between(from.position, to.position) - way, Meters{0.0});
 }
 
-/// The anchor may be as far off as a fix that was believed may be, and so may this one.
-Meters NavigationJudge::excess(const messages::Navigation& fix) const {
-  return std::max(excess(*newest_, fix, kNoise), excess(anchor_, fix, 2.0 * kNoise));
+/// An anchor may be as far off as a fix that was believed may be, and so may this one.
+Meters NavigationJudge::excess(const Mark& fix) const {
+  constexpr Meters kOfBoth = 2.0 * kNoise;
+  return std::max({excess(mark_of(*newest_), fix, kNoise), excess(anchor_.old, fix, kOfBoth), excess(young_anchor_.old, fix, kOfBoth)});
 }
 
 /// Remembers a fix that lies too far off.
-bool NavigationJudge::is_correction(const messages::Navigation& fix, Meters jump) {
+bool NavigationJudge::is_correction(const Mark& fix, Meters jump) {
   const bool goes_on = refused_ && fix.time >= refused_->time && !(excess(*refused_, fix, kNoise) > Meters{0.0});
   if (!goes_on) correction_began_ = fix.time;
   refused_ = fix;
@@ -94,17 +109,26 @@ Meters NavigationJudge::corrected_before(Time time) const {
   return sum;
 }
 
-void NavigationJudge::correct(const messages::Navigation& fix, Meters jump) {
+void NavigationJudge::correct(Time time, Meters jump) {
   FixedVector<Correction, config::kMaxCorrections> recent;
   const auto add = [&recent](const Correction& correction) { static_cast<void>(recent.push_back(correction)); };  // there is room
   for (const Correction& correction : corrections_) {
-    if (is_recent(correction, fix.time)) add(correction);
+    if (is_recent(correction, time)) add(correction);
   }
-  add({.time = fix.time, .by = jump + kNoise});
+  add({.time = time, .by = jump + kNoise});
   corrections_ = recent;
 }
 
-void NavigationJudge::remember_sender(const messages::Navigation& fix) {
+/// One that is noise makes nobody forget one that is not.
+void NavigationJudge::refuse(Time arrival, const Mark& fix, Meters by) {
+  const bool is_far = by > kMostNoise;
+  if (!is_far && jump(arrival) > kMostNoise) return;
+  jump_ = by;
+  jump_seen_ = arrival;
+  if (is_far) remember_sender(fix);
+}
+
+void NavigationJudge::remember_sender(const Mark& fix) {
   const bool goes_on =
       other_sender_ && lies_within(other_sender_->time, fix.time, kSlowestSender) && !(excess(*other_sender_, fix, kNoise) > Meters{0.0});
   other_senders_fixes_ = goes_on ? std::min(other_senders_fixes_ + 1, kOfOneSender) : 1;
@@ -118,7 +142,7 @@ void NavigationJudge::count(bool is_refused) {
   refused_share_ += kOfOne * ((is_refused ? 1.0 : 0.0) - refused_share_);
 }
 
-void NavigationJudge::believe(const messages::Navigation& fix, bool is_to_move) {
+void NavigationJudge::believe(Time arrival, const messages::Navigation& fix, bool is_to_move) {
   const bool stays = newest_ && newest_->position == fix.position && is_to_move;
   if (!stays) moved_ = fix.time;
   if (!newest_ || !is_to_move || range_between(left_at_, fix.position) > kJitter) {
@@ -127,15 +151,19 @@ void NavigationJudge::believe(const messages::Navigation& fix, bool is_to_move) 
   }
   newest_ = fix;
   refused_.reset();
-  if (fix.time - next_anchor_.time < kAnchorAge) return;
-  anchor_ = next_anchor_;
-  next_anchor_ = fix;
+  if (jump(arrival) > Meters{0.0} || dispute(arrival) > Meters{0.0}) return;  // an anchor is of a time when nobody contradicted
+  move_on(anchor_, mark_of(fix), kAnchorAge);
+  move_on(young_anchor_, mark_of(fix), kYoungAnchorAge);
+}
+
+void NavigationJudge::move_on(Anchor& anchor, const Mark& fix, Duration age) {
+  if (fix.time - anchor.next.time < age) return;
+  anchor = {.old = anchor.next, .next = fix};
 }
 
 Meters NavigationJudge::jump(Time now) const {
   if (now - jump_seen_ > jump_memory_) return Meters{0.0};
-  const bool is_a_sender = other_senders_fixes_ == kOfOneSender && jump_ > kMostNoise;
-  return is_a_sender || jump_ > kMostCorrection || refused_share_ > kNoisyShare ? jump_ : Meters{0.0};
+  return jump_ > kMostNoise || refused_share_ > kNoisyShare ? jump_ : Meters{0.0};
 }
 
 Duration NavigationJudge::frozen() const {

@@ -6,6 +6,7 @@
 #include "firmware/config/capacities.hpp"
 #include "firmware/config/safety.hpp"
 #include "firmware/core/fixed_vector.hpp"
+#include "firmware/core/geometry.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
 #include "firmware/messages/navigation.hpp"
@@ -21,7 +22,7 @@ class NavigationJudge {
   NavigationJudge(const config::VehicleLimits& vehicle, Duration timeout) : vehicle_(vehicle), timeout_(timeout) {}
   NavigationJudge() = default;
 
-  /// @param time      when the fix arrived; never goes back
+  /// @param arrival   when the fix arrived; never goes back
   /// @param is_to_move  whether the vehicle is told to move; one that is not may have been carried: once the newest fix is too old, any is
   /// believed
   /// @return whether it is believed; then it is newest(), dated no later than its arrival
@@ -32,10 +33,10 @@ class NavigationJudge {
   /// Whether newest() goes on from no fix before: it puts a dead reckoning right, or the vehicle was carried.
   [[nodiscard]] bool newest_is_correction() const { return newest_is_correction_; }
 
-  /// How far the newest refused fix lay from where the vehicle can have been; none once no fix was refused for kJumpMemory, and none as
-  /// long as no more than kNoisyShare of the fixes are, and by no more than kMostCorrection: that is noise. Once three have gone on from
-  /// each other they are a sender's, however few they are, if they lie more than kMostNoise off, and one that is slower than kJumpMemory is
-  /// remembered for twice the time between its fixes.
+  /// How far the newest refused fix lay from where the vehicle can have been, or one before it that lay more than kMostNoise off; none once
+  /// no such fix was refused for kJumpMemory, and none as long as no more than kNoisyShare of the fixes are, and by no more than
+  /// kMostNoise: that is noise. Once three that lay further off have gone on from each other they are a sender's, and one that is slower
+  /// than kJumpMemory is remembered for twice the time between its fixes.
   [[nodiscard]] Meters jump(Time now) const;
   /// For how long fixes have said one place although the vehicle was to move, or places within kJitter for more than kSlowMove.
   [[nodiscard]] Duration frozen() const;
@@ -49,15 +50,18 @@ class NavigationJudge {
 
   /// By how much the newest fix that came late, or by another port, lay further off than a vehicle can have gone from the newest of those
   /// believed, or by then to it: there are two senders, and who is right nobody knows. None once no such fix came for kJumpMemory, or twice
-  /// the time between the last two, were they no more than kSlowestSender apart.
+  /// the time between the last two, were they no more than kSlowestSender apart. And by how much the depth of any fix was further from the
+  /// newest's than a vehicle can have sunk or risen since, for kJumpMemory.
   [[nodiscard]] Meters dispute(Time now) const;
 
   /// No date of a fix lies further ahead of its arrival: clocks that are kept by NTP or GNSS differ by less.
   static constexpr Duration kMostAhead = Duration::milliseconds(500);
   /// Of two fixes of one place, made by different ways.
   static constexpr Meters kNoise{25.0};
-  /// Fixes are held against one that is at least so old, too, and at the most twice.
+  /// Fixes are held against one that is at least so old, too, and at the most twice, not counting the time in which somebody contradicts:
+  /// against the younger because many fixes of one moment could each lie kNoise further off.
   static constexpr Duration kAnchorAge = Duration::seconds(60);
+  static constexpr Duration kYoungAnchorAge = Duration::seconds(3);
   /// No dead reckoning that is put right at the surface jumps further, in one or several jumps within kCorrectionPeriod. Of those before,
   /// kNoise counts as well: a place that goes away by many small jumps goes no further.
   static constexpr Meters kMostCorrection{500.0};
@@ -75,33 +79,47 @@ class NavigationJudge {
   static constexpr Duration kSlowMove = Duration::seconds(3);
 
  private:
-  [[nodiscard]] Meters excess(const messages::Navigation& from, const messages::Navigation& to, Meters noise) const;
-  [[nodiscard]] Meters excess(const messages::Navigation& fix) const;
+  /// Of a fix, what tells whether another goes on from it.
+  struct Mark {
+    Time time;
+    NorthEast position;
+  };
+  /// A fix that was believed some time before, or the first.
+  struct Anchor {
+    Mark old;
+    Mark next;
+  };
+  [[nodiscard]] static Mark mark_of(const messages::Navigation& fix) { return {.time = fix.time, .position = fix.position}; }
+  static void move_on(Anchor& anchor, const Mark& fix, Duration age);
+  [[nodiscard]] Meters excess(const Mark& from, const Mark& to, Meters noise) const;
+  [[nodiscard]] Meters excess(const Mark& fix) const;
   void dispute(Time arrival, Meters by);
+  void compare_depth(Time arrival, const messages::Navigation& dated);
   struct Correction {
     Time time;
     Meters by;
   };
 
-  [[nodiscard]] bool is_correction(const messages::Navigation& fix, Meters jump);
+  [[nodiscard]] bool is_correction(const Mark& fix, Meters jump);
   [[nodiscard]] static bool is_recent(const Correction& correction, Time time) { return time - correction.time <= kCorrectionPeriod; }
   [[nodiscard]] Meters corrected_before(Time time) const;
-  void correct(const messages::Navigation& fix, Meters jump);
+  void correct(Time time, Meters jump);
   void count(bool is_refused);
-  void remember_sender(const messages::Navigation& fix);
-  void believe(const messages::Navigation& fix, bool is_to_move);
+  void refuse(Time arrival, const Mark& fix, Meters by);
+  void remember_sender(const Mark& fix);
+  void believe(Time arrival, const messages::Navigation& fix, bool is_to_move);
 
   config::VehicleLimits vehicle_;
   Duration timeout_;
   std::optional<messages::Navigation> newest_;
   bool newest_is_correction_ = false;
-  messages::Navigation anchor_;  ///< one that was believed kAnchorAge before, or the first
-  messages::Navigation next_anchor_;
-  std::optional<messages::Navigation> refused_;  ///< the newest of those that go on from correction_began_
+  Anchor anchor_;
+  Anchor young_anchor_;
+  std::optional<Mark> refused_;  ///< the newest of those that go on from correction_began_
   Time correction_began_;
   FixedVector<Correction, config::kMaxCorrections> corrections_;  ///< that were believed, those that were recent when the last was
-  /// Fixes that were refused and go on from each other, whatever is believed between them.
-  std::optional<messages::Navigation> other_sender_;  ///< its newest
+  /// Fixes that were refused, lay more than kMostNoise off and go on from each other, whatever is believed between them.
+  std::optional<Mark> other_sender_;  ///< its newest
   std::uint32_t other_senders_fixes_ = 0;
   Duration jump_memory_ = kJumpMemory;
   double refused_share_ = 0.0;  ///< of the fixes, the older the less
@@ -113,6 +131,8 @@ class NavigationJudge {
   Time disputed_;      ///< arrival
   Meters dispute_;
   Duration dispute_memory_ = kJumpMemory;
+  Time depth_disputed_;  ///< arrival
+  Meters depth_dispute_;
   Time held_;  ///< arrival of the newest that is believed
   std::uint8_t port_ = 0;
 };

@@ -75,9 +75,22 @@ void PlaceEstimate::take(const messages::Navigation& fix, const messages::Setpoi
   const Meters anywhere = is_anywhere ? Meters{vehicle.max_speed.value * seconds} : Meters{0.0};
   by_log_.take(fix, way, kShare * length_of(way) + anywhere);
 
+  const bool may_have_stopped = apart > kUnheard;
+  if (may_have_stopped) {
+    ordered_.reset();
+    ordered_speed_ = {};
+  }
   const NorthEast ordered = scaled(each_second(told.heading, told.speed), seconds);
-  by_order_.take(fix, ordered, kShare * length_of(ordered) + missed_way(told, seconds, vehicle));
+  const Meters uncertain = (may_have_stopped ? 1.0 : kShare) * length_of(ordered);
+  by_order_.take(fix, ordered, uncertain + missed_way(told, seconds, vehicle));
   each_second_ = now;
+  time_ = fix.time;
+}
+
+void PlaceEstimate::correct(const messages::Navigation& fix) {
+  by_log_.correct(fix);
+  by_order_.correct(fix);
+  each_second_ = each_second(fix.heading, fix.speed);
   time_ = fix.time;
 }
 

@@ -21,6 +21,8 @@ class DriftWatch {
   void begin(const messages::Navigation& fix);
   /// @param explained, uncertain  of the way since the last fix
   void take(const messages::Navigation& fix, NorthEast explained, Meters uncertain);
+  /// One that puts a dead reckoning right: what it jumps by is no way, and what came before counts on.
+  void correct(const messages::Navigation& fix) { take(fix, fix.position - position_, {}); }
   [[nodiscard]] Meters unexplained(MetersPerSecond current) const;
 
   static constexpr Meters kNoise{50.0};  ///< of two fixes
@@ -50,10 +52,13 @@ class DriftWatch {
 /// the current and that share cannot be told from the current.
 class PlaceEstimate {
  public:
-  /// Of a fix that goes on from none, or of a vehicle that is not told to move and may be carried.
+  /// Of a fix that goes on from none, or of a vehicle that is not told to move, or was told nothing, and may be carried.
   void begin(const messages::Navigation& fix);
   /// One that is believed, in the order of their dates, of a vehicle that is told to move.
   void take(const messages::Navigation& fix, const messages::Setpoint& told, const config::VehicleLimits& vehicle);
+
+  /// Likewise, one that puts a dead reckoning right.
+  void correct(const messages::Navigation& fix);
 
   [[nodiscard]] Meters unexplained(const config::VehicleLimits& vehicle) const;
 
@@ -61,6 +66,8 @@ class PlaceEstimate {
   static constexpr double kShare = 0.2;
   /// Where the speed is not known, or fixes are further apart than this, the vehicle may have gone anywhere.
   static constexpr Duration kFarApart = Duration::seconds(3);
+  /// While nobody hears of it for longer, its own computers may have been away: it may have stopped, and needs to come to its speed again.
+  static constexpr Duration kUnheard = Duration::seconds(5);
   /// Until it has the speed that it is told.
   static constexpr Duration kGathersWay = Duration::seconds(10);
   /// Where nobody says how strong it may be: tides in straits.

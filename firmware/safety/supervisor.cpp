@@ -13,8 +13,6 @@ using config::ConditionTraits;
 using config::Response;
 using config::Rule;
 
-/// Refused fixes may be a second sender's: which of the two is true, nobody on board can say.
-constexpr Duration kJumpPersistence = Duration::seconds(10);
 /// Without a set-point it may be for as long as without a fix, but a device may wait for its address.
 constexpr Duration kShortestMute = Duration::seconds(10);
 /// A leg may take as many times what it takes at search speed before it is no progress.
@@ -29,6 +27,12 @@ bool is_beyond(const Rule& rule, double measure) {
       return measure < rule.limit;
   }
   return true;
+}
+
+/// Somebody else says something else, or what is said cannot be: who lies, nobody on board can say.
+bool is_doubt(Condition condition) {
+  return condition == Condition::kNavigationJump || condition == Condition::kNavigationDisputed ||
+         condition == Condition::kPlaceUnexplained || condition == Condition::kDepthUnexplained;
 }
 
 /// @param way_m  any number: nobody is deeper than an ocean
@@ -49,13 +53,13 @@ Rules standing(const config::Mission& mission) {
   add(aborting(Condition::kOutsideHalt, 0.0));
   add(aborting(Condition::kSearchTime, mission.max_time.to_seconds()));
   add(aborting(Condition::kDepth, mission.max_depth.value, kForesight));
-  add(aborting(Condition::kNavigationJump, 0.0, kJumpPersistence));
+  add(aborting(Condition::kNavigationJump, 0.0, kDoubtPersistence));
   add(aborting(Condition::kNavigationFrozen, mission.navigation_timeout.to_seconds()));
   add(aborting(Condition::kNoProgress, kSlowestShare * mission.step_length.value / mission.search_speed.value));
   add(aborting(Condition::kPolicyUnhealthy, 0.0));
-  add(aborting(Condition::kNavigationDisputed, 0.0, kJumpPersistence));
-  add(aborting(Condition::kPlaceUnexplained, 0.0, kJumpPersistence));
-  add(aborting(Condition::kDepthUnexplained, 0.0, kJumpPersistence));
+  add(aborting(Condition::kNavigationDisputed, 0.0, kDoubtPersistence));
+  add(aborting(Condition::kPlaceUnexplained, 0.0, kDoubtPersistence));
+  add(aborting(Condition::kDepthUnexplained, 0.0, kDoubtPersistence));
   add(aborting(Condition::kSetpointsUnsent, std::max(mission.navigation_timeout, kShortestMute).to_seconds()));
   if (mission.safety.fence) add({.condition = Condition::kOutsideFence, .limit = 0.0, .persistence = {}, .response = Response::kSteerBack});
   return rules;
@@ -106,8 +110,16 @@ void Supervisor::take_next_depth(std::size_t rule, double measured, Time now) {
 
 SafetyEvents Supervisor::watch(const config::Mission& mission, const Situation& situation) {
   SafetyEvents events;
+  doubt(situation.now);
   for (std::size_t i = 0; i < rules_.size(); ++i) watch(i, mission, situation, events);
   return events;
+}
+
+void Supervisor::doubt(Time now) {
+  const Duration passed = now - watched_;
+  watched_ = now;
+  doubt_ = is_doubted_ ? doubt_ + passed : std::max(doubt_ - Duration{passed.us / kForgets}, Duration{});
+  is_doubted_ = false;
 }
 
 SafetyEvents Supervisor::watch_for_release(const config::Mission& mission, const Situation& situation) {
@@ -129,7 +141,9 @@ void Supervisor::watch(std::size_t i, const config::Mission& mission, const Situ
     if (!holds) watch.since.reset();
     if (holds && !watch.since) watch.since = situation.now;
   }
-  const bool is_lasting = watch.since && situation.now - *watch.since >= rule.persistence;
+  const bool is_together = i < standing_ && is_doubt(rule.condition);
+  if (is_together && watch.since) is_doubted_ = true;
+  const bool is_lasting = watch.since && (is_together ? doubt_ : situation.now - *watch.since) >= rule.persistence;
   const bool acts = is_lasting || (watch.acts && rule.is_latched);
   if (acts != watch.acts) {
     static_cast<void>(events.push_back({.time = situation.now,

@@ -27,6 +27,11 @@ using SafetyEvents = FixedVector<messages::SafetyEvent, config::kMaxRules>;
 inline constexpr Meters kOvershoot{25.0};
 inline constexpr Duration kTimeToTurnUp = Duration::seconds(60);
 
+/// So long may what the senses say be doubted, by one of the rules of every mission about it or by several in turn. What was doubted is
+/// forgotten, but in no less than kForgets times the time: who pauses before a rule acts, or lies in another way, gains nothing.
+inline constexpr Duration kDoubtPersistence = Duration::seconds(10);
+inline constexpr int kForgets = 2;
+
 /// Watches a search by its mission's rules. It knows nothing of the policy: what it says depends on the situation alone.
 class Supervisor {
  public:
@@ -61,12 +66,16 @@ class Supervisor {
   };
 
   [[nodiscard]] std::optional<std::size_t> strongest() const;
+  void doubt(Time now);
   void watch(std::size_t rule, const config::Mission& mission, const Situation& situation, SafetyEvents& events);
   void take_next_depth(std::size_t rule, double measured, Time now);
 
   Rules rules_;
   std::size_t standing_ = 0;  ///< so many of them are of every mission
   FixedVector<Watch, config::kMaxRules> watches_;
+  Time watched_;             ///< the last turn
+  bool is_doubted_ = false;  ///< in that turn
+  Duration doubt_;           ///< for so long what the senses say was doubted, less a share, by kForgets, of the time in which it was not
   std::optional<double> next_depth_;   ///< is the limit of the depth of every mission once the vehicle is within it
   std::optional<Time> next_depth_by_;  ///< or at this time
 };

@@ -13,6 +13,7 @@
 #include "hil/bench/at_sea/sea_flight.hpp"
 #include "hil/bench/can/can_vehicle_bus.hpp"
 #include "hil/bench/disturbance_at.hpp"
+#include "hil/bench/lcm/keyed_mission.hpp"
 #include "hil/bench/lcm/lcm_vehicle_bus.hpp"
 #include "hil/bench/torn_journal.hpp"
 #include "hil/bench/vehicle_bus.hpp"
@@ -44,8 +45,9 @@ bool is_killed_once(const Case& c) {
 void remove_earlier_flight(const std::filesystem::path& folder) {
   const std::filesystem::path journal = folder / kJournal;
   for (const host::JournalName& name : host::journals_beside(journal)) std::filesystem::remove(host::named(journal, name));
-  for (const char* const file : {"journal.policy", "journal.tables", "vehicle.txt", "track.csv", "disk_is_sick", kWords})
+  for (const char* const file : {"journal.policy", "journal.tables", "journal.safety", "vehicle.txt", "track.csv", "disk_is_sick", kWords})
     std::filesystem::remove(folder / file);
+  std::filesystem::remove_all(folder / kMemory);
 }
 
 /// One flight in the making.
@@ -84,9 +86,10 @@ class Flyer {
   /// One that will be killed has --resume from the start, as a vehicle's computer has it started every time: no turn is answered before it
   /// is in the journal, so that a SIGKILL costs none that the vehicle has sailed by.
   void start() {
-    std::vector<std::string> a{case_.mission, "--simulation",       std::to_string(slot_.domain()),
-                               "--run",       std::to_string(run_), "--snr-from-bus",
-                               "--out",       flight_.folder,       "--quiet"};
+    const std::filesystem::path mission = case_.has(Fault::kRecordedOrder) ? keyed_mission(case_.mission, flight_.folder) : case_.mission;
+    std::vector<std::string> a{mission, "--simulation",       std::to_string(slot_.domain()),
+                               "--run", std::to_string(run_), "--snr-from-bus",
+                               "--out", flight_.folder,       "--quiet"};
     const std::vector<std::string> of_bus = bus_->options_of_earshotd();
     a.insert(a.end(), of_bus.begin(), of_bus.end());
     a.emplace_back(is_killed_once(case_) ? "--resume" : "--replace");

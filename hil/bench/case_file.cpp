@@ -71,9 +71,10 @@ bool is_flown(FaultFlight fault, bool is_at_sea) {
 }
 
 void read_whom(TableReader& table, TimedFault& fault) {
-  const std::vector<std::string> programs{std::string(kEarshotsProgram), std::string(kVehiclesProgram)};
-  fault.device = programs.front();
-  if (table.has("of")) fault.device = programs.at(table.choice("of", programs));
+  const std::vector<std::string> subjects = subjects_of(fault.fault);
+  if (subjects.empty()) return;
+  fault.device = subjects.front();
+  if (table.has("of")) fault.device = subjects.at(table.choice("of", subjects));
 }
 
 /// What tc takes for netem, which judges it.
@@ -105,7 +106,7 @@ TimedFault read_fault(TableReader table, const Case& c) {
   if (table.has("for_s")) fault.until = fault.from + Duration{seconds_from_start(table.number("for_s", Range::between(0.1, kLongest))).us};
   if (!traits.amount.empty()) fault.amount = table.number(traits.amount, Range::between(traits.lowest, traits.highest));
   if (has_direction(fault.fault)) fault.direction_deg = table.number_or("towards_deg", 0.0, Range::between(-360.0, 360.0));
-  if (is_at_sea && is_signal(fault.fault)) read_whom(table, fault);
+  if (is_at_sea) read_whom(table, fault);
   if (fault.fault == Fault::kNetem) fault.how = read_netem(table);
   if (index >= kFrameFaults) return fault;
   fault.share = table.number_or("share", 1.0, Range::between(0.0, 1.0));
@@ -157,8 +158,8 @@ std::string key_of(config::Condition rule) {
 }
 
 std::vector<std::string> end_words() {
-  return {"under_way",           "found",        "steps_used_up", "operator_abort", "navigation_stale", "snr_stale",
-          "left_operating_area", "time_used_up", "safety_rule",   "memory_fault"};
+  return {"under_way",           "found",        "steps_used_up", "operator_abort", "navigation_stale",   "snr_stale",
+          "left_operating_area", "time_used_up", "safety_rule",   "memory_fault",   "vehicle_says_found", "outage"};
 }
 
 Case load_case(const std::filesystem::path& path, const std::filesystem::path& usual_mission) {

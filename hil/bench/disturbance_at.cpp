@@ -24,6 +24,9 @@ Disturbance disturbance_at(const std::vector<TimedFault>& faults, Time now, Dura
       case Fault::kObstinate:
         d.is_obstinate = true;
         break;
+      case Fault::kSteerageWay:
+        d.steerage_way = MetersPerSecond{fault.amount};
+        break;
       case Fault::kCurrent:
         d.current_mps = d.current_mps + fault.vector();
         break;

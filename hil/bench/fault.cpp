@@ -11,7 +11,7 @@ bool has_direction(Fault fault) {
 }
 
 bool leads_away(Fault fault) {
-  return fault == Fault::kPositionDrift || fault == Fault::kWalkingNavigation;
+  return fault == Fault::kPositionDrift || fault == Fault::kWalkingNavigation || fault == Fault::kPausingNavigation;
 }
 
 NorthEast TimedFault::vector() const {
@@ -19,8 +19,19 @@ NorthEast TimedFault::vector() const {
   return {Meters{amount * std::cos(angle)}, Meters{amount * std::sin(angle)}};
 }
 
-bool is_signal(Fault fault) {
-  return fault == Fault::kKill || fault == Fault::kPause || fault == Fault::kStop;
+std::vector<std::string> subjects_of(Fault fault) {
+  switch (fault) {
+    case Fault::kKill:
+    case Fault::kPause:
+    case Fault::kStop:
+      return {std::string(kEarshotsProgram), std::string(kVehiclesProgram)};
+    case Fault::kFileGone:
+      return {std::string(kPolicyFile), std::string(kTablesFile), std::string(kMissionFile)};
+    case Fault::kOrder:
+      return {std::string(kAbortOrder), std::string(kPauseOrder)};
+    default:
+      return {};
+  }
 }
 
 bool is_of_controller(Fault fault) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/time.hpp"
@@ -31,10 +32,13 @@ enum class Fault : std::uint8_t {
   kNavigationFlood,    ///< fixes of which every number is drawn
   kSecondNavigation,   ///< another inertial navigation, which believes that it is elsewhere
   kWalkingNavigation,  ///< one that believes itself to be carried away from where the vehicle is
+  kPausingNavigation,  ///< likewise, and silent for four of ten seconds
   kSecondAutopilot,    ///< another autopilot, which follows no set-point
   kAddressThief,       ///< a device with more rights that claims Earshot's address
   kStrangersOrder,     ///< a COMPLETE that is long out of date, given again and again
   kUnknownOrder,       ///< one that there is none of, again and again
+  kCutAbort,           ///< an ABORT that ends behind what is ordered, once a second
+  kRecordedOrder,      ///< a PAUSE with the vehicle's key and for no start of it, as a recording has it, once a second
   kInterfaceDown,      ///< the computer's CAN interface
   // Of the controller and the wire (SeaEquipment).
   kErrorPassive,  ///< the computer's CAN controller counts many errors
@@ -46,6 +50,7 @@ enum class Fault : std::uint8_t {
   kNoThrust,
   kDisengaged,
   kObstinate,
+  kSteerageWay,  ///< it needs so much speed to change its depth
   kCurrent,
   kBattery,
   kLeak,
@@ -75,9 +80,14 @@ enum class Fault : std::uint8_t {
   kFullDisk,  ///< the journal may not grow beyond so many bytes
   kSlowDisk,  ///< every call of the journal's takes a second
   kReadOnlyDisk,
-  kNoRoom,  ///< the interface takes no more than so many frames a second, and the kernel refuses the others
+  kNoRoom,      ///< the interface takes no more than so many frames a second, and the kernel refuses the others
+  kWallClock,   ///< is so much ahead from then on
+  kFlippedBit,  ///< in the middle of the journal
+  kFileGone,    ///< one that earshotd reads when it is started
+  kBusTaken,    ///< by another program, that flies on it
+  kOrder,       ///< somebody gives it, in time
 };
-inline constexpr std::size_t kFaults = 56;
+inline constexpr std::size_t kFaults = 65;
 inline constexpr std::size_t kFrameFaults = 11;  ///< the first of them
 
 /// On which buses there is such a fault.
@@ -113,10 +123,13 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
     {"navigation_flood", "messages_per_s", 1.0, 3.0, FaultBus::kLcm},
     {"second_navigation", "metres_off", 0.0, 1e6},
     {"walking_navigation", "mps", 0.0, 100.0, FaultBus::kLcm},
+    {"pausing_navigation", "mps", 0.0, 100.0, FaultBus::kLcm},
     {"second_autopilot", "", 0.0, 0.0, FaultBus::kCan},
     {"address_thief", "", 0.0, 0.0, FaultBus::kCan},
     {"strangers_order", ""},
     {"unknown_order", "", 0.0, 0.0, FaultBus::kLcm},
+    {"cut_abort", "", 0.0, 0.0, FaultBus::kLcm},
+    {"recorded_order", "", 0.0, 0.0, FaultBus::kLcm},
     {"interface_down", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kEither},
     {"error_passive", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kAtSea},
     {"bus_off", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kAtSea},
@@ -126,6 +139,7 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
     {"no_thrust", ""},
     {"disengaged", ""},
     {"obstinate", ""},
+    {"steerage_way", "mps", 0.1, 3.0},
     {"current", "mps", 0.0, 10.0},
     {"battery", "percent", 0.0, 100.0},
     {"leak", ""},
@@ -139,7 +153,7 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
     {"position_drift", "mps", 0.0, 100.0},
     {"position_shiver", "metres", 0.0, 100.0},
     {"depth_drift", "mps", -10.0, 10.0},
-    {"depth_stuck", "metres", -100.0, 11'000.0},
+    {"depth_stuck", "metres", -1e6, 1e6},
     {"deaf", ""},
     {"gain_error", "decibels", -120.0, 120.0},
     {"sound_dropout", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kAtSea},
@@ -154,6 +168,11 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
     {"slow_disk", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kAtSea},
     {"read_only_disk", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kAtSea},
     {"no_room", "frames_per_s", 1.0, 20'000.0, FaultBus::kCan, FaultFlight::kAtSea},
+    {"wall_clock", "seconds", -1e6, 1e6, FaultBus::kEither, FaultFlight::kAtSea},
+    {"flipped_bit", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kAtSea},
+    {"file_gone", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kAtSea},
+    {"bus_taken", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kAtSea},
+    {"order", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kAtSea},
 }};
 
 [[nodiscard]] constexpr bool is_of_frames(Fault fault) {
@@ -161,7 +180,8 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
 }
 /// Whether it happens once, whatever its end is.
 [[nodiscard]] constexpr bool is_of_a_moment(Fault fault) {
-  return fault == Fault::kKill || fault == Fault::kPowerCut || fault == Fault::kStop;
+  return fault == Fault::kKill || fault == Fault::kPowerCut || fault == Fault::kStop || fault == Fault::kFlippedBit ||
+         fault == Fault::kOrder;
 }
 
 /// Who sends Earshot's own frames, or messages, among the names of the devices.
@@ -170,6 +190,13 @@ inline constexpr std::string_view kEarshotsFrames = "earshot";
 /// The programs of a flight at sea, by which a case says whom a signal befalls.
 inline constexpr std::string_view kEarshotsProgram = "earshotd";
 inline constexpr std::string_view kVehiclesProgram = "vehicle";
+/// What may be gone of a flight at sea when earshotd is started.
+inline constexpr std::string_view kPolicyFile = "policy";
+inline constexpr std::string_view kTablesFile = "tables";
+inline constexpr std::string_view kMissionFile = "mission";
+/// What somebody may order of a flight at sea.
+inline constexpr std::string_view kAbortOrder = "abort";
+inline constexpr std::string_view kPauseOrder = "pause";
 
 /// A fault, when, and how much.
 struct TimedFault {
@@ -179,8 +206,8 @@ struct TimedFault {
   double amount = 0.0;                       ///< FaultTraits::amount
   double direction_deg = 0.0;                ///< clockwise from north, of those that has_direction() names
   double share = 1.0;                        ///< of the frames
-  std::string device = {};  ///< whose frames (kDeviceNames or kEarshotsFrames; kLcmSenders), empty: everybody's; at sea, of a signal:
-                            ///< which program (kEarshotsProgram or kVehiclesProgram)
+  std::string device = {};  ///< whose frames (kDeviceNames or kEarshotsFrames; kLcmSenders), empty: everybody's; at sea, which of
+                            ///< subjects_of()
   std::optional<std::uint32_t> pgn = std::nullopt;  ///< of which group
   std::string how = {};                             ///< of kNetem: "delay 50ms 20ms loss 5%"
 
@@ -192,8 +219,8 @@ struct TimedFault {
   friend bool operator==(const TimedFault&, const TimedFault&) = default;
 };
 
-/// Whether at sea it befalls one of the two programs.
-[[nodiscard]] bool is_signal(Fault fault);
+/// Which of several it befalls at sea, the usual one first: a program, a file, an order. Empty: there is but one.
+[[nodiscard]] std::vector<std::string> subjects_of(Fault fault);
 /// Whether it befalls the computer's CAN controller.
 [[nodiscard]] bool is_of_controller(Fault fault);
 /// Whether it befalls the hydrophone whose samples come over LCM.

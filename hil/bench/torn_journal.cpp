@@ -1,6 +1,7 @@
 #include "hil/bench/torn_journal.hpp"
 
 #include <algorithm>
+#include <fstream>
 #include <vector>
 
 #include "firmware/host/journal/journal_name.hpp"
@@ -39,6 +40,17 @@ std::uint64_t tear_journal(const std::filesystem::path& journal, std::uint64_t b
   const std::uint64_t kept = content.end > bytes ? content.end - bytes : 0;
   if (bytes > 0) std::filesystem::resize_file(journal, kept);
   return static_cast<std::uint64_t>(std::ranges::upper_bound(content.turns, kept) - content.turns.begin());
+}
+
+void flip_bit(const std::filesystem::path& journal) {
+  const auto middle = static_cast<std::streamoff>(content_of(journal).end / 2);
+  std::fstream file;
+  file.exceptions(std::ios::failbit | std::ios::badbit);
+  file.open(journal, std::ios::in | std::ios::out | std::ios::binary);
+  file.seekg(middle);
+  const int byte = file.get();
+  file.seekp(middle);
+  file.put(static_cast<char>(byte ^ 1));
 }
 
 }  // namespace earshot::hil

@@ -13,4 +13,7 @@ namespace earshot::hil {
 /// @return how many turns it still holds
 [[nodiscard]] std::uint64_t tear_journal(const std::filesystem::path& journal, std::uint64_t bytes);
 
+/// One bit of it is another from now on, in the middle of what it holds. @throws as tear_journal(), std::ios_base::failure
+void flip_bit(const std::filesystem::path& journal);
+
 }  // namespace earshot::hil

@@ -8,12 +8,15 @@
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/config/mission.hpp"
+#include "firmware/core/units.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/messages/safety_event.hpp"
 #include "hil/bench/bench_flight.hpp"
 #include "hil/bench/case.hpp"
 
 namespace earshot::hil {
+
+inline constexpr Meters kAtSurface{1.0};  ///< a vehicle of a few metres shows its antenna
 
 /// That a CAN controller is in trouble, or no longer.
 struct ControllerTrouble {

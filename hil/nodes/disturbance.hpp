@@ -18,6 +18,7 @@ struct Disturbance {
   bool has_no_thrust = false;                  ///< its propeller stands still
   bool is_disengaged = false;                  ///< its autopilot follows no set-point, and says so
   bool is_obstinate = false;                   ///< its autopilot follows no set-point, and says that it does
+  MetersPerSecond steerage_way = {};           ///< slower than this through the water it keeps its depth
   std::optional<double> battery_percent = {};  ///< what is left from now on; it goes on to fall
   n2k::Hull hull{.instance = 0, .wet = false, .has_ground_fault = false};
   Meters floor_rise = {};  ///< of the sea floor above its chart

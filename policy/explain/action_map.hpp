@@ -25,7 +25,7 @@ using ActionMap = std::vector<MapPoint>;
 [[nodiscard]] std::vector<NorthEast> cell_centres(NorthEast area_size, std::size_t per_side);
 
 /// The policy's actions after a first measurement at each place.
-/// @param heard  what is heard there
+/// @param reception_at  what is heard there
 /// Oracle: ActionMap.*
 [[nodiscard]] ActionMap after_a_first_look(const policy::FrozenPolicy& policy, const policy::OceanTables& tables, std::size_t per_side,
                                            const std::function<policy::Reception(NorthEast)>& reception_at);

@@ -34,7 +34,7 @@ struct PathSettings {
 
 /// The paths of a policy from starts all over its area, with the memory and the belief that it flies with, the likeliest action at every
 /// step.
-/// @param heard  what is heard at a place
+/// @param reception_at  what is heard at a place
 /// @return one path for each start, in the order of an ActionMap
 /// Oracle: FlownPaths.*
 [[nodiscard]] std::vector<FlownPath> flown_from_all_over(const policy::FrozenPolicy& policy, const policy::OceanTables& tables,

@@ -7,13 +7,15 @@ constexpr std::chrono::milliseconds kLookUp{100};         ///< how often a waiti
 constexpr std::chrono::milliseconds kPortPatience{2000};  ///< for what was sent before its tick: on one host it is there already
 constexpr std::uint32_t kIssuer = 0x53494d;               ///< "SIM": of the simulator's orders
 
-/// The strongest that begins to act, of equals the first: the supervisor's own choice.
-std::optional<messages::SafetyEvent> ending_rule(const runtime::Outputs& outputs) {
-  std::optional<messages::SafetyEvent> ending;
+/// The strongest that begins to act, of equals the first: the supervisor's own choice. Of those that end the search, for good or for as
+/// long as they act.
+std::optional<messages::SafetyEvent> stopping_rule(const runtime::Outputs& outputs) {
+  std::optional<messages::SafetyEvent> strongest;
   for (const messages::SafetyEvent& event : outputs.safety_events) {
-    if (event.begins && event.response >= config::Response::kAbort && (!ending || event.response > ending->response)) ending = event;
+    if (event.begins && event.response >= config::Response::kReturn && (!strongest || event.response > strongest->response))
+      strongest = event;
   }
-  return ending;
+  return strongest;
 }
 
 }  // namespace
@@ -78,7 +80,7 @@ bool LockStepClock::answered(const runtime::Outputs& outputs, std::uint64_t setp
               .surprise_bits = outputs.health.surprise_bits,
               .is_sweeping = outputs.health.is_sweeping,
               .is_found = outputs.health.is_found,
-              .rule = ending_rule(outputs)});
+              .rule = stopping_rule(outputs)});
   return outputs.health.state != messages::MissionState::kDone && outputs.health.state != messages::MissionState::kAbort;
 }
 

@@ -36,7 +36,7 @@ struct Answer {
   float surprise_bits = 0.0F;                                ///< of the belief after its last look; 0 without one
   bool is_sweeping = false;                                  ///< the last decision was the sweep's
   bool is_found = false;                                     ///< with its last look the vehicle said that it has found the source
-  std::optional<messages::SafetyEvent> rule = std::nullopt;  ///< that ends the mission with this turn
+  std::optional<messages::SafetyEvent> rule = std::nullopt;  ///< that ends the mission, or sends the vehicle home or up, from this turn on
 };
 
 struct GroundTruth {

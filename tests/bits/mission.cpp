@@ -124,7 +124,9 @@ Status Mission::begin(Track track) {
 
 template <class Value>
 void Mission::give(std::int32_t second, const Value& value) {
-  runtime_.take({.arrival = {Duration::seconds(second).us}, .port = 0, .sequence = inputs_++, .value = value});
+  const messages::Input input{.arrival = {Duration::seconds(second).us}, .port = 0, .sequence = inputs_++, .value = value};
+  if (witness_ != nullptr) witness_->see(input);
+  runtime_.take(input);
 }
 
 void Mission::take(const detector::Estimate& estimate, std::int32_t second) {
@@ -183,6 +185,7 @@ Line Mission::fly() {
     if (const std::optional<messages::OperatorCommand> command = order_of(second_)) give(second_, *command);
 
     const runtime::Outputs outputs = runtime_.step({Duration::seconds(second_).us});
+    if (witness_ != nullptr) witness_->see({Duration::seconds(second_).us}, outputs);
     digest_.add(outputs.health);
     for (const messages::SafetyEvent& event : outputs.safety_events) digest_.add(event);
     if (outputs.setpoint) {

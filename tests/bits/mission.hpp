@@ -34,6 +34,16 @@ enum class Track : std::uint8_t {
   kFlown,     ///< its own decisions
 };
 
+/// Is shown what goes into the core and what comes out of it.
+class Witness {
+ public:
+  virtual void see(const messages::Input& input) = 0;
+  virtual void see(Time turn, const runtime::Outputs& outputs) = 0;
+
+ protected:
+  ~Witness() = default;
+};
+
 /// The vehicle's whole core, from the samples of a hydrophone to the set-point, given a mission that was recorded. No heap, no file, no
 /// clock; some hundreds of kilobytes, so that it belongs where static variables lie.
 class Mission {
@@ -42,6 +52,8 @@ class Mission {
   [[nodiscard]] Status begin(Track track);
   /// Flies to the next decision, or to the end.
   [[nodiscard]] Line fly();
+  /// From now on. @param witness  must outlive it
+  void show(Witness& witness) { witness_ = &witness; }
 
  private:
   void make_policy();
@@ -67,6 +79,7 @@ class Mission {
   Digest digest_;
   MetersPerSecond speed_;
   Line now_;
+  Witness* witness_ = nullptr;
 };
 
 /// @param number  of the line, from 0: the first that fly() gave after begin()

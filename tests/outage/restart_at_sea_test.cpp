@@ -2,24 +2,16 @@
 // then: it goes on, or comes up, and what was ordered holds.
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
-#include <csignal>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <memory>
-#include <optional>
 #include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/transport/bus_lock.hpp"
-#include "tests/scenario/vehicle_over_lcm.hpp"
-#include "tests/scenario/walk_at_sea.hpp"
-#include "tests/support/private_network.hpp"
+#include "tests/outage/restart_at_sea.hpp"
 
 namespace earshot {
 namespace {
@@ -27,67 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 using messages::MissionState;
 using messages::Order;
-
-class RestartAtSea : public WalkAtSea {
- protected:
-  void SetUp() override {
-    ENTER_PRIVATE_NETWORK_OR_SKIP();
-    std::string mission = patient(mission_of_short_steps("search.toml"));
-    replace(mission, "speed_mps = 20.0", "speed_mps = 2.0");  // the rule that wants progress waits for seconds
-    write_mission(mission);
-    vehicle_.emplace(std::string(host::kDefaultLcmUrl));
-  }
-
-  void start(const std::vector<std::string>& more = {}) {
-    std::vector<std::string> arguments{"--resume", "--speed", "10"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    start_earshotd(arguments);
-  }
-
-  /// GIVEN a search under way that a power cut, or a crash, ends.
-  void search(const std::string& sickness = "") {
-    if (!sickness.empty()) {
-      ::setenv("LD_PRELOAD", EARSHOT_SICK_DISK, 1);
-      ::setenv("EARSHOT_TEST_DISK", sickness.c_str(), 1);
-      ::setenv("EARSHOT_TEST_DISK_IS_SICK", (folder_ / "sick").c_str(), 1);
-    }
-    start();
-    for (const char* name : {"LD_PRELOAD", "EARSHOT_TEST_DISK", "EARSHOT_TEST_DISK_IS_SICK"}) ::unsetenv(name);
-    ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > 5; })) << earshotd_->output();
-    vehicle_->order(Order::kStart);
-    ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->state() == MissionState::kSearch && vehicle_->health.steps_taken > 0; }))
-        << earshotd_->output();
-  }
-  void kill() {
-    earshotd_->signal(SIGKILL);
-    (void)earshotd_->wait(std::chrono::seconds(10));
-    vehicle_->health = {};
-  }
-
-  /// The vehicle is told to stop and come up. (Within ten seconds: `outages`, where it may be measured.)
-  void expect_comes_up() {
-    EXPECT_TRUE(vehicle_->sails_until([&] { return vehicle_->state() == MissionState::kAbort && vehicle_->depth() == Meters{0.0}; }))
-        << earshotd_->output();
-    EXPECT_EQ(earshotd_->wait(std::chrono::milliseconds(0)), -1) << "it goes on until it is stopped" << earshotd_->output();
-  }
-
-  /// Started again, and told to come up while its journal is read.
-  void start_with_slow_reading() {
-    ::setenv("LD_PRELOAD", EARSHOT_SICK_HOST, 1);
-    ::setenv("EARSHOT_TEST_READING_S", "12", 1);
-    start();
-    for (const char* name : {"LD_PRELOAD", "EARSHOT_TEST_READING_S"}) ::unsetenv(name);
-    const int setpoints = vehicle_->setpoints;
-    ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->setpoints > setpoints; })) << earshotd_->output();
-    EXPECT_FALSE(is_said("goes on from")) << "before it has been read";
-    EXPECT_EQ(vehicle_->depth(), Meters{0.0});
-    EXPECT_EQ(vehicle_->state(), MissionState::kSearch);
-  }
-  [[nodiscard]] bool is_said(std::string_view words) const { return earshotd_->output().find(words) != std::string::npos; }
-  [[nodiscard]] fs::path journal() const { return folder_ / "journal.lcmlog"; }
-
-  std::optional<VehicleOverLcm> vehicle_;  ///< in the test's own network
-};
 
 TEST_F(RestartAtSea, GivenNothingWrongItGoesOn) {
   search();
@@ -97,26 +28,32 @@ TEST_F(RestartAtSea, GivenNothingWrongItGoesOn) {
   EXPECT_TRUE(is_said(": SEARCH, after ")) << earshotd_->output();
 }
 
-/// The record has a copy in memory.
 class SickDiskRestart : public RestartAtSea, public testing::WithParamInterface<const char*> {
  protected:
-  void SetUp() override {
-    RestartAtSea::SetUp();
-    fs::create_directory(folder_ / "memory");
-    ::setenv("RUNTIME_DIRECTORY", (folder_ / "memory").c_str(), 1);
+  /// @param vehicle  what its computer has at every start
+  void expect_abort_holds(const Environment& vehicle) {
+    Environment sick = vehicle;
+    sick.emplace_back("LD_PRELOAD", EARSHOT_SICK_DISK);
+    sick.emplace_back("EARSHOT_TEST_DISK", GetParam());
+    sick.emplace_back("EARSHOT_TEST_DISK_IS_SICK", folder_ / "sick");
+    search(sick);
+    std::ofstream(folder_ / "sick") << "";
+    vehicle_->order(Order::kAbort);
+    ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->state() == MissionState::kAbort; })) << earshotd_->output();
+    kill();
+    fs::remove(folder_ / "sick");
+    start_with(vehicle);
+    expect_comes_up();
   }
-  void TearDown() override { ::unsetenv("RUNTIME_DIRECTORY"); }
 };
 
-TEST_P(SickDiskRestart, AnAbortThatWasAcknowledgedHoldsThoughTheDiskTookNothingOfJournalAndRecord) {
-  search(GetParam());
-  std::ofstream(folder_ / "sick") << "";
-  vehicle_->order(Order::kAbort);
-  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->state() == MissionState::kAbort; })) << earshotd_->output();
-  kill();
-  fs::remove(folder_ / "sick");
-  start();
-  expect_comes_up();
+TEST_P(SickDiskRestart, AnAbortThatWasAcknowledgedHoldsThoughTheDiskTookNothingOfTheJournal) {
+  expect_abort_holds({});
+}
+
+TEST_P(SickDiskRestart, AnAbortThatWasAcknowledgedHoldsByTheCopyInMemoryThoughTheDiskTookNothingOfTheRecordEither) {
+  fs::create_directory(folder_ / "memory");
+  expect_abort_holds({{"RUNTIME_DIRECTORY", folder_ / "memory"}, {"EARSHOT_TEST_DISK_HAS_RECORD", "1"}});
 }
 
 INSTANTIATE_TEST_SUITE_P(Disk, SickDiskRestart, testing::Values("full", "read-only", "slow"));
@@ -173,6 +110,50 @@ TEST_F(RestartAtSea, GivenACommandLineThatItDoesNotKnowItComesUp) {
   expect_comes_up();
 }
 
+TEST_F(RestartAtSea, GivenOptionsThatDoNotGoTogetherItComesUp) {
+  search();
+  kill();
+  start({"--replace"});
+  expect_comes_up();
+  EXPECT_TRUE(is_said("--replace")) << earshotd_->output();
+}
+
+TEST_F(RestartAtSea, GivenNoThreadThatCouldBeMadeItComesUpAndKeepsItsRecord) {
+  search();
+  kill();
+  start_on_sick_host({{"EARSHOT_TEST_THREADS", "0"}});
+  expect_comes_up();
+  kill();
+  start();
+  expect_comes_up();
+}
+
+TEST_F(RestartAtSea, GivenTooFewDescriptorsItsStatusIsOneThatAServiceStartsAgain) {
+  search();
+  kill();
+  for (int files = 3; files < 12; ++files) {
+    start_on_sick_host({{"EARSHOT_TEST_FILES", std::to_string(files)}});
+    const int status = earshotd_->wait(std::chrono::seconds(3));
+    EXPECT_TRUE(status == program::kLost || status == -1) << files << " files: status " << status << earshotd_->output();
+    if (status == -1) kill();
+  }
+}
+
+TEST_F(RestartAtSea, GivenSensorsThatAreSilentItComesUpMeanwhileAndObeysAnAbort) {
+  search();
+  kill();
+  vehicle_->fall_silent();
+  const int setpoints = vehicle_->setpoints;
+  start();
+  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->setpoints > setpoints + 2; })) << earshotd_->output();
+  EXPECT_EQ(vehicle_->state(), MissionState::kSearch) << "it has not been ended for their silence" << earshotd_->output();
+  EXPECT_EQ(vehicle_->depth(), Meters{0.0});
+  vehicle_->order(Order::kAbort);
+  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->outcome.has_value(); })) << earshotd_->output();
+  EXPECT_EQ(vehicle_->outcome, messages::CommandOutcome::kObeyed);
+  EXPECT_EQ(vehicle_->health.end_reason, static_cast<std::int8_t>(messages::EndReason::kOperatorAbort)) << earshotd_->output();
+}
+
 TEST_F(RestartAtSea, GivenAJournalThatTakesLongToReadItComesUpMeanwhileAndThenGoesOn) {
   search();
   kill();
@@ -195,17 +176,24 @@ TEST_F(RestartAtSea, GivenAnAbortWhileTheJournalIsReadItIsAcknowledgedAtOnceAndH
   EXPECT_EQ(vehicle_->health.end_reason, static_cast<std::int8_t>(messages::EndReason::kOperatorAbort)) << earshotd_->output();
 }
 
-TEST_F(RestartAtSea, GivenAStopWhileTheJournalIsReadItEndsInOrderAndNothingIsUnderWayAfterIt) {
+TEST_F(RestartAtSea, GivenAStopWhileTheJournalIsReadItEndsAndTheNextStartBringsTheVehicleUp) {
   search();
   kill();
   start_with_slow_reading();
   earshotd_->signal(SIGTERM);
   EXPECT_EQ(earshotd_->wait(std::chrono::seconds(10)), program::kInterrupted) << earshotd_->output();
   vehicle_->health = {};
-  const int turns = vehicle_->turns;
   start();
-  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 5; })) << earshotd_->output();
-  EXPECT_EQ(vehicle_->state(), MissionState::kStandby) << earshotd_->output();
+  expect_comes_up();
+}
+
+TEST_F(RestartAtSea, GivenAPipeInPlaceOfTheJournalItComesUp) {
+  search();
+  kill();
+  fs::remove(journal());
+  ASSERT_EQ(::mkfifo(journal().c_str(), 0600), 0);
+  start();
+  expect_comes_up();
 }
 
 TEST_F(RestartAtSea, GivenAJournalThatWasFlownElsewhereItBeginsInStandbyAndCommandsNothing) {
@@ -216,11 +204,7 @@ TEST_F(RestartAtSea, GivenAJournalThatWasFlownElsewhereItBeginsInStandbyAndComma
   fs::rename(journal(), elsewhere / "journal.lcmlog");
   const int setpoints = vehicle_->setpoints;
   const int turns = vehicle_->turns;
-  earshotd_ = std::make_unique<support::Process>(
-      fs::path(EARSHOT_BIN_DIR) / "earshotd",
-      std::vector<std::string>{folder_ / "mission.toml", "--policy", folder_ / "walk.policy", "--public-key", folder_ / "walk.pub", "--out",
-                               elsewhere, "--resume", "--speed", "10"},
-      folder_ / "earshotd.txt");
+  start_in(elsewhere);
   ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 10; })) << earshotd_->output();
   EXPECT_EQ(vehicle_->state(), MissionState::kStandby);
   EXPECT_EQ(vehicle_->setpoints, setpoints);
@@ -240,16 +224,6 @@ TEST_F(RestartAtSea, GivenThreeStartsThatEndedAtOnceTheFourthComesUp) {
   start();
   expect_comes_up();
   EXPECT_TRUE(is_said("ended 3 times within a minute of its start")) << earshotd_->output();
-}
-
-TEST_F(RestartAtSea, GivenAFlightUnderWayASecondProgramWithItsFolderIsRefusedAndTriedAgain) {
-  search();
-  const std::unique_ptr<support::Process> first = std::move(earshotd_);
-  start();
-  EXPECT_EQ(earshotd_->wait(std::chrono::seconds(10)), program::kLost) << earshotd_->output();
-  const int turns = vehicle_->turns;
-  const int setpoints = vehicle_->setpoints;
-  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 5 && vehicle_->setpoints > setpoints; })) << first->output();
 }
 
 }  // namespace

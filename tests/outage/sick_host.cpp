@@ -1,14 +1,20 @@
 // Loaded into a program by LD_PRELOAD: a computer on which something is wrong. The wall clock is EARSHOT_TEST_CLOCK_S seconds ahead; with
-// EARSHOT_TEST_BOOT (the file of a boot id) the computer has started again twenty seconds ago. The first journal that is read takes
-// EARSHOT_TEST_READING_S seconds. Its disk: hil/bench/at_sea/sick_disk.cpp.
+// EARSHOT_TEST_BOOT (the file of a boot id) the computer has started again twenty seconds ago. EARSHOT_TEST_THREADS is how many threads the
+// program may have beside its first, EARSHOT_TEST_FILES how many open files. The first journal that is read takes EARSHOT_TEST_READING_S
+// seconds. Its disk: hil/bench/at_sea/sick_disk.cpp.
 
+#include <dlfcn.h>
 #include <fcntl.h>
+#include <pthread.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <cerrno>
 #include <charconv>
 #include <cstddef>
 #include <cstdio>
@@ -16,6 +22,8 @@
 #include <string_view>
 
 namespace {
+
+constexpr int kMostThreads = 1'000'000;
 
 FILE* opened(const char* path, const char* mode) {
   static const char* const boot = std::getenv("EARSHOT_TEST_BOOT");
@@ -32,6 +40,15 @@ bool is_journal(int file) {
   std::array<char, 4096> path{};
   const ssize_t size = ::readlink(name.data(), path.data(), path.size());
   return size > 0 && std::string_view(path.data(), static_cast<std::size_t>(size)).ends_with(".lcmlog");
+}
+
+/// Before the program begins.
+[[gnu::constructor]] void limit_files() {
+  const char* const files = std::getenv("EARSHOT_TEST_FILES");
+  if (files == nullptr) return;
+  const auto most = static_cast<rlim_t>(std::atol(files));
+  const rlimit limit{.rlim_cur = most, .rlim_max = most};
+  (void)::setrlimit(RLIMIT_NOFILE, &limit);
 }
 
 }  // namespace
@@ -55,6 +72,15 @@ FILE* fopen(const char* path, const char* mode) {
 
 FILE* fopen64(const char* path, const char* mode) {
   return opened(path, mode);
+}
+
+int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*work)(void*), void* with) {
+  static std::atomic<int> left{std::getenv("EARSHOT_TEST_THREADS") == nullptr ? kMostThreads
+                                                                              : std::atoi(std::getenv("EARSHOT_TEST_THREADS"))};
+  if (left-- <= 0) return EAGAIN;
+  using Create = int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*);
+  static const Create create = reinterpret_cast<Create>(::dlsym(RTLD_NEXT, "pthread_create"));
+  return create(thread, attributes, work, with);
 }
 
 int clock_gettime(clockid_t clock, timespec* now) noexcept {

@@ -26,6 +26,7 @@ constexpr Duration kSecond = Duration::seconds(1);
 constexpr Time kBegin{1'000'000'000};
 constexpr std::array<std::string_view, kSensors> kSensorWords{"depth", "place", "heading", "speed"};
 constexpr std::array<std::string_view, kLieKinds> kKindWords{"stuck", "jitter", "drift", "jump", "delay", "second sender"};
+constexpr std::array<std::string_view, kWays> kWayWords{"fresher", "ahead", "of the same dates", "of another port"};
 
 class Draw {
  public:
@@ -67,7 +68,21 @@ Lie lie_of(Draw& draw) {
   lie.towards = draw.between(0.0, 2.0 * std::numbers::pi);
   lie.fixes = 1 + draw.index(8);
   lie.is_clamped = draw.chance(0.5);
+  lie.way = static_cast<Way>(draw.index(kWays));
+  if (draw.chance(0.5)) return lie;
+  // Half of them say and pause for about as long as a rule waits and remembers.
+  const bool is_near_a_limit = draw.chance(0.5);
+  lie.says_s = static_cast<std::int64_t>(is_near_a_limit ? draw.between(2.0, 12.0) : draw.by_size(1.0, 300.0));
+  lie.pauses_s = static_cast<std::int64_t>(is_near_a_limit ? draw.between(1.0, 6.0) : draw.by_size(1.0, 300.0));
+  lie.changes_way = draw.chance(0.5);
   return lie;
+}
+
+/// It says what it does while the first pauses.
+void take_turns(const Lie& first, Lie& second) {
+  second.says_s = first.pauses_s;
+  second.pauses_s = first.says_s;
+  second.later_s = first.says_s;
 }
 
 /// What a lie makes of a navigation.
@@ -77,6 +92,18 @@ class Liar {
 
   [[nodiscard]] bool is_second_sender() const { return lie_.kind == LieKind::kSecondSender; }
   [[nodiscard]] std::size_t fixes() const { return lie_.fixes; }
+  [[nodiscard]] double away_m(std::int64_t since_s) const {
+    return lie_.sensor == Sensor::kPlace ? lie_.size * static_cast<double>(since_s) : 0.0;
+  }
+  [[nodiscard]] bool lies_at(std::int64_t since_s) const {
+    if (lie_.says_s == 0) return true;
+    return since_s >= lie_.later_s && (since_s - lie_.later_s) % period_s() < lie_.says_s;
+  }
+  [[nodiscard]] Way way_at(std::int64_t since_s) const {
+    if (!lie_.changes_way) return lie_.way;
+    const auto turn = static_cast<std::size_t>(std::max<std::int64_t>(since_s - lie_.later_s, 0) / period_s());
+    return static_cast<Way>((static_cast<std::size_t>(lie_.way) + turn) % kWays);
+  }
 
   /// @param before  what was true, a second apart, the newest last
   Navigation told(const Navigation& truth, std::int64_t since_s, const std::deque<Navigation>& before) {
@@ -124,17 +151,29 @@ class Liar {
     }
   }
 
+  [[nodiscard]] std::int64_t period_s() const { return lie_.says_s + lie_.pauses_s; }
+
   Lie lie_;
   Pcg32 random_;
   std::optional<Navigation> begin_;
 };
+
+/// How much deeper than it is a vehicle may have said that it is, until a rule ended its search. One that drifts is found out before that.
+double most_too_deep_m(const LyingMission& mission) {
+  constexpr double kMostDrifted_m = 100.0;
+  double most_m = 0.0;
+  for (const std::optional<Lie>& lie : {mission.first, mission.second}) {
+    if (lie && lie->sensor == Sensor::kDepth) most_m += lie->kind == LieKind::kJump ? std::max(lie->size, 0.0) : kMostDrifted_m;
+  }
+  return most_m;
+}
 
 class LyingFlight {
  public:
   explicit LyingFlight(const LyingMission& lying)
       : lying_(lying),
         mission_(lying.drawn.mission),
-        vehicle_(lying.drawn.start, lying.drawn.vehicle, mission_.safety.vehicle.ascent_speed.value),
+        vehicle_(lying.drawn.start, lying.drawn.vehicle, mission_.safety.vehicle.ascent_speed.value, lying.turns_up_s),
         noise_(mission_.action_seed, 7) {
     if (lying.first) liars_.emplace_back(*lying.first, mission_.action_seed);
     if (lying.second) liars_.emplace_back(*lying.second, mission_.action_seed + 1);
@@ -145,16 +184,15 @@ class LyingFlight {
       result_.broken = "the mission is refused";
       return result_;
     }
-    // What it takes at the most to come up, and to stop there.
-    const double deepest_m = 1.1 * mission_.max_depth.value + 60.0;
-    const auto comes_up_s = static_cast<std::int64_t>(deepest_m / config::kSlowestAscent.value) + 1300;
     for (std::int64_t turns = 0; turns < 60 && !began_; ++turns) turn();
     while (began_ && outputs_.health.state == MissionState::kSearch) turn();
     searched_at_end_s_ = searched_s();
-    std::int64_t stopped_s = 0;
-    for (std::int64_t s = 0; s < comes_up_s && stopped_s < 30; ++s) {
+    // What it takes at the most to come up, and to stop there.
+    const double deepest_m = 1.1 * (mission_.max_depth.value + most_too_deep_m(lying_)) + 60.0;
+    const auto comes_up_s = static_cast<std::int64_t>(deepest_m / config::kSlowestAscent.value) + 1300;
+    for (std::int64_t s = 0; s < comes_up_s && stopped_s_ < 30; ++s) {
       turn();
-      stopped_s = outputs_.setpoint && !(outputs_.setpoint->speed.value > 0.0) && vehicle_.depth_m() <= kUp_m ? stopped_s + 1 : 0;
+      stopped_s_ = outputs_.setpoint && !(outputs_.setpoint->speed.value > 0.0) && vehicle_.depth_m() <= kUp_m ? stopped_s_ + 1 : 0;
     }
     result_.depth_m = vehicle_.depth_m();
     judge();
@@ -163,21 +201,26 @@ class LyingFlight {
 
  private:
   static constexpr double kUp_m = 0.5;
+  static constexpr std::int64_t kDelay_ms = 200;
+  /// A rule waits for ten seconds, fixes come and are judged once a second, and one in three may be noise until some have come.
+  static constexpr double kMostContradicted_s = 15.0;
 
   void judge() {
     if (!began_) result_.broken = "it does not begin";
+    if (stopped_s_ < 30) result_.broken = "it is not told to stop where it came up";
     if (result_.depth_m > kUp_m) result_.broken = "it stays " + std::to_string(result_.depth_m) + " m below";
     if (result_.beyond_halt_m > most_beyond_m(lying_, searched_at_end_s_ - lying_.lies_from_s))
       result_.broken = "it is " + std::to_string(result_.beyond_halt_m) + " m beyond the halt polygon";
     if (!lying_.first && result_.alarm) result_.broken = "a false alarm";
+    if (contradicted_s_ > kMostContradicted_s) result_.broken = "two senders contradict each other, and it goes on";
   }
 
   [[nodiscard]] std::int64_t searched_s() const { return began_ ? (now_ - *began_).us / 1'000'000 : 0; }
   [[nodiscard]] bool is_lied() const { return began_ && searched_s() >= lying_.lies_from_s; }
 
   template <class Value>
-  void take(const Value& value) {
-    runtime_->take({.arrival = now_, .port = 0, .sequence = sequence_++, .value = value});
+  void take(const Value& value, std::uint8_t port = 0) {
+    runtime_->take({.arrival = now_, .port = port, .sequence = sequence_++, .value = value});
   }
 
   void turn() {
@@ -199,6 +242,7 @@ class LyingFlight {
       result_.alarm_s = searched_s();
     }
     if (outputs_.health.state == MissionState::kSearch) {
+      contradicted_s_ = is_contradicted_ ? contradicted_s_ + 1.0 : std::max(contradicted_s_ - 0.5, 0.0);
       const double beyond_m = safety::beyond(mission_.safety.fence->halt, vehicle_.position()).value;
       result_.beyond_halt_m = std::max(result_.beyond_halt_m, beyond_m);
     }
@@ -219,25 +263,36 @@ class LyingFlight {
     fix.speed = MetersPerSecond{fix.speed.value * lying_.speed_log_scale + noise(0.03)};
     before_.push_back(fix);
     if (before_.size() > 64) before_.pop_front();
+    is_contradicted_ = false;
     if (!is_lied()) return take(fix);
     Navigation told = fix;
     const std::int64_t since_s = searched_s() - lying_.lies_from_s;
     for (Liar& liar : liars_) {
-      if (!liar.is_second_sender()) told = liar.told(told, since_s, before_);
+      if (!liar.is_second_sender() && liar.lies_at(since_s)) told = liar.told(told, since_s, before_);
     }
     for (Liar& liar : liars_) {
-      if (liar.is_second_sender()) say_beside(liar, told, since_s);
+      if (liar.is_second_sender() && liar.lies_at(since_s)) say_beside(liar, told, since_s);
     }
-    told.time = now_ + Duration::milliseconds(-200);  // its clock is right, and a message takes its time
+    told.time = now_ + Duration::milliseconds(-kDelay_ms);  // its clock is right, and a message takes its time
     take(told);
   }
 
+  /// Further than noise and the way of a second or two.
+  [[nodiscard]] double far_m() const {
+    const config::VehicleLimits& vehicle = mission_.safety.vehicle;
+    return 100.0 + 2.0 * (vehicle.max_speed + vehicle.max_current).value;
+  }
+
   void say_beside(Liar& liar, const Navigation& told, std::int64_t since_s) {
+    constexpr std::int64_t kAhead_ms = 400;
     const auto fixes = static_cast<std::int64_t>(liar.fixes());
+    const Way way = liar.way_at(since_s);
+    is_contradicted_ = is_contradicted_ || liar.away_m(since_s) > far_m();
     for (std::int64_t i = 0; i < fixes; ++i) {
       Navigation other = liar.told(told, since_s, before_);
-      other.time = now_ + Duration::milliseconds(-100 * (fixes - 1 - i) / fixes);
-      take(other);
+      const std::int64_t newest_ms = way == Way::kAhead ? kAhead_ms : way == Way::kFresher ? 0 : -kDelay_ms;
+      other.time = now_ + Duration::milliseconds(newest_ms - 100 * (fixes - 1 - i) / fixes);
+      take(other, way == Way::kOtherPort ? 1 : 0);
     }
   }
 
@@ -253,7 +308,10 @@ class LyingFlight {
   std::uint64_t sequence_ = 0;
   std::uint32_t orders_ = 0;
   std::int64_t searched_at_end_s_ = 0;
+  std::int64_t stopped_s_ = 0;  ///< at the surface
   bool is_aborted_ = false;
+  bool is_contradicted_ = false;  ///< this second, by a second sender
+  double contradicted_s_ = 0.0;   ///< less half of the time in which it was not
   runtime::Outputs outputs_;
   LyingResult result_;
 };
@@ -261,7 +319,12 @@ class LyingFlight {
 std::string words_of(const Lie& lie) {
   return std::string(kSensorWords.at(static_cast<std::size_t>(lie.sensor))) + " " +
          std::string(kKindWords.at(static_cast<std::size_t>(lie.kind))) + " " + std::to_string(lie.size) +
-         (lie.is_clamped ? " clamped" : "") + (lie.kind == LieKind::kSecondSender ? " " + std::to_string(lie.fixes) + " a second" : "");
+         (lie.is_clamped ? " clamped" : "") +
+         (lie.kind == LieKind::kSecondSender
+              ? " " + std::to_string(lie.fixes) + " a second " + std::string(kWayWords.at(static_cast<std::size_t>(lie.way)))
+              : "") +
+         (lie.changes_way ? " and then others" : "") +
+         (lie.says_s > 0 ? " for " + std::to_string(lie.says_s) + " of " + std::to_string(lie.says_s + lie.pauses_s) + " s" : "");
 }
 
 }  // namespace
@@ -274,16 +337,19 @@ LyingMission draw_lying(std::uint64_t seed, bool is_honest) {
   Draw draw(seed);
   config::VehicleLimits& vehicle = lying.drawn.mission.safety.vehicle;
   vehicle.ascent_rate = MetersPerSecond{std::max(lying.drawn.vehicle.climb_mps * draw.between(0.5, 1.0), config::kSlowestAscent.value)};
+  if (vehicle.ascent_speed > MetersPerSecond{}) vehicle.ascent_rate = std::min(vehicle.ascent_rate, vehicle.ascent_speed);
   if (draw.chance(0.5)) vehicle.ascent_rate = config::kSlowestAscent;
   if (!is_honest) {
     lying.first = lie_of(draw);
     if (draw.chance(0.5)) lying.second = lie_of(draw);
+    if (lying.second && lying.first->says_s > 0 && draw.chance(0.5)) take_turns(*lying.first, *lying.second);
   }
   lying.lies_from_s = static_cast<std::int64_t>(draw.by_size(1.0, 2000.0));
   lying.abort_at_s = static_cast<std::int64_t>(draw.chance(0.3) ? draw.by_size(10.0, 6000.0) : 1e6);
   lying.compass_bias_rad = draw.between(-0.05, 0.05);
   lying.speed_log_scale = draw.between(0.95, 1.05);
   lying.place_noise_m = draw.chance(0.5) ? 0.0 : draw.between(0.0, 8.0);
+  lying.turns_up_s = draw.between(0.0, 60.0);
   return lying;
 }
 
@@ -294,7 +360,7 @@ MetersPerSecond slowest_told_drift(const config::Mission& mission) {
 double most_beyond_m(const LyingMission& mission, std::int64_t lied_s) {
   double slow_mps = 0.0;
   for (const std::optional<Lie>& lie : {mission.first, mission.second}) {
-    const bool is_drift = lie && lie->sensor == Sensor::kPlace && (lie->kind == LieKind::kDrift || lie->kind == LieKind::kSecondSender);
+    const bool is_drift = lie && lie->sensor == Sensor::kPlace && lie->kind == LieKind::kDrift;  // of two senders each tells of the other
     if (is_drift) slow_mps += lie->size;
   }
   const bool is_told = slow_mps > slowest_told_drift(mission.drawn.mission).value;

@@ -21,17 +21,26 @@ enum class LieKind : std::uint8_t {
   kDrift,         ///< away from the truth by so much a second
   kJump,          ///< by so much, for good
   kDelay,         ///< what was true so many seconds ago, under the date of now
-  kSecondSender,  ///< a second navigation, all of whose numbers but this one are true, with fresher dates and perhaps more fixes
+  kSecondSender,  ///< a second navigation, all of whose numbers but this one are true, and perhaps more fixes
 };
 inline constexpr std::size_t kLieKinds = 6;
+
+/// How a second sender's fixes come.
+enum class Way : std::uint8_t { kFresher, kAhead, kSameDates, kOtherPort };
+inline constexpr std::size_t kWays = 4;
 
 struct Lie {
   Sensor sensor = Sensor::kDepth;
   LieKind kind = LieKind::kStuck;
-  double size = 0.0;        ///< metres, radians or metres per second; of a drift each second; of a delay seconds
-  double towards = 0.0;     ///< of a place
-  std::size_t fixes = 1;    ///< of a second sender, in a second
-  bool is_clamped = false;  ///< a depth never reads less than nothing
+  double size = 0.0;         ///< metres, radians or metres per second; of a drift each second; of a delay seconds
+  double towards = 0.0;      ///< of a place
+  std::size_t fixes = 1;     ///< of a second sender, in a second
+  Way way = Way::kFresher;   ///< likewise
+  bool changes_way = false;  ///< likewise, with each pause
+  std::int64_t says_s = 0;   ///< for so long, then it is silent, and all over again; 0: it never pauses
+  std::int64_t pauses_s = 0;
+  std::int64_t later_s = 0;  ///< it begins so much later than the other
+  bool is_clamped = false;   ///< a depth never reads less than nothing
 };
 
 struct LyingMission {
@@ -43,6 +52,7 @@ struct LyingMission {
   double compass_bias_rad = 0.0;  ///< of an honest vehicle
   double speed_log_scale = 1.0;   ///< likewise
   double place_noise_m = 0.0;     ///< at most, either side
+  double turns_up_s = 0.0;        ///< that the vehicle takes before it begins to come up
 };
 
 /// Of one seed. @param is_honest  nobody lies

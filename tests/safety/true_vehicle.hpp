@@ -10,13 +10,17 @@
 
 namespace earshot::campaign {
 
-/// Where the vehicle truly is. It obeys its set-points as its performance allows, at once in speed.
+/// Where the vehicle truly is. It obeys its set-points as its performance allows, at once in speed; told to a shallower depth it stays as
+/// deep as it is until it has turned up.
 class TrueVehicle {
  public:
-  TrueVehicle(NorthEast start, const Vehicle& vehicle, double needs_speed_to_climb_mps)
-      : position_(start), vehicle_(vehicle), needs_speed_to_climb_mps_(needs_speed_to_climb_mps) {}
+  TrueVehicle(NorthEast start, const Vehicle& vehicle, double needs_speed_to_climb_mps, double turns_up_s = 0.0)
+      : position_(start), vehicle_(vehicle), needs_speed_to_climb_mps_(needs_speed_to_climb_mps), turns_up_s_(turns_up_s) {}
 
-  void obey(const messages::Setpoint& setpoint) { setpoint_ = setpoint; }
+  void obey(const messages::Setpoint& setpoint) {
+    if (setpoint.depth < setpoint_.depth) left_to_turn_s_ = turns_up_s_;
+    setpoint_ = setpoint;
+  }
   void pass_second() {
     for (int i = 0; i < kPieces; ++i) pass(1.0 / kPieces);
   }
@@ -52,7 +56,8 @@ class TrueVehicle {
       position_.east = position_.east + Meters{(speed_mps_ * std::sin(heading_rad_) + vehicle_.current_east_mps) * s};
     }
     const double wanted_m = setpoint_.depth.value - depth_m_;
-    const bool can_climb = speed_mps_ >= needs_speed_to_climb_mps_ || wanted_m > 0.0;
+    const bool can_climb = (speed_mps_ >= needs_speed_to_climb_mps_ && !(left_to_turn_s_ > 0.0)) || wanted_m > 0.0;
+    if (speed_mps_ >= needs_speed_to_climb_mps_) left_to_turn_s_ -= s;
     if (sinks_) {
       depth_m_ += 1.0 * s;
     } else if (can_climb) {
@@ -63,6 +68,8 @@ class TrueVehicle {
   NorthEast position_;
   Vehicle vehicle_;
   double needs_speed_to_climb_mps_;
+  double turns_up_s_;
+  double left_to_turn_s_ = 0.0;
   messages::Setpoint setpoint_;
   double heading_rad_ = 0.0;
   double speed_mps_ = 0.0;

@@ -56,7 +56,9 @@ class VehicleOverLcm {
     publish(wire::kOperatorCommandChannel, wire::to_message(command));
   }
   /// Whether there is water in the hull, from now on.
-  void leak() { has_leak_ = true; }
+  void leak(bool has_leak = true) { has_leak_ = has_leak; }
+  /// Its sensors say nothing, from now on.
+  void fall_silent() { is_silent_ = true; }
   /// What no port can read.
   void send_nonsense() {
     const std::vector<std::uint8_t> nonsense(100'000, 0x5A);  // in several datagrams
@@ -107,10 +109,13 @@ class VehicleOverLcm {
     fix_.position.east += Meters{travelled_m * std::sin(fix_.heading.value)};
   }
   void send_measurements() {
+    if (is_silent_) return;
     fix_.time = utc();
     publish(wire::kNavStateChannel, wire::to_message(fix_));
     publish(wire::kSnrEstimateChannel, wire::to_message(messages::SnrMeasurement{.time = utc(), .snr = Decibels{3}}));
-    if (has_leak_) publish(wire::kVehicleStatusChannel, wire::to_message(messages::VehicleStatus{.time = utc(), .has_leak = true}));
+    tells_of_hull_ = tells_of_hull_ || has_leak_;
+    if (tells_of_hull_)
+      publish(wire::kVehicleStatusChannel, wire::to_message(messages::VehicleStatus{.time = utc(), .has_leak = has_leak_}));
   }
 
   [[nodiscard]] Time utc() const { return clock_.utc() + clock_is_ahead; }
@@ -121,6 +126,8 @@ class VehicleOverLcm {
   std::chrono::steady_clock::time_point moved_ = std::chrono::steady_clock::now();
   std::uint32_t orders_ = 0;
   bool has_leak_ = false;
+  bool tells_of_hull_ = false;
+  bool is_silent_ = false;
 };
 
 }  // namespace earshot

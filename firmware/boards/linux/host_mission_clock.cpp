@@ -43,6 +43,10 @@ HostMissionClock::HostMissionClock(const HostClock& host, double speed, std::opt
   if (since) began_ = *since + scaled(began_ - *since, speed_);
 }
 
+void HostMissionClock::go_on_since(Time mission_time, Duration passed_on_host) {
+  go_on_at(mission_time + scaled(passed_on_host, speed_));
+}
+
 void HostMissionClock::be_at_least(Time mission_time) {
   if (now() < mission_time) go_on_at(mission_time);
 }

@@ -21,6 +21,8 @@ class HostMissionClock final : public Clock {
 
   /// Of a mission that goes on: begins at this mission time, whatever the wall clock says.
   void go_on_at(Time mission_time) { began_ = mission_time, began_on_host_ = host_.monotonic(); }
+  /// Likewise, by what it was so long ago on the host.
+  void go_on_since(Time mission_time, Duration passed_on_host);
 
   void be_at_least(Time mission_time) override;
   [[nodiscard]] Time now() override;

@@ -61,8 +61,8 @@ class Schedule {
 };
 
 /// What was asked is answered at once, not a tenth of a second later.
-void collect(PortSet& ports, Clock& clock, MissionTurn& turn) {
-  ports.collect(clock, turn);
+void collect(PortSet& ports, Clock& clock, InputSink& sink) {
+  ports.collect(clock, sink);
   ports.serve();
 }
 
@@ -109,6 +109,7 @@ wire::Ending ending_of(LoopEnd end) {
     case LoopEnd::kStopped:
       return wire::Ending::kStopped;
     case LoopEnd::kClockLost:
+    case LoopEnd::kOvertaken:
       return wire::Ending::kClockLost;
   }
   return wire::Ending::kStopped;
@@ -125,7 +126,7 @@ wire::ClosingRecord closing_record_of(const LoopResult& result) {
           .steps_taken = health.steps_taken};
 }
 
-LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, const Pace& pace, const std::atomic<bool>& stop, Duration hold) {
+LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, const Pace& pace, const std::atomic<bool>& stop, const Hold& hold) {
   LoopResult result;
   result.last = turn.outputs();  // a signal may come before the first turn
   result.began = clock.now();
@@ -134,7 +135,7 @@ LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, const Pace& pace
   const std::uint64_t snr_before = turn.snr_taken();
   const auto waits_for_sensors = [&] {
     const bool hears = turn.navigation_taken() > navigation_before && turn.snr_taken() > snr_before;
-    return result.turns == 0 && !hears && clock.now() - result.began < hold;
+    return result.turns == 0 && !hears && !turn.is_urgent() && clock.now() - result.began < hold.most;
   };
   int said = 0;  // turns since the mission was over, but for those that arrivals made: so close together a bus may lose all of them
   while (!stop) {
@@ -146,17 +147,22 @@ LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, const Pace& pace
     }
     if (stop) break;
     if (wake == Clock::Wake::kNothing) continue;
-    collect(ports, clock, turn);
+    collect(ports, clock, result.turns == 0 && hold.meanwhile != nullptr ? static_cast<InputSink&>(*hold.meanwhile) : turn);
     if (wake == Clock::Wake::kAgain) (void)clock.answered(turn.say_again(), ports.setpoints_sent());
     const bool is_due = wake == Clock::Wake::kTurn;
     const bool is_called = turn.is_called() && pace.turns == host::Turns::kOnArrival;
     if (is_due) ports.tend();
-    if (!is_due && !(is_called && schedule.call(clock.now()))) continue;
-    if (waits_for_sensors()) {
+    const bool is_held = waits_for_sensors();
+    if (is_held && is_due) {
       schedule.put_off(clock.now());
-      continue;
+      if (hold.meanwhile != nullptr && clock.now() >= hold.meanwhile_from) hold.meanwhile->say();
     }
+    if (is_held || (!is_due && !(is_called && schedule.call(clock.now())))) continue;
     make_turn(turn, result);
+    if (turn.is_overtaken()) {
+      result.end = LoopEnd::kOvertaken;
+      return result;
+    }
     if (!is_due) ports.tend();  // what has come is answered first
     if (!is_called && is_over(result.last.health) && said < kLastSetpoints) ++said;
     schedule.note_turn(result.time, clock.now());

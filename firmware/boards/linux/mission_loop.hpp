@@ -6,6 +6,7 @@
 
 #include "firmware/boards/linux/clock.hpp"
 #include "firmware/boards/linux/mission_turn.hpp"
+#include "firmware/boards/linux/outage/meanwhile.hpp"
 #include "firmware/boards/linux/port_set.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/host/mission/mission_file.hpp"
@@ -20,6 +21,7 @@ enum class LoopEnd : std::uint8_t {
   kMissionOver,  ///< DONE or ABORT, and nobody waits for another turn
   kStopped,      ///< a person asked for it (SIGINT, SIGTERM)
   kClockLost,    ///< who drives the clock is gone (a simulator)
+  kOvertaken,    ///< another process commands the vehicle, because this one hung
 };
 
 struct LoopResult {
@@ -38,6 +40,14 @@ struct Pace {
   host::Turns turns = host::Turns::kPeriodic;
 };
 
+/// The wait of a mission that goes on from its journal for its sensors, so that its first turn does not end it for the silence of its own
+/// outage.
+struct Hold {
+  Duration most;                   ///< for so long its first turn waits for navigation and SNR; less when an ABORT or a leak is told
+  Meanwhile* meanwhile = nullptr;  ///< who commands the vehicle until then, once a period; null: nobody does
+  Time meanwhile_from = Time{};    ///< and from when
+};
+
 /// The record that ends the journal of a flight that ended so.
 [[nodiscard]] wire::ClosingRecord closing_record_of(const LoopResult& result);
 
@@ -49,9 +59,8 @@ struct Pace {
 /// Where arrivals make turns, a fix or an order that has been taken is answered by a turn at once, but no sooner than kLeastBetweenTurns_us
 /// after the last: a flood waits for the next turn. Silence makes a turn a period after the last.
 /// @param stop    set by a signal handler
-/// @param hold    of a mission that goes on from its journal: for so long its first turn waits for navigation and SNR, so that it is not
-///                ended for the silence of its own outage
+/// @param hold    of a mission that goes on from its journal
 [[nodiscard]] LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, const Pace& pace, const std::atomic<bool>& stop,
-                             Duration hold = {});
+                             const Hold& hold = {});
 
 }  // namespace earshot::board

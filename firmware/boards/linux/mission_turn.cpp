@@ -48,6 +48,9 @@ bool calls_for_turn(const InputSink::Value& value) {
 /// A disk that comes and goes is told of twice in this time at most: that it went, always at once, and that it came back.
 constexpr Duration kJournalDownAtLeast = Duration::seconds(60);
 
+/// With a disk that is asleep, for a record from before Earshot steers: nobody goes by its set-points yet.
+constexpr std::chrono::milliseconds kPatienceBeforeSteering{1000};
+
 template <class Bytes>
 void write_build(std::string_view build, Bytes& bytes) {
   std::copy_n(build.begin(), std::min(build.size(), std::size(bytes)), std::begin(bytes));
@@ -87,6 +90,8 @@ void MissionTurn::take(std::uint8_t port, const Value& value) {
   if (order != nullptr && port != kOwnPort && !gate_.lets_through(*order, now(), is_aborted)) return ports_.count_lost(port);
   const messages::Input input{.arrival = now(), .port = port, .sequence = memory_.inputs, .value = value};
   memory_.note(input);
+  const auto* const fix = std::get_if<messages::Navigation>(&value);
+  if (safety_ != nullptr && fix != nullptr && messages::is_usable(*fix)) safety_->hear(*fix);
   if (const std::optional<messages::CommandOutcome> outcome = core_.take(input)) {
     append(input, *outcome);
   } else if (held_.push_back(input) != Status::kOk) {
@@ -157,18 +162,14 @@ runtime::Outputs MissionTurn::operator()() {
   report_mute();
   is_called_ = false;
   if (is_part_asked_for_ != nullptr && is_part_asked_for_->exchange(false) && journal_ != nullptr) journal_->begin_part();
-  try {
-    outputs_ = core_.step(turn);
-  } catch (...) {
-    append_held(nullptr);
-    throw;
-  }
+  outputs_ = core_.step(turn);
   append_held(&outputs_.acknowledgements);
   const bool is_new_state = record(turn, outputs_);
   memory_.note(turn, outputs_);
   write_ahead_of(outputs_, is_new_state);
-  const bool is_durable = safety_ == nullptr || safety_->note(turn, outputs_, core_.mission(), patience_);
+  const bool is_durable = safety_ == nullptr || safety_->note(turn, outputs_, core_.mission(), patience_with_record());
   ports_.note_speed(is_finite(memory_.speed.value) ? memory_.speed : memory_.commanded_speed);
+  if (is_overtaken()) return outputs_;
   const std::uint64_t sent = ports_.setpoints_sent();
   ports_.publish(turn, as_told(is_durable));
   is_mute_ = outputs_.setpoint && ports_.carries_setpoints() && ports_.setpoints_sent() == sent;
@@ -179,6 +180,14 @@ runtime::Outputs MissionTurn::operator()() {
   for (const messages::SafetyEvent& event : outputs_.safety_events) news_->tell(event);
   news_->tell(turn, outputs_.health);
   return outputs_;
+}
+
+std::chrono::milliseconds MissionTurn::patience_with_record() const {
+  return safety_->record().is_engaged ? patience_ : std::max(patience_, kPatienceBeforeSteering);
+}
+
+void MissionTurn::end() {
+  append_held(nullptr);
 }
 
 runtime::Outputs MissionTurn::say_again() {

@@ -67,8 +67,9 @@ class MissionTurn final : public InputSink {
   }
 
   /// From now on what must not be forgotten of a turn is in the safety record before the turn is sent. What no disk takes within the
-  /// patience of write_ahead() is obeyed all the same; who ordered it is told that it is not durable (CommandOutcome::kObeyedNotDurable),
-  /// and so does health, where this computer's own port is down. @param safety  must outlive it
+  /// patience of write_ahead(), or a second as long as no set-point has left, is obeyed all the same; who ordered it is told that it is not
+  /// durable (CommandOutcome::kObeyedNotDurable), and so does health, where this computer's own port is down. @param safety  must outlive
+  /// it
   void keep_safe(SafetyLog& safety) { safety_ = &safety; }
 
   /// From now on every turn is told to a person, too. @param news  must outlive it
@@ -89,11 +90,17 @@ class MissionTurn final : public InputSink {
   runtime::Outputs operator()();
   /// Sends what the last turn said: the process that made it may not have come to it.
   runtime::Outputs say_again();
+  /// No turn follows, or the last one failed: what has come since then stands in the journal, too.
+  void end();
 
   /// Of the last turn; of a mission that goes on, before its first, what the process before said last.
   [[nodiscard]] const runtime::Outputs& outputs() const { return outputs_; }
   /// Whether something has come since the last turn that is to be answered at once, where arrivals make turns: a fix, or an order.
   [[nodiscard]] bool is_called() const { return is_called_; }
+  /// Whether another process commands the vehicle by now, because this one hung: what the last turn said was not sent.
+  [[nodiscard]] bool is_overtaken() const { return safety_ != nullptr && safety_->is_overtaken(); }
+  /// Whether an ABORT or a leak has come since the last turn: for these none waits.
+  [[nodiscard]] bool is_urgent() const { return memory_.is_urgent; }
   /// Fixes taken so far, but for those without a date that the clock knows.
   [[nodiscard]] std::uint64_t navigation_taken() const { return memory_.navigation_taken; }
   [[nodiscard]] std::uint64_t snr_taken() const { return memory_.snr_taken; }
@@ -111,6 +118,7 @@ class MissionTurn final : public InputSink {
   void report_mute();
   void record_trouble(std::uint8_t port, BusTrouble trouble, bool is_there);
   void write_ahead_of(const runtime::Outputs& outputs, bool is_new_state);
+  [[nodiscard]] std::chrono::milliseconds patience_with_record() const;
   void append(const messages::Input& input, messages::CommandOutcome outcome);
   /// The inputs of a core that says at its step what became of orders: in the journal they stand before what that step says.
   /// @param acknowledgements  of that step; null: there was none

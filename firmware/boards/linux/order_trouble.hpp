@@ -31,9 +31,7 @@ inline constexpr std::size_t kOrderTroubleCount = 4;
              "EARSHOT_CHALLENGE "
              "(on CAN 130953), as marked_order.py does";
     case OrderTrouble::kNoMark:
-      return "an order was refused that does not bear the mark of who knows the key, for this vehicle, this start of it and its mission: "
-             "it "
-             "was recorded, or its sender has another key or another challenge";
+      return "an order was refused: its mark is missing or wrong (another key, vehicle_id or mission, or recorded before this start)";
   }
   return {};
 }

@@ -21,6 +21,7 @@ struct TurnMemory {
   std::uint64_t inputs = 0;            ///< taken so far
   std::uint64_t navigation_taken = 0;  ///< of these, fixes, but for those without a date that the clock knows
   std::uint64_t snr_taken = 0;         ///< measurements
+  bool is_urgent = false;              ///< an ABORT or a leak has come since the last turn
   std::uint64_t unsent_setpoints = 0;  ///< that no port could send
   std::optional<messages::MissionState> recorded_state;
   MetersPerSecond speed;            ///< through the water, by the last fix that could be one; NaN: it does not know

@@ -4,12 +4,13 @@
 #include <sys/file.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "firmware/host/file/process_name.hpp"
 
@@ -20,24 +21,39 @@ namespace {
   throw std::system_error(errno, std::generic_category(), folder.string());
 }
 
-/// The process that holds a lock on the file of this inode, as the kernel lists it:
+struct Holder {
+  std::string process;
+  bool is_alone = true;  ///< the lock is not shared
+};
+
+/// The processes that hold a lock on the file of this inode, as the kernel lists them:
 /// "1: FLOCK  ADVISORY  WRITE 23873 fe:00:9994321 0 EOF".
-std::optional<std::string> holder_of(const std::string& inode) {
+std::vector<Holder> holders_of(ino_t inode) {
+  std::vector<Holder> holders;
   std::ifstream locks("/proc/locks");
   for (std::string line; std::getline(locks, line);) {
     std::istringstream words(line);
     std::string number, kind, manner, access, process, file;
     words >> number >> kind >> manner >> access >> process >> file;
-    if (kind == "FLOCK" && file.ends_with(":" + inode)) return process;
+    if (kind == "FLOCK" && file.ends_with(":" + std::to_string(inode)))
+      holders.push_back({.process = process, .is_alone = access == "WRITE"});
   }
-  return std::nullopt;
+  return holders;
+}
+
+/// Empty: it cannot be told.
+std::string program_of(const std::string& process) {
+  std::string name;
+  std::getline(std::ifstream("/proc/" + process + "/comm") >> std::ws, name);
+  return name;
 }
 
 [[noreturn]] void refuse(const FileDescriptor& file, const std::filesystem::path& path, const char* what) {
   struct stat status {};
   if (::fstat(file.number(), &status) != 0) fail(path);
-  const std::optional<std::string> holder = holder_of(std::to_string(status.st_ino));
-  throw FolderInUse(path.string() + ": " + (holder ? name_of_process(*holder) : "another program") + " is writing " + what);
+  const std::vector<Holder> holders = holders_of(status.st_ino);
+  throw FolderInUse(path.string() + ": " + (holders.empty() ? "another program" : name_of_process(holders.front().process)) +
+                    " is writing " + what);
 }
 
 }  // namespace
@@ -52,6 +68,17 @@ FileDescriptor lock_folder(const std::filesystem::path& folder) {
 
 void mark_as_written(const FileDescriptor& file, const std::filesystem::path& path) {
   if (::flock(file.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) refuse(file, path, "this file");
+}
+
+bool may_be_marked_by_this_program(const FileDescriptor& file) {
+  struct stat status {};
+  if (::fstat(file.number(), &status) != 0) return true;
+  const std::vector<Holder> holders = holders_of(status.st_ino);
+  const std::string own = program_of("self");
+  return holders.empty() || std::ranges::any_of(holders, [&](const Holder& holder) {
+           const std::string program = program_of(holder.process);
+           return holder.is_alone && (program.empty() || program == own);
+         });
 }
 
 void require_not_being_written(const std::filesystem::path& path) {

@@ -26,6 +26,10 @@ class FolderInUse : public BadInput {
 /// @throws FolderInUse
 void mark_as_written(const FileDescriptor& file, const std::filesystem::path& path);
 
+/// Whether a file that somebody has marked may be marked by another process of this program, for all that the kernel's list of locks and
+/// the processes' names tell: one that only reads it (a backup) has a lock that is shared, or another name.
+[[nodiscard]] bool may_be_marked_by_this_program(const FileDescriptor& file);
+
 /// @throws FolderInUse when somebody has marked this file as one that is being written
 void require_not_being_written(const std::filesystem::path& path);
 

@@ -46,11 +46,26 @@ std::optional<mode_t> require_regular(const std::filesystem::path& path) {
   return mode;
 }
 
+bool holds(InputFile& file, std::string_view mark) {
+  std::vector<std::uint8_t> piece(std::size_t{1} << 20U);
+  std::size_t kept = 0;  // of the piece before: the mark may begin there
+  while (true) {
+    const std::size_t size = kept + file.read(std::span(piece).subspan(kept));
+    if (std::string_view(reinterpret_cast<const char*>(piece.data()), size).find(mark) != std::string_view::npos) return true;
+    if (size < piece.size()) return false;
+    kept = mark.size() - 1;
+    std::copy(piece.end() - static_cast<std::ptrdiff_t>(kept), piece.end(), piece.begin());
+  }
+}
+
 bool is_of_kind(const std::filesystem::path& path, const OutputKind& kind) {
   std::array<std::uint8_t, 64> start{};
-  const std::size_t size = InputFile(path, kAnySize).read(start);
-  const std::string_view text(reinterpret_cast<const char*>(start.data()), size);
-  return text.empty() || std::ranges::any_of(kind.beginnings, [&](std::string_view b) { return !b.empty() && text.starts_with(b); });
+  InputFile file(path, kAnySize);
+  const std::string_view text(reinterpret_cast<const char*>(start.data()), file.read(start));
+  if (text.empty()) return true;
+  if (std::ranges::none_of(kind.beginnings, [&](std::string_view b) { return !b.empty() && text.starts_with(b); })) return false;
+  file.go_to(0);
+  return kind.mark.empty() || holds(file, kind.mark);
 }
 
 /// Beside the target, and one for each process.

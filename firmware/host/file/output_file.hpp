@@ -14,13 +14,15 @@
 
 namespace earshot::host {
 
-/// A kind of file that a program writes; it is recognised by its first bytes.
+/// A kind of file that a program writes; it is recognised by its first bytes and, where others write files that begin so too, by a mark.
 struct OutputKind {
-  std::string_view name;  ///< with its article: "a NetCDF file"
+  std::string_view name;  ///< with its article: "a NetCDF file of Earshot"
   std::array<std::string_view, 2> beginnings;
+  std::string_view mark = {};  ///< what stands somewhere in each file that Earshot wrote, at most 64 bytes; empty: the first bytes tell
 };
 
-inline constexpr OutputKind kNetcdfOutput{"a NetCDF file", {"\x89HDF\r\n\x1a\n", "CDF"}};
+/// The mark is how the attribute `source` begins: a chart that somebody downloaded has none.
+inline constexpr OutputKind kNetcdfOutput{"a NetCDF file of Earshot", {"\x89HDF\r\n\x1a\n", "CDF"}, "Earshot, "};
 inline constexpr OutputKind kPngOutput{"a PNG picture", {"\x89PNG\r\n\x1a\n", {}}};
 inline constexpr OutputKind kSvgOutput{"an SVG picture", {"<?xml", "<svg"}};
 inline constexpr OutputKind kHtmlOutput{"an HTML page", {"<!DOCTYPE html>", {}}};

@@ -106,6 +106,8 @@ std::optional<std::filesystem::path> journal_marked(const std::filesystem::path&
   for (const JournalName& name : journals_beside(wanted)) {
     if (name.part > 1 || name.journal < newest) continue;
     std::array<char, kCheckedFrom> beginning{};
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(named(wanted, name), error)) continue;  // of a pipe the reading would never end
     std::ifstream file(named(wanted, name), std::ios::binary);
     if (file.read(beginning.data(), beginning.size()) && std::memcmp(beginning.data(), mark.data(), mark.size()) == 0)
       newest = name.journal;

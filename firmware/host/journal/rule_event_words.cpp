@@ -36,6 +36,32 @@ int decimals_apart(double measure, double limit) {
   return places;
 }
 
+bool names_limit(const messages::SafetyEvent& event) {
+  const config::ConditionTraits& traits = config::kConditionTraits.at(static_cast<std::size_t>(event.condition));
+  return traits.kind != config::ConditionTraits::Kind::kFlag && (event.limit != 0.0 || !words_of_measure(event.condition));
+}
+
+std::optional<MeasureWords> words_of_measure(config::Condition condition) {
+  switch (condition) {
+    case config::Condition::kNavigationDisputed:
+      return MeasureWords{.before = "late fixes lie ",
+                          .behind = " m from those believed of their time",
+                          .look_at = "two senders tell places (earshot journal --jsonl has the ports)"};
+    case config::Condition::kPlaceUnexplained:
+      return MeasureWords{.before = "the place went ",
+                          .behind = " m further than speed, heading, current and their errors explain",
+                          .look_at = "look at navigation, log and compass"};
+    case config::Condition::kDepthUnexplained:
+      return MeasureWords{.before = "the depth is ",
+                          .behind = " m further from its set-points than it may be",
+                          .look_at = "look at the depth sensor and whether the autopilot obeys"};
+    case config::Condition::kSetpointsUnsent:
+      return MeasureWords{.before = "no set-point could be sent for ", .behind = " s", .look_at = "look at the port's bus and its address"};
+    default:
+      return std::nullopt;
+  }
+}
+
 std::string to_string(const messages::SafetyEvent& event) {
   using config::ConditionTraits;
   const auto condition = static_cast<std::size_t>(event.condition);
@@ -46,10 +72,13 @@ std::string to_string(const messages::SafetyEvent& event) {
   std::string text = rule + std::string(traits.key);
   if (!event.begins) return text + ": no longer";
   const int places = decimals_apart(event.measure, event.limit);
+  const std::optional<MeasureWords> words = words_of_measure(event.condition);
+  const std::string measure = decimal(event.measure, places);
   if (traits.kind != ConditionTraits::Kind::kFlag)
-    text += ": " + decimal(event.measure, places) + (traits.kind == ConditionTraits::Kind::kAbove ? ", above " : ", below ") +
-            decimal(event.limit, places);
-  return text + ": " + std::string(config::kResponseWords.at(response));
+    text += ": " + (words ? std::string(words->before) + measure + std::string(words->behind) : measure);
+  if (names_limit(event)) text += (traits.kind == ConditionTraits::Kind::kAbove ? ", above " : ", below ") + decimal(event.limit, places);
+  text += ": " + std::string(config::kResponseWords.at(response));
+  return words ? text + "; " + std::string(words->look_at) : text;
 }
 
 }  // namespace earshot::host

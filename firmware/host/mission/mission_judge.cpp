@@ -7,6 +7,7 @@
 
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/input_file.hpp"
+#include "firmware/host/trust/mission_counter.hpp"
 #include "firmware/host/trust/signature_file.hpp"
 
 namespace earshot::host {
@@ -105,6 +106,12 @@ void MissionJudge::load_tables(const MissionFile& file, SignedSearch& search) co
   }
 }
 
+std::string MissionJudge::raised_before(std::uint64_t counter) const {
+  if (counter - 1 > static_cast<std::uint64_t>(kHighestSetCounter)) return {};
+  return ", or, if it is meant, say so on the vehicle: earshot verify --vehicle " + vehicle_->path.string() + " --raise-counter " +
+         std::to_string(counter - 1);
+}
+
 void MissionJudge::judge_counter(const SignedSearch& search, const std::filesystem::path& policy_path) {
   if (counting_ == Counting::kRecorded) counter_.emplace(vehicle_->counter_file);
   if (counter_) flown_last_ = counter_->flown_last();
@@ -123,9 +130,8 @@ void MissionJudge::judge_counter(const SignedSearch& search, const std::filesyst
       throw BadInput(counter + " has been used, and not for this mission and policy" + flown);
     case ManifestVerdict::kTooFarAhead:
       throw BadInput(counter + " is more than " + std::to_string(authority::kMostCounterStep) + " above " + last +
-                     ", which the vehicle has flown (" + vehicle_->counter_file.string() +
-                     "): a slip? Sign with a lower counter, or, if it is meant, say so on the vehicle: earshot verify --raise-counter " +
-                     std::to_string(manifest_->counter - 1));
+                     ", which the vehicle has flown (" + vehicle_->counter_file.string() + "): a slip? Sign with a lower counter" +
+                     raised_before(manifest_->counter));
     case ManifestVerdict::kAccepted:
     case ManifestVerdict::kForeignKey:
     case ManifestVerdict::kFalseSignature:

@@ -65,6 +65,8 @@ class MissionJudge {
   [[nodiscard]] SignedPolicy load_policy(const MissionFile& file) const;
   void load_tables(const MissionFile& file, SignedSearch& search) const;
   void judge_counter(const SignedSearch& search, const std::filesystem::path& policy_path);
+  /// How a counter so high is told the vehicle to be meant, after "Sign with a lower counter"; empty: it is told in no way.
+  [[nodiscard]] std::string raised_before(std::uint64_t counter) const;
   [[nodiscard]] VehicleTrust trust() const;
   [[nodiscard]] std::string setting(const char* key) const;
 

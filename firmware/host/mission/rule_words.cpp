@@ -44,6 +44,18 @@ std::string_view done_by(config::Response response) {
   return kDone.at(static_cast<std::size_t>(response));
 }
 
+/// "the age of the newest fix is above 5 s"
+std::string condition_in_words(const config::Rule& rule) {
+  const ConditionTraits& traits = traits_of(rule);
+  if (traits.kind == ConditionTraits::Kind::kFlag) return std::string(traits.meaning);
+  const std::string limit = shortly(rule.limit) + std::string(unit_of(traits.key));
+  if (rule.condition == config::Condition::kPlaceUnexplained)
+    return "the place went further than speed, heading and current explain, by more than " + limit;
+  if (rule.condition == config::Condition::kNavigationDisputed)
+    return "late fixes lie more than " + limit + " from those believed of the same moment";
+  return std::string(traits.meaning) + (traits.kind == ConditionTraits::Kind::kAbove ? " is above " : " is below ") + limit;
+}
+
 }  // namespace
 
 std::string shortly(double value) {
@@ -62,12 +74,7 @@ std::string to_string(const config::Rule& rule) {
 }
 
 std::string in_words(const config::Rule& rule) {
-  const ConditionTraits& traits = traits_of(rule);
-  std::string text = std::string(done_by(rule.response)) + " once " + std::string(traits.meaning);
-  if (traits.kind != ConditionTraits::Kind::kFlag) {
-    text += traits.kind == ConditionTraits::Kind::kAbove ? " is above " : " is below ";
-    text += shortly(rule.limit) + std::string(unit_of(traits.key));
-  }
+  std::string text = std::string(done_by(rule.response)) + " once " + condition_in_words(rule);
   text += lasting(rule);
   const bool ends_the_mission = rule.response >= config::Response::kAbort;
   return rule.is_latched && !ends_the_mission ? text + ", and until the mission ends" : text;

@@ -58,8 +58,9 @@ Polygon read_polygon(TableReader& table, const std::string& prefix) {
   return polygon;
 }
 
-std::vector<TableReader> tables_if_any(TableReader& root, const char* key, std::size_t most) {
-  return root.has(key) ? root.tables(key, most) : std::vector<TableReader>();
+std::vector<TableReader> tables_if_any(TableReader& root, const char* key, std::size_t most,
+                                       TableReader::Counted counted = TableReader::Counted::kEverywhere) {
+  return root.has(key) ? root.tables(key, most, counted) : std::vector<TableReader>();
 }
 
 std::vector<std::string> words_of_conditions() {
@@ -99,6 +100,16 @@ std::string corner_words(const safety::SafetyComplaint& complaint) {
   return "a corner is no place";
 }
 
+void complain_of_ascent(TableReader vehicle, const config::VehicleLimits& limits) {
+  if (limits.ascent_speed < config::kSlowestAscent)
+    return vehicle.problem("ascent_speed_mps", "must be 0 or at least " + shortly(config::kSlowestAscent.value) +
+                                                   ": a vehicle that must move to come up rises no faster than it moves, and one that "
+                                                   "rises more slowly is not counted on to come up (ascent_rate_mps)");
+  vehicle.problem("ascent_rate_mps", "must be at most vehicle.ascent_speed_mps (" + vehicle.place_of("ascent_speed_mps") + " = " +
+                                         shortly(limits.ascent_speed.value) +
+                                         "): a vehicle that must move to come up rises no faster than it moves");
+}
+
 /// Names both keys, whichever of them was changed.
 void complain_of_vehicle(TableReader vehicle, const TableReader& search, const config::Mission& mission) {
   const config::VehicleLimits& limits = mission.safety.vehicle;
@@ -111,6 +122,7 @@ void complain_of_vehicle(TableReader vehicle, const TableReader& search, const c
                                                    vehicle.place_of("max_speed_mps") + " = " + shortly(limits.max_speed.value) + ")");
   if (mission.search_speed > limits.max_speed)
     return vehicle.problem("max_speed_mps", "the vehicle must be as fast as its search: search.speed_mps <= max_speed_mps" + search_speed);
+  if (limits.ascent_speed > MetersPerSecond{} && limits.ascent_rate > limits.ascent_speed) return complain_of_ascent(vehicle, limits);
   return vehicle.problem("max_current_mps",
                          "the vehicle must be able to go faster than the current: max_current_mps < search.speed_mps" + search_speed);
 }
@@ -154,7 +166,7 @@ SafetyTables safety_tables(TableReader root) {
           .fence = root.optional_table("fence"),
           .no_surface = tables_if_any(root, "no_surface", config::kMaxNoSurfaceZones),
           .safe_point = root.optional_table("safe_point"),
-          .rules = tables_if_any(root, "rule", config::kMaxOwnRules)};
+          .rules = tables_if_any(root, "rule", config::kMaxOwnRules, TableReader::Counted::kInFile)};
 }
 
 config::Safety read_safety(SafetyTables& tables) {

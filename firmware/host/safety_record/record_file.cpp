@@ -50,6 +50,12 @@ Slot slot_of(const SafetyRecord& record) {
   return slot;
 }
 
+bool is_ours(const struct stat& status) {
+  struct stat root {};  // who owns it is root, in a container, too
+  const bool is_roots = status.st_uid == 0 || (::stat("/", &root) == 0 && status.st_uid == root.st_uid);
+  return (is_roots || status.st_uid == ::geteuid()) && (status.st_mode & (S_IWGRP | S_IWOTH)) == 0;
+}
+
 }  // namespace
 
 RecordFile::RecordFile(std::filesystem::path path)
@@ -60,14 +66,21 @@ bool RecordFile::open() {
   constexpr int kFlags = O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
   FileDescriptor file(::open(path_.c_str(), O_RDWR | kFlags));
   if (file.number() < 0) file = FileDescriptor(::open(path_.c_str(), O_RDONLY | kFlags));
+  out_of_reach_ = file.number() < 0 && (errno == EMFILE || errno == ENFILE || errno == ENOMEM) ? errno : 0;
   struct stat status {};
   if (file.number() < 0 || ::fstat(file.number(), &status) != 0 || !S_ISREG(status.st_mode)) return false;
+  is_anybodys_ = !is_ours(status);
+  if (is_anybodys_) return false;
   file_ = std::move(file);
   return true;
 }
 
 bool RecordFile::claim() {
   return file_.number() < 0 || ::flock(file_.number(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+}
+
+bool RecordFile::holder_may_fly() const {
+  return may_be_marked_by_this_program(file_);
 }
 
 std::string RecordFile::holder() const {
@@ -79,17 +92,20 @@ std::string RecordFile::holder() const {
   return path_.string() + ": another program is writing this file";
 }
 
-std::optional<SafetyRecord> RecordFile::newest() {
-  std::optional<SafetyRecord> newest;
+std::optional<RecordFile::Found> RecordFile::newest_slot() const {
+  std::optional<Found> newest;
   for (std::size_t slot = 0; file_.number() >= 0 && slot < kRecordSlots; ++slot) {
     SafetyRecordBytes bytes{};
-    if (read_all(file_.number(), bytes, slot * kRecordSlotBytes) < bytes.size()) continue;
-    const std::optional<SafetyRecord> record = read_safety_record(bytes);
-    if (!record || (newest && record->sequence < newest->sequence)) continue;
-    newest = record;
-    newest_slot_ = slot;
+    const std::size_t size = read_all(file_.number(), bytes, slot * kRecordSlotBytes);
+    const std::optional<SafetyRecord> record = read_safety_record(std::span(bytes).first(size));
+    if (record && (!newest || record->sequence >= newest->record.sequence)) newest = Found{.record = *record, .slot = slot};
   }
   return newest;
+}
+
+std::optional<SafetyRecord> RecordFile::newest() const {
+  const std::optional<Found> found = newest_slot();
+  return found ? std::optional(found->record) : std::nullopt;
 }
 
 std::vector<std::uint8_t> RecordFile::kept(std::uint32_t crc32) const {
@@ -98,6 +114,19 @@ std::vector<std::uint8_t> RecordFile::kept(std::uint32_t crc32) const {
   std::vector<std::uint8_t> bytes(std::min<std::uint64_t>(load_big_endian(size), kMostKeptBytes - size.size()));
   if (read_all(file_.number(), bytes, kKeptAt + size.size()) < bytes.size() || earshot::crc32(bytes) != crc32) return {};
   return bytes;
+}
+
+bool RecordFile::holds(std::span<const std::uint8_t> kept) const {
+  std::array<std::uint8_t, 4> size{};
+  if (read_all(file_.number(), size, kKeptAt) < size.size() || load_big_endian(size) != kept.size()) return false;
+  for (std::size_t at = 0; at < kept.size();) {
+    std::array<std::uint8_t, 1024> bytes{};
+    const std::span part = std::span(bytes).first(std::min(bytes.size(), kept.size() - at));
+    if (read_all(file_.number(), part, kKeptAt + size.size() + at) < part.size()) return false;
+    if (!std::ranges::equal(part, kept.subspan(at, part.size()))) return false;
+    at += part.size();
+  }
+  return true;
 }
 
 /// A file system that cannot promise space (EOPNOTSUPP) is written to, which takes it.
@@ -115,11 +144,12 @@ bool RecordFile::hold_space() const {
 
 bool RecordFile::prepare(std::span<const std::uint8_t> kept) {
   if (file_.number() < 0 && !open()) {
+    if (is_anybodys_) (void)::unlink(path_.c_str());  // nobody would believe what is written there
     file_ = FileDescriptor(::open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, kMode));
     if (file_.number() < 0) return false;
   }
   if (!claim() || !hold_space()) return false;
-  if (!kept.empty() && !this->kept(crc32(kept)).empty()) return true;
+  if (!kept.empty() && holds(kept)) return true;
   std::array<std::uint8_t, 4> size{};
   if (kept.size() > kMostKeptBytes - size.size()) return false;
   store_big_endian(size, kept.size());
@@ -128,13 +158,29 @@ bool RecordFile::prepare(std::span<const std::uint8_t> kept) {
   return ::fsync(file_.number()) == 0 && folder.number() >= 0 && ::fsync(folder.number()) == 0;
 }
 
+bool RecordFile::put(const SafetyRecord& record, std::size_t slot) const {
+  const Slot bytes = slot_of(record);
+  return write_all(file_.number(), bytes, slot * kRecordSlotBytes) && ::fdatasync(file_.number()) == 0;
+}
+
 bool RecordFile::write(const SafetyRecord& record) {
   if (file_.number() < 0) return false;
-  const std::size_t slot = (newest_slot_ + 1) % kRecordSlots;
-  const Slot bytes = slot_of(record);
-  if (!write_all(file_.number(), bytes, slot * kRecordSlotBytes) || ::fdatasync(file_.number()) != 0) return false;
-  newest_slot_ = slot;
-  return true;
+  const std::optional<Found> there = newest_slot();
+  if (!there) return put(record, 0);
+  if (there->record == record) return ::fdatasync(file_.number()) == 0;  // it was not brought to the disk
+  const bool is_higher = there->record.sequence >= record.sequence;
+  const bool is_of_same_flight = there->record.journal_crc32 == record.journal_crc32;
+  is_overtaken_ = is_overtaken_ || (is_higher && is_of_same_flight);
+  if (is_overtaken_) return false;
+  // A file that was away may hold a higher number of a flight of before: that is not to be found any more either.
+  return put(record, (there->slot + 1) % kRecordSlots) && (!is_higher || put(record, there->slot));
+}
+
+bool RecordFile::is_in_place() const {
+  struct stat opened {};
+  struct stat named {};
+  return ::fstat(file_.number(), &opened) == 0 && ::lstat(path_.c_str(), &named) == 0 && opened.st_dev == named.st_dev &&
+         opened.st_ino == named.st_ino && opened.st_size >= static_cast<off_t>(kRecordFileBytes);
 }
 
 }  // namespace earshot::host

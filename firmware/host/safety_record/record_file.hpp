@@ -25,19 +25,22 @@ inline constexpr std::size_t kMostKeptBytes = kRecordFileBytes - kRecordSlots * 
 /// is full later still takes it, and a write that the power cuts off costs the record before none of its bytes. A bit that flips costs one
 /// slot at most.
 ///
-/// Of one thread at a time. Nothing allocates but kept() and the constructor.
+/// Of one thread at a time. Nothing allocates but kept(), holder() and the constructor.
 /// Oracle: RecordFile.*
 class RecordFile {
  public:
   explicit RecordFile(std::filesystem::path path);
 
   /// Opens the file that is there, to be read and, where the disk lets it, written. False: there is none, or it is not of this kind (no
-  /// regular file).
+  /// regular file), or others than root and this program's user own it or may write it: then it is_anybodys().
   bool open();
-  /// Marks it as this process's, as long as this is kept. False: another process has it.
+  [[nodiscard]] bool is_anybodys() const { return is_anybodys_; }
+  /// Why open() did not come to see whether there is one, as errno says it (no descriptor is left); 0: it did.
+  [[nodiscard]] int out_of_reach() const { return out_of_reach_; }
+  /// Marks it as this process's, as long as this is kept. False: another process has it, which may only read it (holder_may_fly()).
   [[nodiscard]] bool claim();
   /// The newest record that is whole. Reads it anew.
-  [[nodiscard]] std::optional<SafetyRecord> newest();
+  [[nodiscard]] std::optional<SafetyRecord> newest() const;
   /// What is kept beside the records, as of the checksum that they name; nothing: it is damaged, or of another flight.
   [[nodiscard]] std::vector<std::uint8_t> kept(std::uint32_t crc32) const;
 
@@ -46,18 +49,36 @@ class RecordFile {
   /// Writes the record into the slot that does not hold the newest, and brings it to the disk. Only of a file that prepare() made or open()
   /// found.
   [[nodiscard]] bool write(const SafetyRecord& record);
+  /// Whether write() has met a record of the same flight that this process did not write.
+  [[nodiscard]] bool is_overtaken() const { return is_overtaken_; }
+  /// Whether the file still bears its name and has its whole length: somebody may have removed it, put another in its place or cut it.
+  [[nodiscard]] bool is_in_place() const;
+  /// As if it had not been opened.
+  void let_go() { file_ = FileDescriptor(); }
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// Whether whoever has it may be another process of this program.
+  [[nodiscard]] bool holder_may_fly() const;
   /// Who has it that another process's claim is; for a message.
   [[nodiscard]] std::string holder() const;
 
  private:
+  struct Found {
+    SafetyRecord record;
+    std::size_t slot = 0;
+  };
+
+  [[nodiscard]] std::optional<Found> newest_slot() const;
   [[nodiscard]] bool hold_space() const;
+  [[nodiscard]] bool holds(std::span<const std::uint8_t> kept) const;
+  [[nodiscard]] bool put(const SafetyRecord& record, std::size_t slot) const;
 
   std::filesystem::path path_;
   std::filesystem::path folder_;
   FileDescriptor file_;
-  std::size_t newest_slot_ = kRecordSlots - 1;
+  int out_of_reach_ = 0;
+  bool is_anybodys_ = false;
+  bool is_overtaken_ = false;
 };
 
 }  // namespace earshot::host

@@ -6,6 +6,7 @@
 #include <condition_variable>
 #include <deque>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -32,26 +33,34 @@ struct SafetyCopies::Writers {
   };
 
   std::deque<Copy> copies;  // whose elements stay where they are
+  RecordOwner owner;
   std::optional<SafetyRecord> found;
+  std::vector<std::string> left_out;
   std::vector<std::uint8_t> kept;
   mutable std::mutex mutex;
   std::condition_variable more;     ///< for the writers
   std::condition_variable settled;  ///< for who waits for them
   SafetyRecord record;              ///< to be written
   std::uint64_t newest_news = 0;    ///< the sequence of the last that was no stamp
+  bool makes_files = false;         ///< `kept` is known
+  bool is_given = false;            ///< any record was
+  bool is_damaged = false;          ///< a file was found that holds no whole record
+  bool is_overtaken = false;
   bool ending = false;
 
-  explicit Writers(const std::vector<SafetyCopy>& wanted) {
-    for (const SafetyCopy& copy : wanted) {
-      Copy& made = copies.emplace_back(copy);
-      if (!made.file.open()) continue;
-      if (!made.file.claim()) throw RecordInUse(made.file.holder());
-      if (const std::optional<SafetyRecord> newest = made.file.newest(); newest && (!found || newest->sequence > found->sequence))
-        found = newest;
-    }
-    if (found) record.sequence = found->sequence;
+  Writers(const std::vector<SafetyCopy>& wanted, const RecordOwner& whose, Claim claim) : owner(whose) {
+    std::vector<SafetyRecord> records;
+    for (const SafetyCopy& copy : wanted) read(copies.emplace_back(copy), claim, records);
+    found = newest_of(records);
+    kept = kept_of_found();
+    makes_files = !kept.empty();
     for (Copy& copy : copies) copy.written = copy.attempted = record.sequence;
-    for (Copy& copy : copies) copy.thread = std::thread([this, &copy] { run(copy); });
+    for (Copy& copy : copies) {
+      try {
+        copy.thread = std::thread([this, &copy] { run(copy); });
+      } catch (const std::system_error&) {  // then give() does its work
+      }
+    }
   }
 
   ~Writers() {
@@ -60,7 +69,36 @@ struct SafetyCopies::Writers {
       ending = true;
     }
     more.notify_all();
-    for (Copy& copy : copies) copy.thread.join();
+    for (Copy& copy : copies)
+      if (copy.thread.joinable()) copy.thread.join();
+  }
+
+  void read(Copy& copy, Claim claim, std::vector<SafetyRecord>& records) {
+    const std::string path = copy.file.path().string();
+    if (!copy.file.open()) {
+      if (copy.file.out_of_reach() != 0) throw std::system_error(copy.file.out_of_reach(), std::generic_category(), path);
+      if (copy.file.is_anybodys()) left_out.push_back(path + ": others than root and this program's user may change it");
+      return;
+    }
+    if (claim == Claim::kNeeded && !copy.file.claim() && copy.file.holder_may_fly()) throw RecordInUse(copy.file.holder());
+    const std::optional<SafetyRecord> newest = copy.file.newest();
+    is_damaged = is_damaged || !newest;
+    if (!newest) return;
+    record.sequence = std::max(record.sequence, newest->sequence);
+    if (may_be_same(newest->owner, owner)) {
+      records.push_back(*newest);
+    } else {
+      left_out.push_back(path + ": it is of another vehicle, or of another folder's flights");
+    }
+  }
+
+  [[nodiscard]] std::vector<std::uint8_t> kept_of_found() {
+    for (Copy& copy : copies) {
+      const std::lock_guard lock(copy.files);
+      std::vector<std::uint8_t> bytes = found ? copy.file.kept(found->kept_crc32) : std::vector<std::uint8_t>();
+      if (!bytes.empty()) return bytes;
+    }
+    return {};
   }
 
   void run(Copy& copy) {
@@ -69,30 +107,44 @@ struct SafetyCopies::Writers {
     for (;;) {
       more.wait(lock, [&] { return ending || copy.written != record.sequence; });
       if (copy.written == record.sequence) return;
-      const SafetyRecord wanted = record;
-      lock.unlock();
-      const bool is_taken = take(copy, wanted);
-      lock.lock();
-      copy.attempted = wanted.sequence;
-      if (is_taken) copy.written = wanted.sequence;
-      settled.notify_all();
-      if (is_taken) continue;
+      if (take_newest(copy, lock)) continue;
       if (ending) return;
-      (void)more.wait_for(lock, kRetry, [&] { return ending || record.sequence != wanted.sequence; });
+      const std::uint64_t refused = copy.attempted;
+      (void)more.wait_for(lock, kRetry, [&] { return ending || record.sequence != refused; });
     }
   }
 
-  /// Under the lock.
-  void give(const SafetyRecord& wanted) {
+  /// @param lock  of the mutex; not held while the disk writes
+  bool take_newest(Copy& copy, std::unique_lock<std::mutex>& lock) {
+    const SafetyRecord wanted = record;
+    lock.unlock();
+    const bool is_taken = take(copy, wanted);
+    lock.lock();
+    copy.attempted = wanted.sequence;
+    if (is_taken) copy.written = wanted.sequence;
+    is_overtaken = is_overtaken || copy.file.is_overtaken();
+    settled.notify_all();
+    return is_taken;
+  }
+
+  void give(const SafetyRecord& wanted, std::unique_lock<std::mutex>& lock) {
     const std::uint64_t last = record.sequence;
     record = wanted;
     record.sequence = last + 1;
+    record.owner = owner;
+    is_given = true;
     more.notify_all();
+    for (Copy& copy : copies)
+      if (!copy.thread.joinable()) (void)take_newest(copy, lock);
   }
 
   [[nodiscard]] bool take(Copy& copy, const SafetyRecord& wanted) {
     const std::lock_guard lock(copy.files);
-    if (!kept.empty() && !copy.is_prepared) copy.is_prepared = copy.file.prepare(kept);
+    if (copy.is_prepared && !copy.file.is_in_place()) {
+      copy.file.let_go();
+      copy.is_prepared = false;
+    }
+    if (makes_files && !copy.is_prepared) copy.is_prepared = copy.file.prepare(kept);
     return copy.file.write(wanted);
   }
 
@@ -107,7 +159,8 @@ struct SafetyCopies::Writers {
   }
 };
 
-SafetyCopies::SafetyCopies(const std::vector<SafetyCopy>& copies) : writers_(std::make_unique<Writers>(copies)) {}
+SafetyCopies::SafetyCopies(const std::vector<SafetyCopy>& copies, const RecordOwner& owner, Claim claim)
+    : writers_(std::make_unique<Writers>(copies, owner, claim)) {}
 
 SafetyCopies::~SafetyCopies() = default;
 
@@ -115,13 +168,21 @@ const std::optional<SafetyRecord>& SafetyCopies::found() const {
   return writers_->found;
 }
 
+bool SafetyCopies::is_damaged() const {
+  return writers_->is_damaged;
+}
+
+std::optional<SafetyRecord> SafetyCopies::newest() const {
+  const std::lock_guard lock(writers_->mutex);
+  return writers_->is_given ? std::optional(writers_->record) : writers_->found;
+}
+
+const std::vector<std::string>& SafetyCopies::left_out() const {
+  return writers_->left_out;
+}
+
 std::vector<std::uint8_t> SafetyCopies::kept() const {
-  for (Writers::Copy& copy : writers_->copies) {
-    const std::lock_guard lock(copy.files);
-    std::vector<std::uint8_t> bytes = writers_->found ? copy.file.kept(writers_->found->kept_crc32) : std::vector<std::uint8_t>();
-    if (!bytes.empty()) return bytes;
-  }
-  return {};
+  return writers_->kept_of_found();
 }
 
 void SafetyCopies::prepare(std::span<const std::uint8_t> kept) {
@@ -131,25 +192,31 @@ void SafetyCopies::prepare(std::span<const std::uint8_t> kept) {
   }
   // Of the threads, which look at it once a record is written.
   writers_->kept.assign(kept.begin(), kept.end());
+  writers_->makes_files = true;
 }
 
 bool SafetyCopies::write(const SafetyRecord& record, std::chrono::milliseconds patience) {
   Writers& writers = *writers_;
   std::unique_lock lock(writers.mutex);
-  writers.give(record);
-  writers.newest_news = writers.record.sequence;
+  writers.newest_news = writers.record.sequence + 1;
+  writers.give(record, lock);
   (void)writers.settled.wait_for(lock, patience, [&] { return writers.is_settled(); });
   return writers.is_durable();
 }
 
 void SafetyCopies::stamp(const SafetyRecord& record) {
-  const std::lock_guard lock(writers_->mutex);
-  writers_->give(record);
+  std::unique_lock lock(writers_->mutex);
+  writers_->give(record, lock);
 }
 
 bool SafetyCopies::is_durable() const {
   const std::lock_guard lock(writers_->mutex);
   return writers_->is_durable();
+}
+
+bool SafetyCopies::is_overtaken() const {
+  const std::lock_guard lock(writers_->mutex);
+  return writers_->is_overtaken;
 }
 
 std::string SafetyCopies::complaints() const {

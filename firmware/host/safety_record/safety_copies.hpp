@@ -27,20 +27,31 @@ struct SafetyCopy {
   bool survives_power_cut = true;  ///< false: it is in memory (tmpfs), which a disk's sickness does not reach, and a crash leaves alone
 };
 
+/// Whether a copy that another process has marked as its own is refused, or read, and written, all the same.
+enum class Claim { kNeeded, kWaived };
+
 /// All copies of a vehicle's safety record. Each is written by a thread of its own, so that a disk which hangs holds up neither the turn
-/// nor the other copies; one that does not take the record is tried again ten times a second. Nothing allocates after the construction, but
-/// prepare(), kept() and complaints().
+/// nor the other copies; one that does not take the record is tried again ten times a second. Where no thread can be had, whoever gives a
+/// record writes it. A copy that is removed, replaced or cut in flight is made anew with the next record. Nothing allocates after the
+/// construction, but prepare(), kept() and complaints().
 /// Oracle: SafetyCopies.*
 class SafetyCopies {
  public:
-  /// Reads what is there. @throws RecordInUse
-  explicit SafetyCopies(const std::vector<SafetyCopy>& copies);
+  /// Reads what is there. @param owner  whose records count, and whose are written
+  /// @throws RecordInUse; std::system_error where it cannot be told whether a copy is there
+  explicit SafetyCopies(const std::vector<SafetyCopy>& copies, const RecordOwner& owner = {}, Claim claim = Claim::kNeeded);
   ~SafetyCopies();
   SafetyCopies(const SafetyCopies&) = delete;
   SafetyCopies& operator=(const SafetyCopies&) = delete;
 
-  /// Of all copies, when this was made: the newest record that is whole. Nothing: there is none.
+  /// Of all copies, when this was made: the record that says how this vehicle stands (newest_of()). Nothing: there is none.
   [[nodiscard]] const std::optional<SafetyRecord>& found() const;
+  /// Likewise, there was a file of this program's that holds no whole record.
+  [[nodiscard]] bool is_damaged() const;
+  /// The one that was given last; before any was, the one that was found.
+  [[nodiscard]] std::optional<SafetyRecord> newest() const;
+  /// Copies that were there and do not count, and why; for a person.
+  [[nodiscard]] const std::vector<std::string>& left_out() const;
   /// What is kept beside that record; empty: all copies of it are damaged.
   [[nodiscard]] std::vector<std::uint8_t> kept() const;
 
@@ -56,6 +67,8 @@ class SafetyCopies {
   void stamp(const SafetyRecord& record);
   /// What was written last is in a copy that survives a power cut by now.
   [[nodiscard]] bool is_durable() const;
+  /// Another process has gone on with the flight: it writes the record, and commands the vehicle.
+  [[nodiscard]] bool is_overtaken() const;
   /// The copies that have not taken it; empty: all have.
   [[nodiscard]] std::string complaints() const;
 

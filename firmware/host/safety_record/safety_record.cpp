@@ -11,8 +11,11 @@ namespace earshot::host {
 namespace {
 
 constexpr std::string_view kMagic = "EARSHOTR";
-constexpr std::uint32_t kFormat = 1;
-constexpr std::size_t kChecksumAt = kSafetyRecordBytes - 4;
+constexpr std::uint32_t kFormat = 2;
+constexpr std::uint32_t kFormatWithoutOwner = 1;
+constexpr std::size_t kOwnerBytes = 8;
+constexpr std::size_t kChecksumBytes = 4;
+constexpr std::size_t kChecksumAt = kSafetyRecordBytes - kChecksumBytes;
 
 /// Goes through the fields in their order: one list of them for both directions.
 struct FieldWriter {
@@ -59,7 +62,7 @@ struct FieldReader {
 };
 
 template <class Record, class Field>
-void for_each_field(Record& record, Field&& field) {
+void for_each_field(Record& record, std::uint32_t format, Field&& field) {
   field(record.sequence);
   field(record.boot);
   field(record.since_boot);
@@ -81,6 +84,22 @@ void for_each_field(Record& record, Field&& field) {
   field(record.deepest.value);
   field(record.ascent_speed.value);
   field(record.turn_radius.value);
+  if (format == kFormatWithoutOwner) return;
+  field(record.owner.computer);
+  field(record.owner.folder);
+}
+
+bool is_of_one_boot(const SafetyRecord& a, const SafetyRecord& b) {
+  return a.boot == b.boot && a.boot != SafetyRecord::BootId{};
+}
+
+bool is_later(const SafetyRecord& a, const SafetyRecord& b) {
+  return is_of_one_boot(a, b) ? a.since_boot > b.since_boot : a.utc > b.utc;
+}
+
+bool has_higher_of_its_flight(const SafetyRecord& record, std::span<const SafetyRecord> records) {
+  return std::ranges::any_of(
+      records, [&](const SafetyRecord& other) { return other.journal_crc32 == record.journal_crc32 && other.sequence > record.sequence; });
 }
 
 }  // namespace
@@ -90,22 +109,36 @@ SafetyRecordBytes encoded(const SafetyRecord& record) {
   std::copy(kMagic.begin(), kMagic.end(), bytes.begin());
   FieldWriter writer{.bytes = bytes, .at = kMagic.size()};
   writer(kFormat);
-  for_each_field(record, writer);
+  for_each_field(record, kFormat, writer);
   writer(crc32(std::span(bytes).first(kChecksumAt)));
   return bytes;
 }
 
 std::optional<SafetyRecord> read_safety_record(std::span<const std::uint8_t> bytes) {
-  if (bytes.size() < kSafetyRecordBytes || !std::equal(kMagic.begin(), kMagic.end(), bytes.begin())) return std::nullopt;
-  if (load_big_endian(bytes.subspan(kChecksumAt, 4)) != crc32(bytes.first(kChecksumAt))) return std::nullopt;
+  constexpr std::size_t kFormatEnd = kMagic.size() + 4;
+  if (bytes.size() < kFormatEnd || !std::equal(kMagic.begin(), kMagic.end(), bytes.begin())) return std::nullopt;
   FieldReader reader{.bytes = bytes, .at = kMagic.size()};
   std::uint32_t format = 0;
   reader(format);
-  if (format != kFormat) return std::nullopt;
+  if (format != kFormat && format != kFormatWithoutOwner) return std::nullopt;
+  const std::size_t checksum_at = format == kFormat ? kChecksumAt : kChecksumAt - kOwnerBytes;
+  if (bytes.size() < checksum_at + kChecksumBytes) return std::nullopt;
+  if (load_big_endian(bytes.subspan(checksum_at, kChecksumBytes)) != crc32(bytes.first(checksum_at))) return std::nullopt;
   SafetyRecord record;
-  for_each_field(record, reader);
+  for_each_field(record, format, reader);
   if (record.state > messages::MissionState::kAbort || record.end_reason > messages::kLastEndReason) return std::nullopt;
   return record;
+}
+
+std::optional<SafetyRecord> newest_of(std::span<const SafetyRecord> records) {
+  std::optional<SafetyRecord> newest;
+  std::optional<SafetyRecord> under_way;
+  for (const SafetyRecord& record : records) {
+    if (has_higher_of_its_flight(record, records)) continue;
+    if (!newest || is_later(record, *newest)) newest = record;
+    if (is_under_way(record) && (!under_way || is_later(record, *under_way))) under_way = record;
+  }
+  return under_way && !is_of_one_boot(*under_way, *newest) ? under_way : newest;
 }
 
 }  // namespace earshot::host

@@ -312,7 +312,7 @@ std::optional<TableReader> TableReader::optional_table(std::string_view key) {
   return table(key);
 }
 
-std::vector<TableReader> TableReader::tables(std::string_view key, std::size_t most) {
+std::vector<TableReader> TableReader::tables(std::string_view key, std::size_t most, Counted counted) {
   const toml::node* node = node_->find(key);
   std::vector<TableReader> readers;
   if (node == nullptr) {
@@ -328,7 +328,9 @@ std::vector<TableReader> TableReader::tables(std::string_view key, std::size_t m
   std::size_t index = 0;
   for (const toml::node& element : *node->as_array()) {
     if (index == most) break;
-    const std::string name = std::string(key) + " " + std::to_string(++index);
+    const std::string number = std::to_string(++index);
+    const std::string name =
+        counted == Counted::kInFile ? "[[" + std::string(key) + "]] number " + number + " of the file" : std::string(key) + " " + number;
     if (!element.is_table()) node_->note_value(name, element, "must be a table");
     readers.push_back(TableReader(node_->add_child(element.as_table(), node_->full(name) + ": ")));
   }

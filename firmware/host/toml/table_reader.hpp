@@ -22,6 +22,11 @@ struct TableNode;  ///< one TOML table and which of its keys were asked for
 class TableReader {
  public:
   static constexpr std::size_t kAnyNumber = static_cast<std::size_t>(-1);
+  /// What the number of a table of an array is good for, and how a problem names it.
+  enum class Counted : std::uint8_t {
+    kEverywhere,  ///< "port 1: url"
+    kInFile,      ///< "[[rule]] number 1 of the file: above", where elsewhere another count goes by the name
+  };
 
   [[nodiscard]] double number(std::string_view key, Range range = {});
   [[nodiscard]] double number_or(std::string_view key, double fallback, Range range = {});
@@ -45,7 +50,8 @@ class TableReader {
   [[nodiscard]] TableReader table(std::string_view key);
   [[nodiscard]] std::optional<TableReader> optional_table(std::string_view key);
   /// Each table of an array of tables. Of more than `most` the number is noted, and the first `most` are given.
-  [[nodiscard]] std::vector<TableReader> tables(std::string_view key, std::size_t most = kAnyNumber);
+  [[nodiscard]] std::vector<TableReader> tables(std::string_view key, std::size_t most = kAnyNumber,
+                                                Counted counted = Counted::kEverywhere);
 
   /// Where a key stands that is there, for what turns out wrong after reading: "mission.toml:31: policy.file".
   [[nodiscard]] std::string place_of(std::string_view key) const;

@@ -152,8 +152,9 @@ PolicyFault fault_in_observation(const FrozenPolicy& policy) {
 
 PolicyFault fault_in_actions(const FrozenPolicy& policy) {
   if (!is_length(policy.step_length, kMostStep_m)) return PolicyFault::kOutOfRange;
-  return std::ranges::all_of(policy.actions, [](const auto& action) { return is_unit(action); }) ? PolicyFault::kNone
-                                                                                                 : PolicyFault::kNotFinite;
+  const bool are_units =
+      std::all_of(policy.actions.begin(), policy.actions.end(), [](const UnitNorthEast& action) { return is_unit(action); });
+  return are_units ? PolicyFault::kNone : PolicyFault::kNotFinite;
 }
 
 PolicyFault fault_in_draw(ActionDraw draw) {

@@ -43,6 +43,8 @@ SeaEquipment::SeaEquipment(const Case& c, const Bench& bench) : case_(c), bus_(b
   }
   if (c.has(Fault::kNetem) && !(set_netem(bus_, "delay 1us") && set_netem(bus_, "")))
     throw NotFlown("the kernel has no netem, or we are not root, or there is no tc");
+  if (c.has(Fault::kWallClock) && !has_clock_of_its_own())
+    throw NotFlown("the wall clock is set in user-mode Linux alone, which has one of its own");
   if (c.sound_port != 0) hydrophone_.emplace(sound_url_, *c.speed, kSourceSnr, bench.seed);
 }
 
@@ -59,12 +61,14 @@ std::vector<std::string> SeaEquipment::options_of_earshotd() const {
 void SeaEquipment::begin(const TimedFault& fault) {
   if (is_of_controller(fault.fault)) adapter_->become(fault.fault == Fault::kBusOff ? State::kBusOff : State::kErrorPassive);
   if (is_of_sound(fault.fault)) hydrophone_->disturb(sound_of(fault));
+  if (fault.fault == Fault::kWallClock) clock_.emplace(fault.amount);
   if (fault.fault == Fault::kNetem) has_netem_ = set_netem(bus_, fault.how);
 }
 
 void SeaEquipment::end(const TimedFault& fault) {
   if (is_of_controller(fault.fault)) adapter_->become(State::kErrorActive);
   if (is_of_sound(fault.fault)) hydrophone_->disturb({});
+  if (fault.fault == Fault::kWallClock) clock_.reset();
   if (fault.fault != Fault::kNetem) return;
   netem_ = netem_now();
   if (set_netem(bus_, "")) has_netem_ = false;

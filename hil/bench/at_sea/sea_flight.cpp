@@ -8,6 +8,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -15,10 +16,15 @@
 
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/program/exit_status.hpp"
+#include "firmware/host/transport/bus_lock.hpp"
+#include "firmware/messages/operator_command.hpp"
 #include "hil/bench/at_sea/bus_listener.hpp"
+#include "hil/bench/at_sea/given_order.hpp"
 #include "hil/bench/at_sea/narrow_queue.hpp"
 #include "hil/bench/at_sea/sea_equipment.hpp"
 #include "hil/bench/at_sea/sea_program.hpp"
+#include "hil/bench/torn_journal.hpp"
+#include "hil/bench/verdict.hpp"
 #include "hil/bus/interface_switch.hpp"
 #include "hil/nodes/scaled_clock.hpp"
 #include "hil/nodes/vehicle/track_file.hpp"
@@ -99,23 +105,43 @@ class SeaFlyer {
       if (fault.fault == Fault::kSlowDisk) settings.environment = sick_disk("slow");
       if (fault.fault == Fault::kReadOnlyDisk) settings.environment = sick_disk("read-only");
     }
+    // As a service has it.
+    std::filesystem::create_directory(memory());
+    settings.environment.push_back("RUNTIME_DIRECTORY=" + memory().string());
     // As a vehicle's computer has it started every time.
-    std::vector<std::string> a{case_.mission, "--speed",       written(*case_.speed),
-                               "--quiet",     "--speed-since", written((launched_utc_ - Time{}).to_seconds()),
-                               "--resume",    "--out",         flight_.folder};
-    const std::vector<std::string> of_equipment = equipment_.options_of_earshotd();
-    a.insert(a.end(), of_equipment.begin(), of_equipment.end());
+    std::vector<std::string> a{is_gone(kMissionFile) ? none() : case_.mission.string(),
+                               "--speed",
+                               written(*case_.speed),
+                               "--quiet",
+                               "--resume",
+                               "--out",
+                               flight_.folder};
+    const auto add = [&a](const std::vector<std::string>& more) { a.insert(a.end(), more.begin(), more.end()); };
+    if (earshotd_.exit_statuses().empty()) add({"--speed-since", written((launched_utc_ - Time{}).to_seconds())});
+    if (is_gone(kPolicyFile)) add({"--policy", none()});
+    if (is_gone(kTablesFile)) add({"--tables", none()});
+    add(equipment_.options_of_earshotd());
     return std::make_unique<ChildProcess>(bench_.earshotd, a, settings);
   }
+
+  [[nodiscard]] bool is_gone(std::string_view file) const {
+    return std::ranges::any_of(case_.faults, [&](const TimedFault& fault) {
+      return fault.fault == Fault::kFileGone && fault.device == file && fault.acts_at(now());
+    });
+  }
+  /// Where there is no file.
+  [[nodiscard]] std::string none() const { return flight_.folder / "none"; }
 
   /// A library that stands between it and its disk, as long as a file says so.
   [[nodiscard]] std::vector<std::string> sick_disk(const std::string& sickness) const {
     const std::filesystem::path library = host::shipped_library("libearshot-sick-disk.so");
     if (library.empty()) throw std::system_error(ENOENT, std::generic_category(), "libearshot-sick-disk.so (without it no disk falls ill)");
-    return {"LD_PRELOAD=" + library.string(), "EARSHOT_TEST_DISK=" + sickness, "EARSHOT_TEST_DISK_IS_SICK=" + disk_is_sick().string()};
+    return {"LD_PRELOAD=" + library.string(), "EARSHOT_TEST_DISK=" + sickness, "EARSHOT_TEST_DISK_IS_SICK=" + disk_is_sick().string(),
+            "EARSHOT_TEST_DISK_HAS_RECORD=1"};
   }
 
   [[nodiscard]] std::filesystem::path disk_is_sick() const { return flight_.folder / "disk_is_sick"; }
+  [[nodiscard]] std::filesystem::path memory() const { return flight_.folder / kMemory; }
 
   /// Where it was when its program ended.
   [[nodiscard]] std::unique_ptr<ChildProcess> start_vehicle() const {
@@ -170,11 +196,21 @@ class SeaFlyer {
 
   [[nodiscard]] bool is_in(messages::MissionState state) const { return listener_.health() && listener_.health()->state == state; }
   [[nodiscard]] bool is_over() {
-    if (is_in(messages::MissionState::kDone) || is_in(messages::MissionState::kAbort)) return true;
+    if (is_in(messages::MissionState::kDone) || is_in(messages::MissionState::kAbort)) return !case_.expected.comes_up || is_up();
     const bool comes_back = std::ranges::any_of(faults_, [this](const Befalling& b) {
       return b.fault.fault == Fault::kKill && &program_of(b.fault) == &earshotd_ && b.has_begun && b.fault.until && !b.has_ended;
     });
     return !comes_back && !earshotd_.runs() && !earshotd_.is_lost();
+  }
+
+  /// By its track, which is read once a second.
+  [[nodiscard]] bool is_up() {
+    const Time host = ScaledClock::host_now();
+    if (host - looked_ < Duration::seconds(1)) return is_up_;
+    looked_ = host;
+    const std::vector<TrackPlace> sailed = read_track(track_file());
+    is_up_ = !sailed.empty() && sailed.back().depth <= kAtSurface;
+    return is_up_;
   }
 
   [[nodiscard]] bool is_anybody_lost() {
@@ -212,6 +248,10 @@ class SeaFlyer {
     if (fault.fault == Fault::kInterfaceDown) switch_bus(false);
     if (fault.fault == Fault::kSlowDisk || fault.fault == Fault::kReadOnlyDisk) std::ofstream(disk_is_sick()) << "";
     if (fault.fault == Fault::kNoRoom) queue_.emplace(bench_.interface, fault.amount);
+    if (fault.fault == Fault::kFlippedBit) flip_bit(newest_journal(flight_.folder));
+    if (fault.fault == Fault::kBusTaken) taken_.emplace(host::lock_can(bench_.interface));
+    if (fault.fault == Fault::kOrder)
+      give_order(bench_.interface, fault.device == kPauseOrder ? messages::Order::kPause : messages::Order::kAbort, ScaledClock::utc());
     equipment_.begin(fault);
   }
 
@@ -221,6 +261,7 @@ class SeaFlyer {
     if (fault.fault == Fault::kInterfaceDown) switch_bus(true);
     if (fault.fault == Fault::kSlowDisk || fault.fault == Fault::kReadOnlyDisk) std::filesystem::remove(disk_is_sick());
     if (fault.fault == Fault::kNoRoom) widen_queue();
+    if (fault.fault == Fault::kBusTaken) taken_.reset();
     equipment_.end(fault);
   }
 
@@ -294,6 +335,9 @@ class SeaFlyer {
   std::vector<Befalling> faults_;
   bool is_interface_up_ = true;
   std::optional<NarrowQueue> queue_;
+  std::optional<host::BusLock> taken_;
+  Time looked_ = launched_;  ///< at the track
+  bool is_up_ = false;
 };
 
 }  // namespace

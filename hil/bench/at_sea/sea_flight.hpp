@@ -7,6 +7,9 @@
 
 namespace earshot::hil {
 
+/// In the folder of a flight: what is in its computer's memory, which no crash of a program and no disk takes.
+inline constexpr const char* kMemory = "memory";
+
 /// Flies a case as at sea, `Case::speed` times as fast: earshotd without a simulator, with --resume, and beside it the vehicle's program
 /// (earshot-emulate), whose operator gives START and COMPLETE. The bench listens on their bus, and faults befall the two programs and the
 /// computer that they are on. Time 0 is when the search has begun.

@@ -1,6 +1,7 @@
-// Loaded into a program by LD_PRELOAD: while the file of EARSHOT_TEST_DISK_IS_SICK is there, the disk under its journals and safety records
-// (files that end with .lcmlog and .safety, but for those in a folder "memory") is sick in the way of EARSHOT_TEST_DISK: "slow", "full",
-// "crammed" (full, and without room for the name of another file), "read-only".
+// Loaded into a program by LD_PRELOAD: while the file of EARSHOT_TEST_DISK_IS_SICK is there, the disk under its journals (files that end
+// with .lcmlog) is sick in the way of EARSHOT_TEST_DISK: "slow", "full", "crammed" (full, and without room for the name of another file),
+// "read-only". With EARSHOT_TEST_DISK_HAS_RECORD the safety records (.safety) are on it, too, but for those in a folder "memory": one that
+// is full takes them all the same, for they are written in place.
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -23,7 +24,8 @@ std::array<bool, kMostFiles> is_on_disk{};  ///< and written
 std::array<off_t, kMostFiles> held{};       ///< bytes for which the disk has promised room
 
 bool is_of_disk(std::string_view path) {
-  return (path.ends_with(".lcmlog") || path.ends_with(".safety")) && path.find("/memory/") == std::string_view::npos;
+  static const bool has_record = std::getenv("EARSHOT_TEST_DISK_HAS_RECORD") != nullptr;
+  return path.ends_with(".lcmlog") || (has_record && path.ends_with(".safety") && path.find("/memory/") == std::string_view::npos);
 }
 
 /// "" while it is well.
@@ -91,7 +93,10 @@ int open(const char* path, int flags, ...) {
   if (is_to_write && present_sickness() == "read-only") return refuse(EROFS);
   if (is_to_write && (flags & O_CREAT) != 0 && present_sickness() == "crammed" && ::access(path, F_OK) != 0) return refuse(ENOSPC);
   const int file = static_cast<int>(::syscall(SYS_openat, AT_FDCWD, path, flags, mode));
-  if (file >= 0 && static_cast<std::size_t>(file) < kMostFiles) is_on_disk[static_cast<std::size_t>(file)] = is_to_write;
+  if (file >= 0 && static_cast<std::size_t>(file) < kMostFiles) {
+    is_on_disk[static_cast<std::size_t>(file)] = is_to_write;
+    held[static_cast<std::size_t>(file)] = 0;
+  }
   return file;
 }
 

@@ -1,6 +1,9 @@
 #include "hil/bench/lcm/message_intruders.hpp"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
+#include <iterator>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -8,12 +11,16 @@
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
+#include "firmware/wire/lcm/order_reader.hpp"
 
 namespace earshot::hil {
 namespace {
 
 constexpr std::int32_t kStrangersNumber = 0xBAD;
 constexpr std::int8_t kNoOrder = 99;
+/// Shorter than the ten seconds for which the rules about a second sender wait, and the pause longer than a jump is remembered.
+constexpr double kSays_s = 6.0;
+constexpr double kPausesEach_s = 10.0;
 constexpr std::string_view kStrangeChannel = "SOMEBODY_ELSES_CAMERA";
 
 template <class Message>
@@ -67,8 +74,10 @@ void MessageIntruders::say(const TimedFault& fault, Time now, double passed_s, L
                                                    .speed = vehicle_.speed}),
              said);
       break;
-    case Fault::kWalkingNavigation: {
+    case Fault::kWalkingNavigation:
+    case Fault::kPausingNavigation: {
       const double seconds = (now - fault.from).to_seconds();
+      if (fault.fault == Fault::kPausingNavigation && std::fmod(seconds, kPausesEach_s) >= kSays_s) break;
       const NorthEast walked{fault.vector().north * seconds, fault.vector().east * seconds};
       say_on(wire::kNavStateChannel,
              wire::to_message(messages::Navigation{.time = now,
@@ -86,6 +95,17 @@ void MessageIntruders::say(const TimedFault& fault, Time now, double passed_s, L
     case Fault::kUnknownOrder:
       say_on(wire::kOperatorCommandChannel, order(kNoOrder, now.us, now.us, ++orders_), said);
       break;
+    case Fault::kCutAbort:
+      say_on(wire::kOperatorCommandChannel, order(operator_command_t::ABORT, now.us, now.us, ++orders_), said);
+      said.back().data.resize(wire::kOrderHeadBytes);
+      break;
+    case Fault::kRecordedOrder: {
+      operator_command_t recorded = order(operator_command_t::PAUSE, now.us, now.us, ++orders_);
+      const messages::CommandMark mark = key_.old_mark_of(wire::from_message(recorded));
+      std::ranges::copy(mark, std::begin(recorded.mark));
+      say_on(wire::kOperatorCommandChannel, recorded, said);
+      break;
+    }
     default:
       break;
   }

@@ -6,7 +6,9 @@
 
 #include "firmware/core/random.hpp"
 #include "firmware/core/time.hpp"
+#include "firmware/host/mission/authority/command_key.hpp"
 #include "hil/bench/fault.hpp"
+#include "hil/bench/lcm/keyed_mission.hpp"
 #include "hil/nodes/lcm/message.hpp"
 #include "sim/vehicle/vehicle.hpp"
 
@@ -35,6 +37,7 @@ class MessageIntruders {
   std::optional<Time> last_;
   double owed_ = 0.0;  ///< messages of a flood
   std::int32_t orders_ = 0;
+  const host::CommandKey key_ = bench_key();
 };
 
 }  // namespace earshot::hil

@@ -27,7 +27,7 @@ void MovingVehicle::disturb(const Disturbance& disturbance) {
 vehicle::Command MovingVehicle::possible(vehicle::Command wanted) const {
   wanted.speed = std::clamp(wanted.speed, MetersPerSecond{0.0}, kFastest);
   if (disturbance_.has_no_thrust) wanted.speed = MetersPerSecond{0.0};
-  if (disturbance_.are_planes_stuck) wanted.depth = state_.depth;
+  if (disturbance_.are_planes_stuck || state_.speed < disturbance_.steerage_way) wanted.depth = state_.depth;
   if (disturbance_.is_rudder_stuck) {  // always a right angle ahead of it on the side to which it turns
     const double side = turning_.value > 0.0 ? 1.0 : (turning_.value < 0.0 ? -1.0 : 0.0);
     wanted.heading = wrap_to_pi(state_.heading + Radians{side * kRightAngle});

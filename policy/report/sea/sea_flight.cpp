@@ -20,6 +20,7 @@
 #include "firmware/config/safety.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/host/journal/rule_event_words.hpp"
+#include "firmware/host/safety_record/words/record_words.hpp"
 #include "firmware/messages/command_words.hpp"
 #include "firmware/messages/health_words.hpp"
 #include "firmware/messages/input.hpp"
@@ -83,6 +84,18 @@ void note_health(double time_s, const health_t& health, SeaFlight& flight) {
   if (before == MissionState::kSearch) flight.search_ended_s = time_s;
 }
 
+void note_answer(double time_s, const command_acknowledgement_t& answer, SeaFlight& flight) {
+  std::optional<SeaFlight::Answer>& last = flight.last_answer;
+  if (last && last->issuer == answer.issuer && last->number == answer.number && last->outcome == answer.outcome) {
+    flight.events.at(last->event).what = last->what + " (" + std::to_string(++last->times) + " times)";
+    return;
+  }
+  const std::string what = std::string("order ") + messages::to_string(static_cast<Order>(answer.command)) + ", " +
+                           messages::to_string(static_cast<CommandOutcome>(answer.outcome));
+  last = {.issuer = answer.issuer, .number = answer.number, .outcome = answer.outcome, .what = what, .event = flight.events.size()};
+  flight.events.push_back({time_s, what});
+}
+
 /// @param last_s  of the last record of the process before
 std::string words_for_resuming(double last_s, double time_s) {
   std::ostringstream text;
@@ -121,8 +134,7 @@ void note(const host::JournalRecord& record, SeaFlight& flight) {
   } else if (record.channel == wire::kJournalResumedChannel && wire::decode(record.data, resumed) == Status::kOk) {
     flight.events.push_back({time_s, words_for_resuming(last_s, time_s)});
   } else if (record.channel == wire::kAcknowledgementChannel && wire::decode(record.data, acknowledgement) == Status::kOk) {
-    flight.events.push_back({time_s, std::string("order ") + messages::to_string(static_cast<Order>(acknowledgement.command)) + ", " +
-                                         messages::to_string(static_cast<CommandOutcome>(acknowledgement.outcome))});
+    note_answer(time_s, acknowledgement, flight);
   }
 }
 
@@ -154,6 +166,7 @@ std::optional<SeaFlight> read_sea_flight(const std::filesystem::path& journal) {
   if (!reader.next(record)) return std::nullopt;
   std::optional<SeaFlight> flight = begun_with(record);
   while (flight && reader.next(record)) note(record, *flight);
+  if (flight) flight->safety_record = host::safety_record_beside(journal);
   return flight;
 }
 

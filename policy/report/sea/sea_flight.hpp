@@ -41,6 +41,18 @@ struct SeaFlight {
     std::string what;
   };
   std::vector<Event> events;
+  /// The last answer to an order, which is given again as often as the order is sent.
+  struct Answer {
+    std::int32_t issuer = 0;
+    std::int32_t number = 0;
+    std::int8_t outcome = 0;
+    std::string what;
+    std::size_t event = 0;  ///< its place among `events`
+    std::size_t times = 1;
+  };
+  std::optional<Answer> last_answer;
+
+  std::optional<std::string> safety_record;  ///< what that says which stands beside the journal
 
   double ended_s = 0.0;                                             ///< of the last record
   messages::MissionState state = messages::MissionState::kStandby;  ///< the last

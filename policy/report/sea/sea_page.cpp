@@ -50,6 +50,7 @@ std::string sea_headline(const SeaFlight& flight, const JournalledSearch& journa
     text += "The journal begins at <b>" + utc(flight.began_s) + "</b>; every time on this page is counted from there. ";
   text += escaped(program_to_string(journal)) + "</p>\n";
   if (journal.is_whole()) text += "<p>The journal is whole: it was ended in order, and no record of it was lost.</p>\n";
+  if (flight.safety_record) text += "<p>What stands beside the journal: " + escaped(*flight.safety_record) + "</p>\n";
   return text + (flight.build.empty() ? "" : "<p>Flown by earshotd " + escaped(flight.build) + "</p>\n");
 }
 

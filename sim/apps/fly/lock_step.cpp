@@ -250,7 +250,8 @@ class Stepper {
     const bool is_declared = reason == messages::EndReason::kFound;
     result_.found = reason == messages::EndReason::kCompleted || (is_declared && point.range <= flight_.setup.found_within);
     result_.end_reason = word_for(reason);
-    if (reason != messages::EndReason::kOperatorAbort) result_.ending_rule = answer.rule;
+    const bool is_ended_by_rule = answer.rule && answer.rule->response >= config::Response::kAbort;
+    if (is_ended_by_rule && reason != messages::EndReason::kOperatorAbort) result_.ending_rule = answer.rule;
   }
 
   void fail_when_nothing_is_heard() {

@@ -74,6 +74,11 @@ void SearchAccount::note(const link::Answer& answer, Meters range) {
   surprise_bits_ = answer.surprise_bits;
   if (answer.surprise_bits >= messages::kSurprising_bits && !surprised_step_) surprised_step_ = answer.steps_taken;
   if (answer.is_sweeping && !sweep_step_) sweep_step_ = answer.steps_taken;
+  const bool ends_for_good = answer.rule && answer.rule->response >= config::Response::kAbort;
+  if (answer.rule && !ends_for_good && !home_by_) {
+    home_by_ = answer.rule;
+    home_step_ = answer.steps_taken;
+  }
   if (answer.is_found && !declaration_) declaration_ = {.step = answer.steps_taken, .range = range};
 }
 
@@ -84,6 +89,10 @@ nlohmann::ordered_json SearchAccount::to_json() const {
                               {"declared_found", nullptr}};
   if (believes_) json["surprise_bits"] = surprise_bits_;
   if (declaration_) json["declared_found"] = {{"step", declaration_->step}, {"range_m", declaration_->range.value}};
+  if (home_by_) {
+    json["went_home"] = {{"step", home_step_}};
+    json["went_home"].update(ending_rule_to_json(home_by_));
+  }
   return json;
 }
 
@@ -133,6 +142,9 @@ std::string account_lines(const nlohmann::json& s) {
     text +=
         entry("declared", "not by the vehicle: the simulator ended the search within a step length of the source; at sea it would go on");
   }
+  if (const nlohmann::json home = value_in(s, "went_home"); !home.is_null())
+    text += entry("went home", "by " + home.at("what").get<std::string>() + ", after " +
+                                   std::to_string(home.at("step").get<std::uint32_t>()) + (home.at("step") == 1 ? " step" : " steps"));
   if (s.contains("hearing")) text += entry("heard", hearing_of(s.at("hearing")));
   return text;
 }

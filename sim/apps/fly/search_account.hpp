@@ -11,13 +11,14 @@
 
 namespace earshot::fly {
 
-/// What a vehicle said of its search while it flew: how surprised it was, whether it swept the area, and whether it declared the source
-/// found.
+/// What a vehicle said of its search while it flew: how surprised it was, whether it swept the area, whether it declared the source
+/// found, and whether a rule sent it home.
 class SearchAccount {
  public:
   /// @param range  from the vehicle to the source, which the vehicle does not know
   void note(const link::Answer& answer, Meters range);
-  /// The keys of summary.json. A surprise is null where the policy holds no belief, a step where it did not come to that.
+  /// The keys of summary.json. A surprise is null where the policy holds no belief, a step where it did not come to that; `went_home` is
+  /// there where a rule sent the vehicle home or up.
   [[nodiscard]] nlohmann::ordered_json to_json() const;
 
  private:
@@ -29,7 +30,9 @@ class SearchAccount {
   float surprise_bits_ = 0.0F;
   std::optional<std::uint32_t> surprised_step_;
   std::optional<std::uint32_t> sweep_step_;
-  std::optional<Declaration> declaration_;  ///< the first
+  std::optional<Declaration> declaration_;        ///< the first
+  std::optional<messages::SafetyEvent> home_by_;  ///< the first rule that sent the vehicle home or up
+  std::uint32_t home_step_ = 0;                   ///< when it had taken so many
 };
 
 /// The rule that ended a flight: in words ("what"), its place among the mission's rules from 1, condition, value, limit and response. Null:

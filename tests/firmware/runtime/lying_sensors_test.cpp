@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 
 #include "tests/firmware/runtime/mission_rig.hpp"
@@ -105,6 +106,36 @@ TEST(LyingSensors, EndsASearchWhoseFixesSayOneSpeedAndMakeAnother) {
   EXPECT_EQ(rig.state(), MissionState::kAbort);
   EXPECT_TRUE(fires(rig.outputs, Condition::kPlaceUnexplained));
   EXPECT_LE(s, 25) << "50 m of noise, 4 m/s of a current that nobody told of, and ten seconds";
+}
+
+// 8 m/s, of which 4 m/s of a current that nobody told of and 0.4 m/s are explained: less than 50 m in the 15 s between two jumps, each of
+// which is believed as a dead reckoning that is put right.
+TEST(LyingSensors, EndsASearchWhosePlaceDriftsBetweenJumps) {
+  Rig rig = under_way();
+  int s = 0;
+  for (; s < 150 && rig.state() == MissionState::kSearch; ++s) {
+    rig.sail();
+    rig.position = rig.position + at(s % 15 == 14 ? -130.0 : -8.0, 0);
+  }
+  EXPECT_EQ(rig.state(), MissionState::kAbort);
+  EXPECT_TRUE(fires(rig.outputs, Condition::kPlaceUnexplained));
+  EXPECT_LE(s, 80);
+}
+
+// No sensor lies: in an outage of five minutes an autopilot stops its vehicle and lets it come up by 120 m.
+TEST(LyingSensors, AreNotSuspectedAfterAnOutage) {
+  config::Mission mission = mission_of_a_torpedo();
+  mission.safety.vehicle.max_current = MetersPerSecond{0.4};
+  Rig rig = under_way(mission);
+  for (int s = 0; s < 100; ++s) rig.sail();
+  rig.now = rig.now + Duration::seconds(300);
+  for (int s = 0; s < 400 && rig.state() == MissionState::kSearch; ++s) {
+    rig.move();
+    rig.depth = Meters{std::min(180.0 + 0.4 * s, 300.0)};
+    const Time measured = rig.now + Duration::seconds(1);
+    rig.step({.navigation = rig.navigation_at(measured), .snr = messages::SnrMeasurement{.time = measured, .snr = rig.snr}});
+  }
+  EXPECT_EQ(rig.state(), MissionState::kSearch);
 }
 
 TEST(LyingSensors, EndsASearchWhoseSetpointsDoNotLeave) {

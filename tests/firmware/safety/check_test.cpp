@@ -69,6 +69,19 @@ TEST(SafetyCheck, RefusesAVehicleThatCannotBe) {
   EXPECT_EQ(fault_of([](config::Mission& m) { m.safety.vehicle.ascent_speed = MetersPerSecond{3.1}; }), SafetyFault::kVehicle);
 }
 
+// A rate that it cannot make would have it told to stop while it is still below.
+TEST(SafetyCheck, RefusesAVehicleThatRisesFasterThanItMoves) {
+  const auto fault = [](double speed_mps, double rate_mps) {
+    return fault_of([&](config::Mission& m) {
+      m.safety.vehicle.ascent_speed = MetersPerSecond{speed_mps};
+      m.safety.vehicle.ascent_rate = MetersPerSecond{rate_mps};
+    });
+  };
+  EXPECT_EQ(fault(1.0, 1.0), SafetyFault::kNone);
+  EXPECT_EQ(fault(1.0, 1.01), SafetyFault::kVehicle);
+  EXPECT_EQ(fault(0.0, 5.0), SafetyFault::kNone) << "it floats up, and moves by nothing else";
+}
+
 TEST(SafetyCheck, RefusesAFenceThatIsNone) {
   for (std::size_t i = 0; i < 3; ++i) {
     const SafetyComplaint complaint = complaint_of([i](config::Mission& m) {

@@ -104,9 +104,9 @@ void drift(Situation& situation, double way_m) {
 
 void tell_depth(Situation& situation, double then_m) {
   const config::VehicleLimits vehicle = fenced_mission().safety.vehicle;
-  situation.depth.take(fix_at(situation.now, at(5000, 5000)), vehicle);
+  situation.depth.take(fix_at(situation.now, at(5000, 5000)));
   situation.depth.tell(situation.now, {.heading = {}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = {}}, vehicle);
-  situation.depth.take(fix_at(situation.now, at(5000, 5000), 0.0, then_m), vehicle);
+  situation.depth.take(fix_at(situation.now, at(5000, 5000), 0.0, then_m));
 }
 
 void go_nowhere_for(Situation& situation, std::int64_t seconds) {

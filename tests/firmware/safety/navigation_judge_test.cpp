@@ -288,6 +288,62 @@ TEST_F(Judged, RemembersADisputeForTwiceTheTimeBetweenItsFixes) {
   EXPECT_EQ(judge_.dispute(at_ms(80'001)), Meters{0});
 }
 
+// The second sender's are few, and 60 m off; between them one that is refused for a metre.
+TEST_F(Judged, ForgetsNoFixThatIsFarOffForOneThatIsNear) {
+  EXPECT_TRUE(takes(fix(1000, 0)));
+  for (int ms = 1100; ms <= 3000; ms += 100) EXPECT_TRUE(takes(fix(ms, 0)));
+  EXPECT_FALSE(takes(fix(3000, 85)));
+  EXPECT_EQ(judge_.jump(at_ms(3000)), Meters{60}) << "no noise, one as it is";
+  EXPECT_FALSE(takes(fix(3000, 26)));
+  EXPECT_EQ(judge_.jump(at_ms(5000)), Meters{60});
+  EXPECT_EQ(judge_.jump(at_ms(5001)), Meters{0});
+  EXPECT_FALSE(takes(fix(5100, 34.4)));
+  EXPECT_EQ(judge_.jump(at_ms(5100)), Meters{0}) << "a metre is noise";
+}
+
+// They say one place, and one of them 250 m and the other 300.
+TEST_F(Judged, IsToldOfTwoDepthsBySendersOfOnePlace) {
+  EXPECT_TRUE(takes(fix(1000, 0)));
+  const auto with_depth = [](messages::Navigation of, double depth_m) {
+    of.depth = Meters{depth_m};
+    return of;
+  };
+  EXPECT_TRUE(takes(with_depth(fix(2000, 0), 328)));
+  EXPECT_EQ(judge_.dispute(at_ms(2000)), Meters{0}) << "3 m of way and 25 m of noise";
+  EXPECT_TRUE(takes(with_depth(fix(3000, 0), 290)));
+  EXPECT_EQ(judge_.dispute(at_ms(3000)), Meters{10});
+  EXPECT_EQ(judge_.dispute(at_ms(5000)), Meters{10});
+  EXPECT_EQ(judge_.dispute(at_ms(5001)), Meters{0}) << "a sensor may be wrong once";
+  EXPECT_TRUE(takes(with_depth(fix(6000, 0), 290)));
+  EXPECT_FALSE(judge_.take(at_ms(6500), with_depth(fix(5000, 0), 250), true)) << "late";
+  EXPECT_EQ(judge_.dispute(at_ms(6500)), Meters{12});
+  judge_.compare(at_ms(9000), with_depth(fix(9000, 0), 350));
+  EXPECT_EQ(judge_.dispute(at_ms(9000)), Meters{26}) << "by another port, three seconds later";
+  EXPECT_FALSE(takes(with_depth(fix(12'000, 4000), 400)));
+  EXPECT_EQ(judge_.dispute(at_ms(12'000)), Meters{67}) << "one that is refused";
+}
+
+// A depth that is wrong for a while every twenty seconds is no sender that is remembered for forty.
+TEST_F(Judged, RemembersADepthNoLongerForAllThatCameBefore) {
+  EXPECT_TRUE(takes(fix(1000, 0)));
+  for (int s = 20; s <= 100; s += 20) {
+    messages::Navigation deep = fix(1000 * s, 0);
+    deep.depth = Meters{500};
+    EXPECT_TRUE(takes(deep));
+    EXPECT_TRUE(takes(fix(1000 * s + 1000, 0)));
+    EXPECT_GT(judge_.dispute(at_ms(1000 * s + 3000)), Meters{0});
+    EXPECT_EQ(judge_.dispute(at_ms(1000 * s + 3001)), Meters{0});
+  }
+}
+
+// Ten a second, each 20 m further off: from a place of a minute ago the vehicle can have come there, from one of some seconds ago not.
+TEST_F(Judged, HoldsAFixAgainstOneOfSomeSecondsAgo) {
+  for (int s = 1; s <= 120; ++s) EXPECT_TRUE(takes(fix(1000 * s, 0)));
+  int believed = 0;
+  while (believed < 100 && takes(fix(120'000 + 100 * (believed + 1), 20.0 * (believed + 1)))) ++believed;
+  EXPECT_EQ(believed, 3) << "50 m, and 4 m/s for three to six seconds";
+}
+
 // Five of six fixes are another's, which walks away: too few are refused to be more than noise, but they are one sender's.
 TEST_F(Judged, IsToldOfAFewFixesThatGoOnFromEachOtherFarFromTheOthers) {
   EXPECT_TRUE(takes(fix(1000, 0)));

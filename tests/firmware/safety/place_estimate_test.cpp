@@ -65,6 +65,20 @@ TEST_F(Places, FindsAPlaceThatStandsStillOrGoesAnotherWay) {
   EXPECT_EQ(told_after(0.0, 2.0), 25) << "2.03 m/s";
 }
 
+// Its computers begin again: for 80 s it says nothing and lies still, and then it comes to its speed in ten seconds.
+TEST_F(Places, ExplainsAVehicleThatNobodyHeardOfForAWhile) {
+  PlaceEstimate estimate;
+  double north_m = 0.0;
+  estimate.begin(fix(0, at(0, 0), 2.0));
+  for (int s = 1; s <= 300; ++s) {
+    if (s > 100 && s < 180) continue;
+    const double speed_mps = s < 180 ? 2.0 : std::min(0.2 * (s - 180), 2.0);
+    if (s != 180) north_m += speed_mps;
+    estimate.take(fix(s, at(north_m, 0), speed_mps), order(0.0), vehicle_);
+    ASSERT_EQ(estimate.unexplained(vehicle_), Meters{0}) << s;
+  }
+}
+
 // 1 m/s off: 0.2 m/s more than is explained, 50 m in 251 s.
 TEST_F(Places, FindsASlowDriftOverTenMinutes) {
   EXPECT_EQ(told_after(2.0, 1.0), 251);
@@ -115,6 +129,34 @@ TEST_F(Places, ExplainsWhatAVehicleMissesWhileItTurnsAndOneThatIsATenthSlower) {
     heading += std::clamp(told - heading, -turn, turn);
     place = place + at(1.8 * std::cos(heading) + 0.28, 1.8 * std::sin(heading) - 0.28);
     estimate.take(fix(s, place, 1.8, heading), order(told), vehicle_);
+    ASSERT_EQ(estimate.unexplained(vehicle_), Meters{0}) << s;
+  }
+}
+
+// 1.5 m/s too fast, of which 0.8 are explained: 50 m in 72 s. Each half a minute a dead reckoning is put right by 30 m.
+TEST_F(Places, GoesOnToCountWhenADeadReckoningIsPutRight) {
+  PlaceEstimate estimate;
+  estimate.begin(fix(0, at(0, 0), 2.0));
+  int s = 1;
+  double jumped_m = 0.0;
+  for (; s < 3600 && !(estimate.unexplained(vehicle_) > Meters{0}); ++s) {
+    const NorthEast place = at(3.5 * s, s % 30 == 0 ? jumped_m += 30.0 : jumped_m);
+    if (s % 30 == 0) {
+      estimate.correct(fix(s, place, 2.0));
+    } else {
+      estimate.take(fix(s, place, 2.0), order(0.0), vehicle_);
+    }
+  }
+  EXPECT_GT(s, 70);
+  EXPECT_LT(s, 80);
+}
+
+TEST_F(Places, ExplainsTheJumpItselfOfADeadReckoningThatIsPutRight) {
+  PlaceEstimate estimate;
+  estimate.begin(fix(0, at(0, 0), 2.0));
+  for (int s = 1; s <= 3600; ++s) {
+    if (s == 1000) estimate.correct(fix(s, at(2.0 * s, 480), 2.0));
+    if (s != 1000) estimate.take(fix(s, at(2.0 * s, s < 1000 ? 0 : 480), 2.0), order(0.0), vehicle_);
     ASSERT_EQ(estimate.unexplained(vehicle_), Meters{0}) << s;
   }
 }

@@ -84,6 +84,81 @@ TEST_F(Supervised, BeginsToCountAnewWhenAConditionWasInterrupted) {
   }
 }
 
+/// Places that nobody believes, depths that were told to nobody, and seconds in which all is well.
+class Doubted : public Supervised {
+ protected:
+  void jump(int seconds) {
+    for (int i = 0; i < seconds; ++i) {
+      const Time now = situation_.now + Duration::seconds(1);
+      static_cast<void>(situation_.navigation.take(now, fix_at(now, at(9000, 9000)), true));
+      (void)second();
+    }
+  }
+  /// The vehicle says another depth than it was told, but not one that it cannot have come to from one second to the next.
+  void be_deep(int seconds) {
+    situation_.depth = {};
+    situation_.depth.take(fix_at(situation_.now, at(5000, 5000)));
+    situation_.depth.tell(situation_.now, {.heading = {}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = {}},
+                          mission_.safety.vehicle);
+    situation_.depth.take(fix_at(situation_.now, at(5000, 5000), 0.0, 200.0));
+    rest(seconds);
+    situation_.depth = {};
+  }
+  void rest(int seconds) {
+    for (int i = 0; i < seconds; ++i) (void)second();
+  }
+};
+
+// A jump is remembered for two seconds.
+TEST_F(Doubted, AddsUpWhatIsDoubtedInTurns) {
+  begin();
+  for (int i = 0; i < 2; ++i) {
+    jump(2);
+    rest(2);
+    be_deep(1);
+  }
+  EXPECT_FALSE(supervisor_.response()) << "nine and a half seconds at the most";
+  be_deep(3);
+  EXPECT_EQ(supervisor_.cause(), Condition::kDepthUnexplained);
+}
+
+TEST_F(Doubted, ForgetsHalfAsFastAsItCounts) {
+  begin();
+  be_deep(9);
+  rest(20);
+  be_deep(9);
+  EXPECT_FALSE(supervisor_.response());
+  rest(4);  // two of nine seconds
+  be_deep(2);
+  EXPECT_FALSE(supervisor_.response());
+  be_deep(2);
+  EXPECT_TRUE(supervisor_.acts_on(Condition::kDepthUnexplained));
+}
+
+TEST_F(Doubted, IsNothingForWhatComesLessThanAThirdOfTheTime) {
+  begin();
+  for (int i = 0; i < 100; ++i) {
+    be_deep(3);
+    rest(7);
+  }
+  EXPECT_FALSE(supervisor_.response());
+  for (int i = 0; i < 10; ++i) {
+    be_deep(4);
+    rest(6);
+  }
+  EXPECT_TRUE(supervisor_.acts_on(Condition::kDepthUnexplained));
+}
+
+TEST_F(Doubted, LeavesAMissionsOwnRuleToItsOwnTime) {
+  arm({.condition = Condition::kDepthUnexplained, .limit = 0, .persistence = Duration::seconds(8), .response = Response::kHold});
+  begin();
+  for (int i = 0; i < 3; ++i) {
+    be_deep(5);
+    rest(3);
+  }
+  EXPECT_NE(supervisor_.response(), Response::kHold);
+}
+
 TEST_F(Supervised, EndsWithItsConditionUnlessItIsLatched) {
   arm(battery_below(20, Response::kWarn));
   arm(battery_below(10, Response::kSurface, 0, true));

@@ -125,7 +125,7 @@ TEST_F(CaseFileTest, KnowsTheTroublesOfAControllerAtSeaAlone) {
 }
 
 TEST_F(CaseFileTest, KnowsEveryEnd) {
-  EXPECT_EQ(end_words().size(), 10U);
+  EXPECT_EQ(end_words().size(), 12U);
   const auto end_of = [this](const std::string& word) { return load(kWords + "[expect]\nend = \"" + word + "\"\n").expected.end; };
   EXPECT_EQ(end_of("under_way"), messages::EndReason::kNone);
   EXPECT_EQ(end_of("found"), messages::EndReason::kCompleted);
@@ -137,6 +137,8 @@ TEST_F(CaseFileTest, KnowsEveryEnd) {
   EXPECT_EQ(end_of("time_used_up"), messages::EndReason::kTimeUsedUp);
   EXPECT_EQ(end_of("safety_rule"), messages::EndReason::kSafetyRule);
   EXPECT_EQ(end_of("memory_fault"), messages::EndReason::kMemoryFault);
+  EXPECT_EQ(end_of("vehicle_says_found"), messages::EndReason::kFound);
+  EXPECT_EQ(end_of("outage"), messages::EndReason::kOutage);
 }
 
 TEST_F(CaseFileTest, NamesEverythingThatIsWrongAtOnceWithFileLineAndKey) {
@@ -145,7 +147,8 @@ TEST_F(CaseFileTest, NamesEverythingThatIsWrongAtOnceWithFileLineAndKey) {
             "cases.toml:2: when = '': must be a text of at least one character\n"
             "cases.toml:1: then is missing: must be a text of at least one character\n"
             "cases.toml:3: expect.end is missing: must be one of \"under_way\", \"found\", \"steps_used_up\", \"operator_abort\", "
-            "\"navigation_stale\", \"snr_stale\", \"left_operating_area\", \"time_used_up\", \"safety_rule\", \"memory_fault\"\n"
+            "\"navigation_stale\", \"snr_stale\", \"left_operating_area\", \"time_used_up\", \"safety_rule\", \"memory_fault\", "
+            "\"vehicle_says_found\", \"outage\"\n"
             "cases.toml:4: expect.ends: unknown key");
 }
 
@@ -248,6 +251,19 @@ TEST_F(CaseFileTest, WithASpeedIsFlownAsAtSeaWhereSignalsBefallEitherProgram) {
   EXPECT_EQ(c.speed, 20.0);
   EXPECT_EQ(c.faults.at(0), (TimedFault{.fault = Fault::kKill, .from = at_s(80), .until = at_s(100), .device = "earshotd"}));
   EXPECT_EQ(c.faults.at(1), (TimedFault{.fault = Fault::kPause, .from = at_s(80), .until = at_s(120), .device = "vehicle"}));
+}
+
+TEST_F(CaseFileTest, SaysOfFaultsAtSeaWhichFileIsGoneAndWhichOrderIsGiven) {
+  const auto subject = [this](const std::string& keys) {
+    return load(kWords + "speed = 20\n[[fault]]\nat_s = 1\n" + keys + "\n" + kExpect).faults.at(0).device;
+  };
+  EXPECT_EQ(subject("kind = \"file_gone\""), "policy");
+  EXPECT_EQ(subject("kind = \"file_gone\"\nof = \"mission\""), "mission");
+  EXPECT_EQ(subject("kind = \"order\""), "abort");
+  EXPECT_EQ(subject("kind = \"order\"\nof = \"pause\""), "pause");
+  EXPECT_EQ(refusal(kWords + "speed = 20\n[[fault]]\nat_s = 1\nkind = \"order\"\nof = \"start\"\n" + kExpect),
+            "cases.toml:8: fault 1: of = 'start': must be one of \"abort\", \"pause\"");
+  EXPECT_NE(refusal_of_fault("kind = \"file_gone\"\nat_s = 1").find("there is no file_gone in lock-step"), std::string::npos);
 }
 
 TEST_F(CaseFileTest, MayExpectFramesRefusedAndNoFlightAtAll) {

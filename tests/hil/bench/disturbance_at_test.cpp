@@ -19,6 +19,7 @@ TEST(DisturbanceAt, IsWhatTheFaultSays) {
   EXPECT_TRUE(of(Fault::kNoThrust).has_no_thrust);
   EXPECT_TRUE(of(Fault::kDisengaged).is_disengaged);
   EXPECT_TRUE(of(Fault::kObstinate).is_obstinate);
+  EXPECT_EQ(of(Fault::kSteerageWay, 0.5).steerage_way, MetersPerSecond{0.5});
   EXPECT_EQ(of(Fault::kCurrent, 0.5, 0.0).current_mps.north.value, 0.5);
   EXPECT_EQ(of(Fault::kBattery, 30.0).battery_percent, 30.0);
   EXPECT_EQ(of(Fault::kLeak).hull.wet, true);

@@ -13,18 +13,20 @@ namespace {
 TEST(Fault, HasAWordOfItsOwnForEveryKindInTheOrderOfKinds) {
   std::set<std::string_view> words;
   for (const FaultTraits& traits : kFaultTraits) words.insert(traits.word);
-  EXPECT_EQ(words.size(), 56U);
+  EXPECT_EQ(words.size(), 65U);
   const auto word_of = [](Fault fault) { return kFaultTraits.at(static_cast<std::size_t>(fault)).word; };
   EXPECT_EQ(word_of(Fault::kLoss), "loss");
   EXPECT_EQ(word_of(Fault::kReplay), "replay");
   EXPECT_EQ(word_of(Fault::kFlood), "flood");
   EXPECT_EQ(word_of(Fault::kWalkingNavigation), "walking_navigation");
+  EXPECT_EQ(word_of(Fault::kPausingNavigation), "pausing_navigation");
   EXPECT_EQ(word_of(Fault::kRudderStuck), "rudder_stuck");
   EXPECT_EQ(word_of(Fault::kDepthStuck), "depth_stuck");
   EXPECT_EQ(word_of(Fault::kBusOff), "bus_off");
   EXPECT_EQ(word_of(Fault::kSoundShorted), "sound_shorted");
   EXPECT_EQ(word_of(Fault::kFullDisk), "full_disk");
   EXPECT_EQ(word_of(Fault::kNoRoom), "no_room");
+  EXPECT_EQ(word_of(Fault::kOrder), "order");
 }
 
 TEST(Fault, ActsFromItsBeginningUntilBeforeItsEnd) {

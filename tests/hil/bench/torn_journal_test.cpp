@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <iterator>
+#include <string>
 
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
@@ -47,6 +49,25 @@ TEST_F(TornJournalTest, HasLostNoTurnThatEndsWhereItEnds) {
 TEST_F(TornJournalTest, HoldsNothingWhereItHadNoMoreToLose) {
   EXPECT_EQ(tear_journal(path_, 1'000'000), 0U);
   EXPECT_EQ(std::filesystem::file_size(path_), 0U);
+}
+
+TEST_F(TornJournalTest, HasOneOtherBitInItsMiddleAndIsAsLong) {
+  const auto bytes = [this] {
+    std::ifstream file(path_, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  const std::string before = bytes();
+  flip_bit(path_);
+  const std::string after = bytes();
+  ASSERT_EQ(after.size(), before.size());
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (before[i] == after[i]) continue;
+    EXPECT_EQ(before[i] ^ after[i], 1) << i;
+    ++others;
+  }
+  EXPECT_EQ(others, 1U);
+  EXPECT_EQ(turns(), 9) << "the record that it is in";
 }
 
 TEST_F(TornJournalTest, IsTheNewestOfItsFolder) {

@@ -98,6 +98,12 @@ TEST_F(VerdictTest, LetsAJournalOnAFullDiskHaveAnEnd) {
   EXPECT_EQ(broken(), Words{});
 }
 
+TEST_F(VerdictTest, LetsAJournalInWhichABitFlippedBeAnother) {
+  journal_.is_same_again = false;
+  case_.faults = {{.fault = Fault::kFlippedBit, .from = at_s(60)}};
+  EXPECT_EQ(broken(), Words{});
+}
+
 TEST_F(VerdictTest, NamesEverySetPointBeyondTheLimits) {
   journal_.beyond_limits = {"one", "another"};
   EXPECT_EQ(broken(), (Words{"one", "another"}));
@@ -171,6 +177,12 @@ TEST_F(VerdictTest, WantsOneEndInTheJournalAndInTheLastAnswer) {
   EXPECT_EQ(unmet(), Words{"the journal says another end than earshotd's last answer"});
   case_.faults = {{.fault = Fault::kFullDisk, .from = at_s(0), .amount = 50'000}};
   EXPECT_EQ(unmet(), Words{}) << "a full disk took no more of it";
+}
+
+TEST_F(VerdictTest, WantsNoEndInTheJournalOfAVehicleThatIsBroughtUpWithoutOne) {
+  case_.expected.end = flight_.end = messages::EndReason::kOutage;
+  journal_.end = messages::EndReason::kNone;
+  EXPECT_EQ(unmet(), Words{});
 }
 
 TEST_F(VerdictTest, TakesASearchUnderWayThatWasToldToStopWhenItsTimeWasUp) {

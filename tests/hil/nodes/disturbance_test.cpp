@@ -123,6 +123,15 @@ TEST_F(DisturbanceTest, PlanesThatAreStuckKeepTheDepth) {
   EXPECT_NEAR(vehicle_.state().depth.value, 310.0, 1e-9);
 }
 
+TEST_F(DisturbanceTest, AVehicleThatNeedsSpeedKeepsItsDepthWhileItIsSlower) {
+  vehicle_.disturb({.steerage_way = MetersPerSecond{2.5}});
+  steer(30, kEast, 310.0);
+  EXPECT_EQ(vehicle_.state().depth.value, 300.0) << "at 2 m/s";
+  vehicle_.disturb({.steerage_way = MetersPerSecond{1.5}});
+  steer(30, kEast, 310.0);
+  EXPECT_NEAR(vehicle_.state().depth.value, 310.0, 1e-9);
+}
+
 TEST_F(DisturbanceTest, WithoutThrustTheVehicleComesToRest) {
   const double before = vehicle_.state().position.east.value;
   vehicle_.disturb({.has_no_thrust = true});

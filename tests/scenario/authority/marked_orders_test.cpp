@@ -37,7 +37,8 @@ class MarkedOrders : public WalkAtSea {
  protected:
   void SetUp() override {
     ENTER_PRIVATE_NETWORK_OR_SKIP();
-    bus_.emplace(host::parse_lcm_url(host::kDefaultLcmUrl), std::vector{wire::kOperatorCommandChannel, wire::kAcknowledgementChannel});
+    bus_.emplace(host::parse_lcm_url(host::kDefaultLcmUrl),
+                 std::vector{wire::kOperatorCommandChannel, wire::kAcknowledgementChannel, wire::kNavStateChannel});
     support::write_secret_file(folder_ / "vehicle.key", std::string(62, '0') + "2a\n");
     write_mission(mission_of_short_steps("search.toml") + "\n[authority]\nkey_file = \"vehicle.key\"\nvehicle_id = \"auv-7\"\n");
     begin();
@@ -62,6 +63,8 @@ class MarkedOrders : public WalkAtSea {
     return false;
   }
   void note(const wire::Lc02Message& message) {
+    if (message.channel == wire::kNavStateChannel) ++fixes_;
+    if (message.channel == wire::kOperatorCommandChannel) ++orders_;
     if (message.channel == wire::kOperatorCommandChannel) recorded_.assign(message.data.begin(), message.data.end());
     command_acknowledgement_t answer{};
     if (message.channel == wire::kAcknowledgementChannel && wire::decode(message.data, answer) == Status::kOk)
@@ -91,16 +94,33 @@ class MarkedOrders : public WalkAtSea {
   std::optional<host::LcmEndpoint> bus_;
   std::vector<std::uint8_t> recorded_;  ///< the order that was on the bus last
   std::vector<CommandOutcome> answers_;
+  int fixes_ = 0;
+  int orders_ = 0;
 };
 
 TEST_F(MarkedOrders, AreMadeForTheVehicleThatIsMeantAndItsMissionAlone) {
   const std::string key = folder_ / "vehicle.key";
-  const std::string silence = "START: no vehicle that is meant tells its challenge\n";
-  expect_said({"START", "--key-file", key, "--vehicle-id", "auv-8"}, silence, 1);
-  expect_said({"START", "--key-file", key, "--vehicle-id", "auv-7", "--mission", key}, silence, 1);
+  const std::string heard = " was heard within 10 s (heard: \"auv-7\"; is --vehicle-id, --mission or --key-file another's?)\n";
+  expect_said({"START", "--key-file", key, "--vehicle-id", "auv-8"}, "START: no vehicle named \"auv-8\" with this key" + heard, 1);
+  expect_said({"START", "--key-file", key}, "START: no vehicle without a name (--vehicle-id) with this key" + heard, 1);
+  expect_said({"START", "--key-file", key, "--vehicle-id", "auv-7", "--mission", key},
+              "START: no vehicle named \"auv-7\" with this key and mission" + heard, 1);
   EXPECT_TRUE(recorded_.empty()) << "nothing was sent that somebody could record";
   expect_said({"START", "--key-file", key, "--vehicle-id", "auv-7", "--mission", folder_ / "mission.toml"}, "START: OBEYED\n", 0);
   end();
+}
+
+// A port keeps few orders between two turns: of somebody who sends ten a second most would be counted as lost.
+TEST_F(MarkedOrders, AreSentOnceASecondAndNotWithEveryFixWhileNobodyAnswers) {
+  end();
+  const char* const interpreter = std::getenv("EARSHOT_PYTHON");
+  support::Process vehicle(interpreter == nullptr ? "" : interpreter,
+                           {kExamples + "autopilot_over_lcm.py", std::string(host::kDefaultLcmUrl)}, folder_ / "vehicle.txt");
+  EXPECT_TRUE(comes_true([this] { return fixes_ >= 40; })) << vehicle.output();
+  vehicle.signal(SIGINT);
+  (void)vehicle.wait(10s);
+  EXPECT_GE(orders_, 1);
+  EXPECT_LE(orders_, fixes_ / 4) << "ten fixes a second";
 }
 
 TEST_F(MarkedOrders, AreNotObeyedAgainOnceTheVehicleHasBegunAnew) {
@@ -114,7 +134,7 @@ TEST_F(MarkedOrders, AreNotObeyedAgainOnceTheVehicleHasBegunAnew) {
   ASSERT_TRUE(comes_true([this] { return !answers_.empty(); })) << earshotd_->output();
   EXPECT_EQ(answers_.front(), CommandOutcome::kNotVerified);
   EXPECT_TRUE(comes_true([this] {
-    return earshotd_->output().find("an order was refused that does not bear the mark of who knows the key") != std::string::npos;
+    return earshotd_->output().find("an order was refused: its mark is missing or wrong") != std::string::npos;
   })) << earshotd_->output();
   end();
 }

@@ -1,13 +1,18 @@
 #include "firmware/boards/linux/apps/at_sea.hpp"
 
+#include <sys/resource.h>
+
 #include <chrono>
 #include <cstdint>
 #include <exception>
 #include <iostream>
 #include <string>
 #include <string_view>
+#include <thread>
 
 #include "firmware/boards/linux/apps/coming_up_flight.hpp"
+#include "firmware/boards/linux/outage/lost_record.hpp"
+#include "firmware/boards/linux/outage/safety_log.hpp"
 #include "firmware/boards/linux/outage/safety_places.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/program/exit_status.hpp"
@@ -30,23 +35,88 @@ void count_start(host::SafetyCopies& safety) {
   (void)safety.write(record, kPatience);
 }
 
+void read_copies(const Options& o, host::Claim claim, std::optional<host::SafetyCopies>& safety) {
+  safety.reset();
+  safety.emplace(safety_places(o.out, o.safety_copies, SafetyFolders::of_this_process()), record_owner(o.out), claim);
+}
+
+constexpr const char* kHangs = "but has not written the record for half a minute: it hangs, or does not fly";
+/// Between two looks at a record that may be left alone.
+constexpr std::chrono::seconds kBetweenLooks{2};
+
+/// For how long nobody has written it, at the least.
+Duration age_of(const host::SafetyRecord& record, const HostClock& host) {
+  const Duration running = host.since_boot();
+  return record.boot == host.boot() ? running - record.since_boot : running;
+}
+
+/// A mission is under way, and whoever has its record has not written it for long, nor does he between two looks.
+bool is_left_alone(const Options& o, const HostClock& host, std::optional<host::SafetyCopies>& safety) {
+  std::optional<host::SafetyRecord> first;
+  for (int look = 0; look < 2; ++look) {
+    if (look > 0) std::this_thread::sleep_for(kBetweenLooks);
+    read_copies(o, host::Claim::kWaived, safety);
+    if (!is_under_way(*safety) || age_of(*safety->found(), host) < SafetyLog::kHangs) return false;
+    if (first && !(*first == *safety->found())) return false;
+    first = safety->found();
+  }
+  return true;
+}
+
+/// A service's limit of open files may be low, and more be allowed.
+void use_every_descriptor() {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
+  limit.rlim_cur = limit.rlim_max;
+  (void)::setrlimit(RLIMIT_NOFILE, &limit);
+}
+
+/// Whatever comes in between, the status is none that a service takes for the end.
+int bring_up(const Options& o, host::SafetyCopies& safety, const HostClock& host, const std::string& why) {
+  try {
+    return come_up(o, safety, host, why);
+  } catch (const std::exception& e) {
+    std::cerr << "earshotd: " << host::printable(e.what()) << "\n";
+    return program::kLost;
+  }
+}
+
 }  // namespace
 
 int fly_at_sea(const Options& o, const HostClock& host, const std::function<int(host::SafetyCopies&)>& fly) {
+  use_every_descriptor();
   std::optional<host::SafetyCopies> safety;
   try {
-    safety.emplace(safety_places(o.out, o.safety_copies, SafetyFolders::of_this_process()));
-  } catch (const host::RecordInUse& e) {
-    std::cerr << "earshotd: " << host::printable(e.what()) << ": it commands the vehicle\n";
-    return o.resume ? program::kLost : program::kBadInput;  // a service tries again
+    try {
+      read_copies(o, host::Claim::kNeeded, safety);
+    } catch (const host::RecordInUse& e) {
+      if (o.resume && is_left_alone(o, host, safety)) return bring_up(o, *safety, host, std::string(e.what()) + ", " + kHangs);
+      std::cerr << "earshotd: " << host::printable(e.what()) << ": it commands the vehicle\n";
+      return o.resume ? program::kLost : program::kBadInput;  // a service tries again
+    }
+  } catch (const std::exception& e) {  // whether a vehicle is under way cannot be told
+    if (!o.resume) throw;
+    std::cerr << "earshotd: " << host::printable(e.what()) << "\n";
+    return program::kLost;
+  }
+  for (const std::string& copy : safety->left_out())
+    std::cerr << "earshotd: warning: safety record " << host::printable(copy) << ": it does not count\n";
+  if (o.resume && !safety->found() && safety->is_damaged()) {
+    if (const std::optional<host::SafetyRecord> record = record_by_journal(o.out / "journal.lcmlog"); record) {
+      (void)safety->write(*record, kPatience);
+      return bring_up(o, *safety, host, "every copy of its safety record is damaged");
+    }
   }
   if (!is_under_way(*safety)) return fly(*safety);
   if (!o.resume) {
-    std::cerr << "earshotd: warning: a mission was under way in this folder, and without --resume it is forgotten\n";
+    std::cerr << "earshotd: warning: a mission was under way in this folder; without --resume it is given up, and nobody commands the "
+                 "vehicle until START (with --resume it goes on or comes up)\n";
     return fly(*safety);
   }
   if (safety->found()->starts >= kMostStarts)
-    return come_up(o, *safety, host, "this program ended " + std::to_string(kMostStarts) + " times within a minute of its start");
+    return bring_up(
+        o, *safety, host,
+        "earshotd ended " + std::to_string(kMostStarts) + " times within a minute of its start: it does not try the mission a fourth time");
   count_start(*safety);
   std::string why;
   try {
@@ -54,7 +124,7 @@ int fly_at_sea(const Options& o, const HostClock& host, const std::function<int(
   } catch (const std::exception& e) {
     why = e.what();
   }
-  return come_up(o, *safety, host, why);
+  return bring_up(o, *safety, host, why);
 }
 
 std::optional<int> come_up_by(int argc, const char* const* argv) {
@@ -72,9 +142,10 @@ std::optional<int> come_up_by(int argc, const char* const* argv) {
   }
   if (!o.resume || !is_at_sea) return std::nullopt;
   try {
-    host::SafetyCopies safety(safety_places(o.out, o.safety_copies, SafetyFolders::of_this_process()));
-    if (!is_under_way(safety)) return std::nullopt;
-    return come_up(o, safety, HostClock(), "its command line cannot be read");
+    std::optional<host::SafetyCopies> safety;
+    read_copies(o, host::Claim::kNeeded, safety);
+    if (!is_under_way(*safety)) return std::nullopt;
+    return bring_up(o, *safety, HostClock(), "an option is wrong (above), and a mission was under way");
   } catch (const std::exception& e) {
     std::cerr << "earshotd: " << host::printable(e.what()) << "\n";
     return program::kLost;

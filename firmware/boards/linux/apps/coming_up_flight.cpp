@@ -26,6 +26,7 @@
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/transport/lcm_url.hpp"
 
 namespace earshot::board {
 namespace {
@@ -45,6 +46,16 @@ host::MissionFile vehicle(const Options& o, const host::SafetyCopies& copies) {
     std::cerr << "earshotd: " << host::printable(e.what()) << "\n";
     return {};
   }
+}
+
+/// What most vehicles have, where nothing says what this one has.
+host::MissionFile over_default_lcm() {
+  host::MissionFile file;
+  host::PortSettings& port = file.ports.emplace_back();
+  port.name = "vehicle";
+  port.address = host::kDefaultLcmUrl;
+  port.roles = {host::Role::kNavigation, host::Role::kOperator, host::Role::kAutopilot, host::Role::kStatus};
+  return file;
 }
 
 /// One by one: whichever opens will do. @return whether any does
@@ -71,16 +82,16 @@ int come_up(const Options& o, host::SafetyCopies& copies, const HostClock& host,
       << "\nearshotd: the mission that was under way cannot go on: the vehicle is told to stop and come up until this program is stopped\n";
   program::outlive_accidents();
   program::stop_on_signals();
-  const host::SafetyRecord record = copies.found().value();
+  const host::SafetyRecord record = copies.newest().value();
   const host::MissionFile vehicle = board::vehicle(o, copies);
   PortSet ports;
   if (!open_what_opens(vehicle, host, ports)) {
-    std::cerr << "earshotd: no port of it opens\n";
-    return program::kLost;  // and the service begins again
+    std::cerr << "earshotd: no port of it opens: LCM's default address is tried\n";
+    if (!open_what_opens(over_default_lcm(), host, ports)) return program::kLost;  // and the service begins again
   }
   ports.settle(std::chrono::seconds(1));
-  HostMissionClock clock(host);
-  clock.go_on_at(record.mission_time + outage_since(record, host).passed);
+  HostMissionClock clock(host, o.speed);
+  clock.go_on_since(record.mission_time, outage_since(record, host).passed);
   ComingUp core(vehicle.mission, record);
   SafetyLog safety(copies, host, record);
   ServiceManager manager = service_manager(o);
@@ -90,17 +101,21 @@ int come_up(const Options& o, host::SafetyCopies& copies, const HostClock& host,
   turn.report_to(manager);
   std::optional<LineWriter> writer;
   std::optional<FlightNews> news;
-  if (program::talk() != program::Talk::kQuiet) {
-    writer.emplace(STDERR_FILENO);
-    news.emplace(ports, *writer, o.log_format());
-    turn.tell(*news);
+  try {
+    if (program::talk() != program::Talk::kQuiet) {
+      writer.emplace(STDERR_FILENO);
+      news.emplace(ports, *writer, o.log_format());
+      turn.tell(*news);
+    }
+  } catch (const std::exception& e) {  // no thread, no descriptor: the vehicle is told, a person is not
+    std::cerr << "earshotd: " << host::printable(e.what()) << ": nothing more is said here\n";
   }
   settle_memory(o);
   const Duration period = vehicle.step_period > Duration{} ? vehicle.step_period : Duration::seconds(1);
   const Pace pace{.period = period, .turns = host::Turns::kPeriodic};
   const LoopResult result = board::fly(turn, ports, clock, pace, program::stop_requested);
   writer.reset();
-  (void)safety.close(std::chrono::seconds(3));
+  if (result.end == LoopEnd::kStopped && !safety.close(std::chrono::seconds(3), core.has_come_up(clock.now()))) std::cerr << kStaysUnderWay;
   return report(result, clock, ports, {});
 }
 

@@ -177,8 +177,7 @@ std::unique_ptr<board::Clock> clock_at_sea(const Options& o, const host::SafetyC
                                            const board::Outage& outage) {
   auto clock = std::make_unique<board::HostMissionClock>(host, o.speed, rehearsal_began(o, host.utc()));
   const bool goes_on = o.resume && safety.found() && !safety.found()->is_closed;
-  if (goes_on && !o.speed_since)
-    clock->go_on_at(safety.found()->mission_time + Duration{static_cast<std::int64_t>(static_cast<double>(outage.passed.us) * o.speed)});
+  if (goes_on && !o.speed_since) clock->go_on_since(safety.found()->mission_time, outage.passed);
   return clock;
 }
 
@@ -248,12 +247,16 @@ int fly(const Options& o, const board::HostClock& host, host::SafetyCopies* safe
 }
 
 int fly(const Options& o) {
-  board::require_possible(o);
+  const bool is_at_sea = !o.check && !o.simulation;
+  if (!is_at_sea) board::require_possible(o);
   if (o.check) return check(o);
   const board::HostClock host;
   if (o.simulation) return fly(o, host, nullptr);
   host::set_thread_stack(board::kThreadStackBytes);
-  return board::fly_at_sea(o, host, [&](host::SafetyCopies& safety) { return fly(o, host, &safety); });
+  return board::fly_at_sea(o, host, [&](host::SafetyCopies& safety) {
+    board::require_possible(o);  // options that do not go together are no reason either to leave a vehicle alone
+    return fly(o, host, &safety);
+  });
 }
 
 }  // namespace
@@ -263,8 +266,10 @@ int main(int argc, char** argv) {
   program::CommandLine line("earshotd",
                             "earshotd flies one mission: navigation and SNR in, frozen policy, set-points out.\n"
                             "Exit status: 0 the search ended DONE, or none was under way; 1 --prove-no-alloc found an allocation;\n"
-                            "2 bad input; 3 the simulator, the bus or the journal was lost; 4 the search ended in ABORT;\n"
-                            "5 a signal stopped a search under way; 130 stopped before the simulator came.");
+                            "2 bad input (with --resume: and nothing was under way); 3 the simulator, the bus or the journal was\n"
+                            "lost (with --resume also: another process flies here, or no port opens to bring the vehicle up by);\n"
+                            "4 the search ended in ABORT: a rule, an operator, a memory that failed, or an outage after which it\n"
+                            "could not go on; 5 a signal stopped a search under way; 130 stopped before the simulator came.");
   Options options;
   board::declare(line, options);
   bool has_begun = false;

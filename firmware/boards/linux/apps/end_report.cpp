@@ -37,7 +37,8 @@ int status_of(messages::MissionState found_in) {
 int report(const LoopResult& result, const Clock& clock, const PortSet& ports, const std::filesystem::path& journal) {
   const std::string after = " after " + std::to_string((result.time - result.began).us / 1'000'000) + " s";
   const std::string state = to_string(result.last.health);
-  const std::string kept = journal.empty() ? "none was kept" : host::printable(journal.string());
+  const std::string file = host::printable(journal.string());
+  const std::string kept = journal.empty() ? "no journal was kept" : "journal " + file;
   for (const std::string& remark : ports.remarks()) {
     if (is_talkative()) std::cerr << "earshotd: " << remark << "\n";
   }
@@ -45,15 +46,20 @@ int report(const LoopResult& result, const Clock& clock, const PortSet& ports, c
   if (const std::string remark = clock.remark(); !remark.empty()) std::cerr << "earshotd: " << remark << "\n";
   switch (result.end) {
     case LoopEnd::kMissionOver:
-      if (is_talkative()) std::cerr << "earshotd: " << state << "; journal " << kept << "\n";
+      if (is_talkative()) std::cerr << "earshotd: " << state << "; " << kept << "\n";
       return status_of(result.last.health.state);
     case LoopEnd::kStopped:
       if (is_talkative())
         std::cerr << "earshotd: stopped by a signal" << after << ", in " << messages::to_string(result.found_in) << "; it ended in "
-                  << to_string(result.last.health, result.found_in) << "; journal " << kept << "\n";
+                  << to_string(result.last.health, result.found_in) << "; " << kept << "\n";
       return status_of(result.found_in);
     case LoopEnd::kClockLost:
-      std::cerr << "earshotd: lost " << clock.lost() << after << ", in " << state << "; journal up to then: " << kept << "\n";
+      std::cerr << "earshotd: lost " << clock.lost() << after << ", in " << state << "; "
+                << (journal.empty() ? kept : "journal up to then: " + file) << "\n";
+      return program::kLost;
+    case LoopEnd::kOvertaken:
+      std::cerr << "earshotd: this program hung" << after << ", in " << state
+                << ", and another commands the vehicle since then; journal up to then: " << kept << "\n";
       return program::kLost;
   }
   return program::kLost;

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
@@ -80,7 +81,7 @@ void keep(const host::SignedSearch& search, const std::filesystem::path& journal
 }
 
 /// Flies, and tells meanwhile what changes; all of it is told when this returns.
-LoopResult fly_on(const Flight& f, MissionTurn& turn, MemoryProof& proof, Duration hold) {
+LoopResult fly_on(const Flight& f, MissionTurn& turn, MemoryProof& proof, const Hold& hold) {
   std::optional<LineWriter> writer;
   std::optional<FlightNews> news;
   if (program::talk() != program::Talk::kQuiet) {
@@ -118,15 +119,16 @@ void tell_of_others_journal(const std::filesystem::path& wanted) {
               << ": no safety record of this vehicle names it: it is left, and a new mission begins\n";
 }
 
-/// From the start of the reading on nobody commands; from then on somebody does.
+/// For so long nobody commands while the journal is read and sensors are waited for; from then on somebody does.
 constexpr std::chrono::seconds kUncommanded{5};
 constexpr std::chrono::milliseconds kBetweenTurns{100};  // a bus wants to be served so often
 
 /// Nothing ends a reading that is under way but the program's end; the journal is as if it had crashed.
 [[noreturn]] void stop_meanwhile(SafetyLog& safety, Meanwhile& meanwhile) {
   for (int said = 0; said < kLastSetpoints; ++said) meanwhile.turn();
-  (void)safety.close(kAshore);
   std::cerr << "earshotd: stopped by a signal while it read the journal; the vehicle was told to stop and come up\n";
+  (void)safety.abort(kAshore);
+  if (!safety.close(kAshore)) std::cerr << kStaysUnderWay;
   std::_Exit(program::kInterrupted);
 }
 
@@ -167,14 +169,16 @@ std::optional<Unfinished> unfinished_mission(Flight& f, const std::filesystem::p
     return std::nullopt;
   }
   if (!unfinished) {
-    if (is_under_way(*record) && !was_ended_in_order(host::journal_marked(wanted, record->journal_crc32).value()))
-      throw host::BadInput(wanted.string() + ": the mission that was under way cannot go on: its journal holds no turn");
-    return std::nullopt;
+    if (!is_under_way(*record)) return std::nullopt;
+    const bool was_stopped = was_ended_in_order(host::journal_marked(wanted, record->journal_crc32).value());
+    throw host::BadInput(wanted.string() + ": the mission that was under way cannot go on: " +
+                         (was_stopped ? "its program was stopped before the vehicle was up" : "its journal holds no turn"));
   }
   f.holds_orders = true;
   f.clock.be_at_least(unfinished->before.memory.last + f.outage.least);
   const Resumption& before = unfinished->before;
-  const HeldOrders held = held_orders(*record, before.last, before.runtime->mission(), f.clock.now());
+  const host::SafetyRecord standing = f.safety->newest().value();  // a weight may have been released meanwhile
+  const HeldOrders held = held_orders(standing, before.last, before.runtime->mission(), f.clock.now());
   if (!held.impossible.empty())
     throw host::BadInput(unfinished->file.path().string() + ": the mission cannot go on from it: " + std::string(held.impossible));
   return unfinished;
@@ -203,7 +207,8 @@ Duration begin(const Flight& f, const Resumption* before, const std::filesystem:
     turn.go_on_after(*before, build);
     if (program::talk() != program::Talk::kQuiet)
       std::cerr << "earshotd: goes on from " << host::printable(journal.string()) << ": " << to_string(*before, f.clock.now()) << "\n";
-    return f.options.simulation ? Duration{} : hold_of(f.file.mission, f.file.hearing);
+    const bool is_search = before->last.health.state == messages::MissionState::kSearch;
+    return f.options.simulation || !is_search ? Duration{} : hold_of(f.file.mission, f.file.hearing);
   }
   const std::uint32_t mark =
       turn.record_mission(f.file.mission, {.policy = f.search.policy.bytes, .tables = f.search.tables.bytes, .build = build});
@@ -215,6 +220,12 @@ Duration begin(const Flight& f, const Resumption* before, const std::filesystem:
               << f.ports.description() << "earshotd: journal " << host::printable(journal.string()) << "\n";
   }
   return {};
+}
+
+/// @param began  when the reading did
+Time end_of_silence(const Flight& f, std::chrono::steady_clock::time_point began) {
+  const std::chrono::duration<double> left = kUncommanded - (std::chrono::steady_clock::now() - began);
+  return f.clock.now() + Duration{static_cast<std::int64_t>(std::max(left.count(), 0.0) * f.options.speed * 1e6)};
 }
 
 }  // namespace
@@ -236,6 +247,7 @@ int fly(Flight& f) {
   const std::filesystem::path wanted = f.options.out / "journal.lcmlog";
   std::optional<SafetyLog> safety;
   std::optional<Meanwhile> meanwhile;
+  const auto began = std::chrono::steady_clock::now();
   if (const host::SafetyRecord* const record = open_record(f); record != nullptr) {
     safety.emplace(*f.safety, f.host, counted(*record));
     if (is_under_way(*record)) meanwhile.emplace(f.file.mission, f.ports, f.clock, *safety);
@@ -254,19 +266,27 @@ int fly(Flight& f) {
   if (f.safety != nullptr && !unfinished) safety.emplace(*f.safety, f.host, host::SafetyRecord{});
   turn.report_to(f.manager);
   turn.begin_parts_when(program::has_hung_up);
-  const Duration hold = begin(f, unfinished ? &unfinished->before : nullptr, journal.path(), safety ? &*safety : nullptr, turn);
+  Hold hold{.most = begin(f, unfinished ? &unfinished->before : nullptr, journal.path(), safety ? &*safety : nullptr, turn)};
   order_what_held(f, turn.outputs(), core, turn);
   if (meanwhile && meanwhile->abort()) turn.take(meanwhile->abort()->first, meanwhile->abort()->second);
+  if (meanwhile && hold.most > Duration{}) {
+    meanwhile->pass_on_to(turn);
+    hold.meanwhile = &*meanwhile;
+    hold.meanwhile_from = end_of_silence(f, began);
+  }
   if (safety) turn.keep_safe(*safety);
   MemoryProof proof;
   LoopResult result;
   try {
     result = fly_on(f, turn, proof, hold);
   } catch (const std::exception& e) {  // no bad input: the journal has begun, and its destructor keeps it
+    turn.end();
     std::cerr << "earshotd: " << e.what() << "; journal up to then: " << host::printable(journal.path().string()) << "\n";
     return kLost;
   }
-  if (safety && result.end == LoopEnd::kStopped) (void)safety->close(kAshore);
+  turn.end();
+  if (result.end == LoopEnd::kOvertaken) return report(result, f.clock, f.ports, journal.path());
+  if (safety && result.end == LoopEnd::kStopped && !safety->close(kAshore) && f.options.resume) std::cerr << kStaysUnderWay;
   journal.conclude(closing_record_of(result));
   const Status kept = journal.close();
   const int status = report(result, f.clock, f.ports, journal.path());

@@ -34,6 +34,11 @@ struct Flight {
   bool holds_orders = false;             ///< what that record says is to hold in the mission that is flown
 };
 
+/// Said when a program was stopped and the record could not be closed.
+inline constexpr const char* kStaysUnderWay =
+    "earshotd: the vehicle was not at the surface yet by depth and time: it stays under way, and the next start with --resume brings it "
+    "up\n";
+
 /// In simulation the simulator's middleware does as it likes with memory.
 void settle_memory(const Options& o);
 

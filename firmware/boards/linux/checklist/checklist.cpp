@@ -74,12 +74,18 @@ std::string files(const host::MissionFile& file, const host::SignedSearch& searc
          row("signed by", signer(signatures.policy)) + oceans(search, signatures);
 }
 
+/// "for auv-7, with the mark of who knows the key in vehicle.key; ABORT of anybody"
+std::string orders(const host::MissionFile& file) {
+  if (!file.command_key) return "of anybody on the bus";
+  const std::string name = host::vehicle_id_of(file.challenge);
+  return "for " + (name.empty() ? "a vehicle without a name (vehicle_id)" : host::printable(name)) +
+         ", with the mark of who knows the key in " + host::printable(file.command_key_file.lexically_normal().string()) +
+         "; ABORT of anybody" + (file.accepts_old_marks ? "; marks without the challenge count, too" : "");
+}
+
 std::string authority(const host::MissionFile& file) {
   const Duration timeout = file.mission.authority.autopilot_timeout;
-  return "authority\n" +
-         row("orders", file.command_key ? "obeyed when they bear the mark of who knows the key in " +
-                                              host::printable(file.command_key_file.lexically_normal().string()) + "; ABORT of anybody"
-                                        : "of anybody on the bus") +
+  return "authority\n" + row("orders", orders(file)) +
          row("START", timeout > Duration{} ? formatted("waits for an autopilot's status no older than %g s", timeout.to_seconds())
                                            : "waits for no autopilot's status");
 }
@@ -112,6 +118,16 @@ std::string search(const host::MissionFile& file) {
          row("set-points", set_points(file));
 }
 
+/// "by going round at 1.00 m/s, rising at least 0.10 m/s; it is up at 2.0 m or less; from 400 m within 1 h 08 min"
+std::string way_up(const config::Mission& mission) {
+  const config::VehicleLimits& v = mission.safety.vehicle;
+  constexpr double kTimeToTurnUp_s = 60.0;
+  if (!(v.ascent_speed > MetersPerSecond{})) return "floats up by itself";
+  return formatted("by going round at %.2f m/s, rising at least %.2f m/s; it is up at %.1f m or less; from %.0f m within ",
+                   v.ascent_speed.value, v.ascent_rate.value, v.surface_depth.value, mission.max_depth.value) +
+         in_hours(mission.max_depth.value / v.ascent_rate.value + kTimeToTurnUp_s);
+}
+
 std::string vehicle(const config::Mission& mission) {
   const config::VehicleLimits& v = mission.safety.vehicle;
   return "vehicle (as [vehicle] says, or what stands in its place)\n" +
@@ -119,10 +135,7 @@ std::string vehicle(const config::Mission& mission) {
              formatted("at most %.2f m/s through the water, in a current of at most %.2f m/s", v.max_speed.value, v.max_current.value)) +
          row("turns", formatted("within a radius of %.0f m", v.turn_radius.value)) +
          row("holds", v.hold_speed > MetersPerSecond{} ? formatted("its place by going round at %.2f m/s", v.hold_speed.value) : "hovers") +
-         row("comes up", v.ascent_speed > MetersPerSecond{}
-                             ? formatted("by going round at %.2f m/s, upwards at %.2f m/s at the least, to %.1f m", v.ascent_speed.value,
-                                         v.ascent_rate.value, v.surface_depth.value)
-                             : "floats up by itself");
+         row("comes up", way_up(mission));
 }
 
 std::string extent_of(const config::Polygon& polygon) {

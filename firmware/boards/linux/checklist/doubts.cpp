@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <iterator>
+#include <numbers>
 #include <system_error>
 
 #include "firmware/boards/linux/checklist/budgets.hpp"
@@ -40,6 +42,23 @@ void doubt_limits(const config::Mission& mission, Doubts& doubts) {
   doubt_if(room < kDepthRoom, doubts,
            formatted("search.depth_m is %g m above limits.max_depth_m: a vehicle that is deeper than that for 5 s is aborted; leave %g m",
                      room.value, kDepthRoom.value));
+}
+
+/// How it moves, said by its owner: by guess, or not at all.
+void doubt_vehicle(const config::VehicleLimits& vehicle, Doubts& doubts) {
+  if (vehicle == config::VehicleLimits{}) return;
+  constexpr double kSteepClimb = 0.5;  // 30 degrees, steeper than a vehicle with wings or a pitch limit climbs
+  const double rate_mps = vehicle.ascent_rate.value;
+  const double speed_mps = vehicle.ascent_speed.value;
+  doubt_if(speed_mps > 0.0 && rate_mps > kSteepClimb * speed_mps, doubts,
+           formatted("vehicle.ascent_rate_mps, %g m/s, asks for a climb of %.0f degrees all the way: one that rises more slowly, and whose "
+                     "depth sensor fails, is told to stop below the surface",
+                     rate_mps, std::asin(std::min(rate_mps / speed_mps, 1.0)) * 180.0 / std::numbers::pi));
+  doubt_if(speed_mps == 0.0 && rate_mps != config::kSlowestAscent.value, doubts,
+           "vehicle.ascent_rate_mps is not used: a vehicle with ascent_speed_mps = 0 floats up");
+  doubt_if(vehicle.max_current.value == 0.0, doubts,
+           "vehicle.max_current_mps is not given: any current up to 4 m/s is thought possible, and a place that drifts by several metres a "
+           "second is not noticed (place_unexplained_m)");
 }
 
 void doubt_steps(const config::Mission& mission, Doubts& doubts) {
@@ -115,6 +134,9 @@ void doubt_zones(const config::Mission& mission, Doubts& doubts) {
 
 void doubt_key(const host::MissionFile& file, Doubts& doubts) {
   doubt_if(!file.command_key, doubts, "there is no authority.key_file: anybody on the bus may command the vehicle");
+  const std::string name = host::vehicle_id_of(file.challenge);
+  doubt_if(!file.command_key && !name.empty(), doubts,
+           "vehicle_id, \"" + host::printable(name) + "\", has no effect on orders without authority.key_file");
   if (!file.command_key) return;
   doubt_if(file.command_key->is_all_zero(), doubts, "the key in authority.key_file is all zeros, which anybody guesses");
   doubt_if(
@@ -223,6 +245,7 @@ void doubt_hearing(const host::MissionFile& file, Doubts& doubts) {
 std::vector<std::string> doubts_about(const host::MissionFile& file) {
   Doubts doubts;
   doubt_limits(file.mission, doubts);
+  doubt_vehicle(file.mission.safety.vehicle, doubts);
   doubt_steps(file.mission, doubts);
   doubt_time(file.mission, doubts);
   doubt_battery(file.mission, doubts);

@@ -53,6 +53,7 @@ bus = lcm.LCM(said.url)
 bus.subscribe("EARSHOT_SETPOINT", on_setpoint)
 bus.subscribe("EARSHOT_COMMAND_ACKNOWLEDGEMENT", on_acknowledgement)
 marker.subscribe(bus)
+next_start = time.monotonic()
 while True:
     bus.handle_timeout(100)
     now = time.time_ns() // 1000
@@ -61,7 +62,8 @@ while True:
     vehicle.east_m += travelled_m * math.sin(vehicle.heading_rad)
     vehicle.utime = now
     bus.publish("EARSHOT_NAV_STATE", vehicle.encode())
-    if not answers:  # the same numbers again: obeyed once however often it arrives
+    if not answers and time.monotonic() >= next_start:  # the same numbers again: obeyed once however often it arrives
         start.utime, start.expiry_utime = now, now + 10_000_000
         if marker.mark(start):
             bus.publish("EARSHOT_OPERATOR_COMMAND", start.encode())
+            next_start = time.monotonic() + 1.0

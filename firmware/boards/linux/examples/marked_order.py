@@ -69,6 +69,8 @@ class Marker:
         self.vehicle = said.vehicle_id.encode("ascii", "replace").ljust(32, b"\0")
         self.mission = hashlib.sha256(said.mission.read_bytes()).digest() if said.mission else None
         self.challenge: challenge_t | None = None
+        self.last_told: dict[bytes, int] = {}  # of each start of the vehicle
+        self.heard: set[str] = set()
 
     @staticmethod
     def add_options(parser: argparse.ArgumentParser) -> None:
@@ -85,14 +87,36 @@ class Marker:
             bus.subscribe("EARSHOT_CHALLENGE", lambda _channel, data: self.hear(challenge_t.decode(data)))
 
     def hear(self, challenge: challenge_t) -> None:
-        """Keeps the newest of the vehicle that is meant, told by who knows the key: a made-up one gets no mark."""
+        """Keeps that of the vehicle's present start, told by who knows the key: a made-up one gets no mark.
+
+        A start goes on when its date rises; one that is over does not, though somebody sends its recording. Dates of
+        two starts say nothing: a computer without a battery for its clock may begin behind.
+        """
         if self.key is None:
             return
+        name = bytes(challenge.vehicle).rstrip(b"\0").decode("ascii", "replace")
+        self.heard.add("".join(letter if letter.isprintable() else "?" for letter in name))  # anybody may say so
         true_mark = blake2b(self.key, b"EARSHOT CHALLENGE1", struct.pack("<q", challenge.utime), told(challenge))
         is_true = hmac.compare_digest(bytes(challenge.mark), true_mark) and bytes(challenge.vehicle) == self.vehicle
-        is_newest = self.challenge is None or challenge.utime >= self.challenge.utime
-        if is_true and is_newest and self.mission in (None, bytes(challenge.mission)):
+        if not is_true or self.mission not in (None, bytes(challenge.mission)):
+            return
+        nonce = bytes(challenge.nonce)
+        if challenge.utime > self.last_told.get(nonce, -1):
+            self.last_told[nonce] = challenge.utime
             self.challenge = challenge
+
+    def silence(self, waited_s: float) -> str:
+        """Why an order could not be marked in so long a time."""
+        name = self.vehicle.rstrip(b"\0").decode("ascii")
+        meant = f'no vehicle named "{name}"' if name else "no vehicle without a name (--vehicle-id)"
+        mission = " and mission" if self.mission else ""
+        who = ", ".join(f'"{heard}"' if heard else "one without a name" for heard in sorted(self.heard))
+        others = (
+            f"heard: {who}; is --vehicle-id, --mission or --key-file another's?"
+            if who
+            else "none was: does earshotd run there, with a key?"
+        )
+        return f"{meant} with this key{mission} was heard within {waited_s:g} s ({others})"
 
     def mark(self, order: operator_command_t) -> bool:
         """Sets its mark. False: it cannot be marked yet, because the vehicle has not told its challenge."""

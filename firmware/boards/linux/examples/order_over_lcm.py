@@ -19,6 +19,7 @@ from earshot import command_acknowledgement_t, operator_command_t
 
 from marked_order import Marker, outcome_of
 
+WAIT_S = 10.0
 ORDERS = ("START", "COMPLETE", "ABORT", "LISTEN", "PAUSE", "RESUME", "TIGHTEN")
 
 parser = argparse.ArgumentParser(description="Gives Earshot one order over LCM.")
@@ -48,16 +49,18 @@ signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C ends it without a traceba
 bus = lcm.LCM(said.url)
 bus.subscribe("EARSHOT_COMMAND_ACKNOWLEDGEMENT", on_acknowledgement)
 marker.subscribe(bus)
-deadline = time.monotonic() + 10.0
+deadline = time.monotonic() + WAIT_S
+next_order = time.monotonic()
 while not answers and time.monotonic() < deadline:
     order.utime = time.time_ns() // 1000
     order.expiry_utime = order.utime + 600_000_000  # a START waits so long for navigation and SNR
-    # The same numbers again: obeyed once however often it arrives. An ABORT needs no mark.
-    if marker.mark(order) or said.order == "ABORT":
+    # The same numbers once a second: obeyed once however often it arrives. An ABORT needs no mark.
+    if time.monotonic() >= next_order and (marker.mark(order) or said.order == "ABORT"):
         bus.publish("EARSHOT_OPERATOR_COMMAND", order.encode())
+        next_order = time.monotonic() + 1.0
     bus.handle_timeout(200)
 unheard = marker.key is not None and marker.challenge is None
-silence = "no vehicle that is meant tells its challenge" if unheard else "nobody answers"
+silence = marker.silence(WAIT_S) if unheard else "nobody answers"
 outcome = answers[0] if answers else silence
 print(f"{said.order}:", outcome)
 sys.exit(0 if outcome in ("OBEYED", "OBEYED_NOT_DURABLE", "REPEATED") else 1)

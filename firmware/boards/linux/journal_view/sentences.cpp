@@ -43,6 +43,7 @@ std::string state_to_string(MissionState state, EndReason reason, std::int64_t s
   const bool is_stopped = reason == EndReason::kOperatorAbort && by == AbortedBy::kProgram;
   const std::string why = is_stopped ? "its program was told to stop" : messages::to_string(reason);
   const std::string ended = reason == EndReason::kNone ? "" : ": " + why;
+  if (!messages::counts_steps(reason)) return messages::to_string(state) + ended;
   return messages::to_string(state) + ended + ", after " + counted(static_cast<std::uint64_t>(steps < 0 ? 0 : steps), "step");
 }
 

@@ -1,5 +1,6 @@
 #include "firmware/boards/linux/journal_view/timeline.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <variant>
 
@@ -44,6 +45,7 @@ std::vector<Event> Timeline::take(const Entry& entry) {
 
 std::vector<Event> Timeline::finish(const std::optional<TornEnd>& torn) {
   events_.clear();
+  tell_repetitions();
   if (torn) tell_lack(to_string(*torn));
   if (!is_closed_ && !is_bus_log_)
     tell_lack(
@@ -51,7 +53,27 @@ std::vector<Event> Timeline::finish(const std::optional<TornEnd>& torn) {
   return std::move(events_);
 }
 
+void Timeline::tell_order(Severity severity, std::string text) {
+  const auto known = std::ranges::find(orders_, text, &Order::text);
+  if (known != orders_.end()) {
+    ++known->times;
+    return;
+  }
+  tell(severity, text);
+  if (orders_.size() == kRememberedOrders) orders_.pop_front();
+  orders_.push_back({.severity = severity, .text = std::move(text)});
+}
+
+void Timeline::tell_repetitions() {
+  for (Order& order : orders_) {
+    if (order.times == order.told_times) continue;
+    order.told_times = order.times;
+    events_.push_back({.severity = order.severity, .time = now_, .text = order.text + " (" + counted(order.times, "time") + ")"});
+  }
+}
+
 void Timeline::tell(Severity severity, std::string text, bool is_lack) {
+  tell_repetitions();
   events_.push_back({.severity = severity, .time = now_, .text = std::move(text), .is_lack = is_lack});
 }
 
@@ -136,7 +158,7 @@ void Timeline::note_content(const messages::SafetyEvent& event, const Record& /*
 void Timeline::note_content(const command_acknowledgement_t& acknowledgement, const Record& /*record*/) {
   const auto outcome = static_cast<messages::CommandOutcome>(acknowledgement.outcome);
   const bool is_good = messages::was_obeyed(outcome) || outcome == messages::CommandOutcome::kRepeated;
-  tell(is_good ? Severity::kInformation : Severity::kWarning, to_string(acknowledgement));
+  tell_order(is_good ? Severity::kInformation : Severity::kWarning, to_string(acknowledgement));
 }
 
 void Timeline::note_content(const health_t& health, const Record& /*record*/) {
@@ -217,7 +239,7 @@ void Timeline::note_input(const messages::HydrophoneStatus& status, std::uint8_t
 void Timeline::note_input(const messages::OperatorCommand& command, std::uint8_t port) {
   // By port 0 come the program's own.
   if (port == 0 && !is_over_) aborted_by_ = AbortedBy::kProgram;
-  inform(to_string(command, port));
+  tell_order(Severity::kInformation, to_string(command, port));
 }
 
 }  // namespace earshot::journal_view

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,7 +59,19 @@ class Timeline {
     [[nodiscard]] bool is_news(std::uint64_t now);
   };
 
+  /// An order, or what came of it: who gives one sends it until it is answered, and each time it is answered.
+  struct Order {
+    Event::Severity severity;
+    std::string text;
+    std::uint64_t times = 1;
+    std::uint64_t told_times = 1;
+  };
+  static constexpr std::size_t kRememberedOrders = 16;  ///< full: the oldest would be told as a new one
+
   void tell(Event::Severity severity, std::string text, bool is_lack = false);
+  /// At once the first time; how often it came once something else happens.
+  void tell_order(Event::Severity severity, std::string text);
+  void tell_repetitions();
   void inform(std::string text) { tell(Event::Severity::kInformation, std::move(text)); }
   /// Of the journal itself.
   void tell_lack(std::string text);
@@ -101,6 +115,7 @@ class Timeline {
   };
 
   std::vector<Event> events_;  ///< of the entry that is taken
+  std::deque<Order> orders_;   ///< that were told
   std::optional<Time> began_;
   Time now_;
   bool is_bus_log_ = false;

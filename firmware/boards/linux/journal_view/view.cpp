@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -26,6 +27,7 @@
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/safety_record/words/record_words.hpp"
 
 namespace earshot::journal_view {
 namespace {
@@ -137,6 +139,8 @@ class Viewer {
     if (source_.records() == 0) throw no_record_in(options_.journal);
     const std::vector<Event> events = timeline_.finish(source_.torn_end());
     note(events);
+    if (const std::optional<std::string> record = prints_ ? host::safety_record_beside(options_.journal) : std::nullopt)
+      program::say() << *record << "\n";
     bar_.reset();
     exports_.finish(events);
     program::say().flush();
@@ -176,11 +180,24 @@ void tell_others(const std::filesystem::path& journal) {
               << host::printable(newest->filename().string()) << ": name the one that you mean\n";
 }
 
+/// A journal that is gone leaves the record that a vehicle is brought up by.
+bool tells_record_alone(const ViewOptions& options) {
+  std::error_code error;
+  if (options.csv || options.jsonl || options.mcap || std::filesystem::exists(options.journal, error)) return false;
+  const std::optional<std::string> record = host::safety_record_beside(options.journal);
+  if (record) program::say() << *record << "\n" << std::flush;
+  return record.has_value();
+}
+
 }  // namespace
 
 int view(const ViewOptions& asked) {
   ViewOptions options = asked;
   options.journal = host::journal_in(asked.journal);
+  if (!options.follow && tells_record_alone(options)) {
+    std::cerr << host::printable(options.journal.string()) << ": no such file; what is left is the safety record beside it\n";
+    return program::kIncomplete;
+  }
   if (!options.follow) {
     if (options.journal != asked.journal) tell_others(options.journal);
     return Viewer(options).run();

@@ -34,6 +34,24 @@ void write_chain(TextInto& line, const HeardChain& chain) {
   line.decimal(chain.delay_s, 2) << " s";
 }
 
+/// As host::to_string(), which allocates.
+void write_evidence(TextInto& line, const messages::SafetyEvent& event) {
+  using config::ConditionTraits;
+  const ConditionTraits& traits = config::kConditionTraits.at(static_cast<std::size_t>(event.condition));
+  const host::MeasureWords words = host::words_of_measure(event.condition).value_or(host::MeasureWords{});
+  const int places = host::decimals_apart(event.measure, event.limit);
+  if (traits.kind != ConditionTraits::Kind::kFlag) {
+    line << ": " << words.before;
+    line.decimal(event.measure, places) << words.behind;
+  }
+  if (host::names_limit(event)) {
+    line << (traits.kind == ConditionTraits::Kind::kAbove ? ", above " : ", below ");
+    line.decimal(event.limit, places);
+  }
+  line << ": " << config::kResponseWords.at(static_cast<std::size_t>(event.response));
+  if (!words.look_at.empty()) line << "; " << words.look_at;
+}
+
 /// What else there is to say about a state that has not ended.
 std::string_view remark_on(const messages::Health& health, bool is_surprised) {
   if (health.end_reason != messages::EndReason::kNone) return {};
@@ -106,19 +124,12 @@ void FlightNews::tell_rule(Time now, RuleNews& rule) {
   const messages::SafetyEvent& event = rule.last;
   const bool ends_mission = event.begins && event.response >= config::Response::kAbort && event.response > rule.ended_by;
   if (rule.changes == 0 || (now < rule.due && !ends_mission)) return;
-  const config::ConditionTraits& traits = config::kConditionTraits.at(static_cast<std::size_t>(event.condition));
   TextLine line;
-  line << "rule " << event.rule + 1 << ", " << traits.key;
-  if (!event.begins) {
-    line << ": no longer";
+  line << "rule " << event.rule + 1 << ", " << config::kConditionTraits.at(static_cast<std::size_t>(event.condition)).key;
+  if (event.begins) {
+    write_evidence(line, event);
   } else {
-    if (traits.kind != config::ConditionTraits::Kind::kFlag) {
-      const int places = host::decimals_apart(event.measure, event.limit);
-      line << ": ";
-      line.decimal(event.measure, places) << (traits.kind == config::ConditionTraits::Kind::kAbove ? ", above " : ", below ");
-      line.decimal(event.limit, places);
-    }
-    line << ": " << config::kResponseWords.at(static_cast<std::size_t>(event.response));
+    line << ": no longer";
   }
   if (rule.changes > 1) line << "; it changed " << rule.changes << " times since it was last told of";
   if (ends_mission) rule.ended_by = event.response;
@@ -156,9 +167,9 @@ void FlightNews::tell_durable(Time now, bool is_durable) {
   say({.severity = is_durable ? Severity::kNotice : Severity::kError,
        .event = "safety_record",
        .time = now,
-       .message = is_durable
-                      ? "safety record: a disk has it again"
-                      : "safety record: no disk takes it in time: what is ordered is obeyed, and a power cut may make it forgotten"});
+       .message = is_durable ? "safety record: a disk has it again"
+                             : "safety record: no disk has taken it for 0.1 s (full, read-only, slow): orders are obeyed, but a power cut "
+                               "may undo them"});
 }
 
 void FlightNews::tell(std::uint8_t port, const HeardChain& chain) {
@@ -233,9 +244,10 @@ void FlightNews::tell_state(Time now, const messages::Health& health) {
   TextLine line;
   line << to_string(health.state);
   const bool is_stopped = is_stopping_ && health.end_reason == messages::EndReason::kOperatorAbort;
-  if (health.end_reason != messages::EndReason::kNone)
-    line << ", " << (is_stopped ? kToldToStop : to_string(health.end_reason)) << ", after " << health.steps_taken
-         << (health.steps_taken == 1 ? " step" : " steps");
+  const bool is_over = health.end_reason != messages::EndReason::kNone;
+  if (is_over) line << ", " << (is_stopped ? kToldToStop : to_string(health.end_reason));
+  if (is_over && messages::counts_steps(health.end_reason))
+    line << ", after " << health.steps_taken << (health.steps_taken == 1 ? " step" : " steps");
   if (!remark.empty()) line << ", " << remark;
   const bool is_aborted = health.state == messages::MissionState::kAbort;
   say({.severity = is_aborted ? Severity::kError : Severity::kNotice, .event = "state", .time = now, .message = line.text()});

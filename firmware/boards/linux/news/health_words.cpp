@@ -9,6 +9,7 @@ namespace {
 std::string state_and(const char* reason, const messages::Health& health) {
   std::string text = messages::to_string(health.state);
   if (health.end_reason != messages::EndReason::kNone) text += std::string(", ") + reason;
+  if (!counts_steps(health.end_reason)) return text;
   return text + ", after " + std::to_string(health.steps_taken) + (health.steps_taken == 1 ? " step" : " steps");
 }
 

@@ -14,11 +14,15 @@ using messages::CommandOutcome;
 constexpr Radians kQuarterTurn{1.5707963267948966};
 /// An older heading is none.
 constexpr Duration kHeadingLasts = Duration::seconds(5);
-/// For a vehicle that goes down when it is told to come up.
-constexpr double kTimeToTurnUp_s = 60.0;
 
 Duration time_from(Meters depth) {
-  return {static_cast<std::int64_t>((depth.value / config::kSlowestAscent.value + kTimeToTurnUp_s) * 1e6)};
+  const double rises_s = safety::DepthEstimate::while_it_turns_up(depth).value / config::kSlowestAscent.value;
+  return Duration{static_cast<std::int64_t>(rises_s * 1e6)} + safety::DepthEstimate::kToTurn;
+}
+
+config::VehicleLimits at_its_slowest(config::VehicleLimits vehicle) {
+  vehicle.ascent_rate = config::kSlowestAscent;
+  return vehicle;
 }
 
 }  // namespace
@@ -36,10 +40,13 @@ config::Mission limited_by(config::Mission mission, const host::SafetyRecord& re
 ComingUp::ComingUp(const config::Mission& mission, const host::SafetyRecord& record)
     : mission_(limited_by(mission, record)),
       long_enough_(time_from(record.deepest)),
+      depth_(record.deepest),
       is_engaged_(record.is_engaged),
       is_released_(record.is_released) {
-  for (const config::Rule& rule : mission.safety.rules)
-    releases_on_leak_ = releases_on_leak_ || (rule.condition == config::Condition::kLeak && rule.response == config::Response::kRelease);
+  for (const config::Rule& rule : mission.safety.rules) {
+    if (rule.condition != config::Condition::kLeak || rule.response != config::Response::kRelease) continue;
+    releases_after_leak_ = std::min(releases_after_leak_.value_or(rule.persistence), rule.persistence);
+  }
   const bool was_over = record.end_reason != messages::EndReason::kNone;
   health_.turn = record.turn;
   health_.authority = messages::Authority::kAbort;
@@ -52,9 +59,11 @@ std::optional<CommandOutcome> ComingUp::take(const messages::Input& input) {
   if (const auto* fix = std::get_if<messages::Navigation>(&input.value); fix != nullptr && messages::is_usable(*fix)) {
     fix_ = *fix;
     fix_->time = input.arrival;
+    if (began_) depth_.take(*fix_);
   }
   const auto* status = std::get_if<messages::VehicleStatus>(&input.value);
-  is_released_ = is_released_ || (releases_on_leak_ && status != nullptr && status->has_leak);
+  if (status != nullptr && !status->has_leak) leaks_since_.reset();
+  if (status != nullptr && status->has_leak && !leaks_since_) leaks_since_ = input.arrival;
   if (const auto* command = std::get_if<messages::OperatorCommand>(&input.value)) outcome = answer(input.arrival, input.port, *command);
   const auto* report = std::get_if<messages::PortReport>(&input.value);
   if (report == nullptr) return outcome;
@@ -80,6 +89,7 @@ CommandOutcome ComingUp::answer(Time arrival, std::uint8_t port, const messages:
 runtime::Outputs ComingUp::step(Time now) {
   if (!began_) began_ = now;
   ++health_.turn;
+  is_released_ = is_released_ || (releases_after_leak_ && leaks_since_ && now - *leaks_since_ >= *releases_after_leak_);
   runtime::Outputs outputs;
   if (is_engaged_) outputs.setpoint = setpoint(now);
   outputs.acknowledgements = acknowledgements_;
@@ -88,9 +98,15 @@ runtime::Outputs ComingUp::step(Time now) {
   return outputs;
 }
 
+bool ComingUp::has_come_up(Time now) const {
+  const bool is_seen = fix_ && now - fix_->time <= kHeadingLasts;
+  return (began_ && now - *began_ > long_enough_) || (is_seen && fix_->depth <= mission_.safety.vehicle.surface_depth);
+}
+
 messages::Setpoint ComingUp::setpoint(Time now) {
-  const config::VehicleLimits& vehicle = mission_.safety.vehicle;
-  const bool must_move = vehicle.ascent_speed.value > 0.0 && now - *began_ <= long_enough_;
+  const config::VehicleLimits vehicle = at_its_slowest(mission_.safety.vehicle);
+  const bool is_up = now - *began_ > long_enough_ && depth_.is_up(vehicle);
+  const bool must_move = vehicle.ascent_speed.value > 0.0 && !is_up;
   const bool is_seen = fix_ && now - fix_->time <= kHeadingLasts;
   const Radians last = fix_ ? fix_->heading : Radians{0.0};
   const Duration unseen = fix_ ? now - fix_->time : now - *began_;
@@ -101,6 +117,7 @@ messages::Setpoint ComingUp::setpoint(Time now) {
   setpoint.speed = must_move ? vehicle.ascent_speed : MetersPerSecond{0.0};
   setpoint.depth = Meters{0.0};
   setpoint.release_weight = is_released_;
+  depth_.tell(now, setpoint, vehicle);
   return setpoint;
 }
 

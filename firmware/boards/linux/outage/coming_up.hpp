@@ -12,6 +12,7 @@
 #include "firmware/messages/operator_command.hpp"
 #include "firmware/messages/setpoint.hpp"
 #include "firmware/runtime/runtime.hpp"
+#include "firmware/safety/depth_estimate.hpp"
 
 namespace earshot::board {
 
@@ -19,11 +20,12 @@ namespace earshot::board {
 /// tables or lock, only the safety record.
 ///
 /// A vehicle that needs speed to come up goes round and round at its ascent speed for as long as one needs that comes up from its deepest
-/// at 0.1 m/s: no depth that is told ends it sooner, for it may be wrong. Then it stops. It turns by its heading while that is told, and by
-/// the time otherwise. One that only listened commands nothing, as before.
+/// at 0.1 m/s: no depth that is told ends it sooner, for it may be wrong. Then it stops; where its depth says that it is below, it tries
+/// again (safety::DepthEstimate). It turns by its heading while that is told, and by the time otherwise. One that only listened commands
+/// nothing, as before.
 ///
 /// Every order is answered; an ABORT is repeated, and no other is for this state. A leak releases the weight where the mission's rule about
-/// it does. Oracle: ComingUp.*
+/// it does, and after as long as that. Oracle: ComingUp.*
 class ComingUp final : public Core {
  public:
   /// @param mission  with the limits of the record; what else it says is not looked at, but its vehicle and its rule about a leak
@@ -32,6 +34,8 @@ class ComingUp final : public Core {
   std::optional<messages::CommandOutcome> take(const messages::Input& input) override;
   [[nodiscard]] runtime::Outputs step(Time now) override;
   [[nodiscard]] const config::Mission& mission() const override { return mission_; }
+  /// Whether its time to come up is over, or its depth says that it is up.
+  [[nodiscard]] bool has_come_up(Time now) const;
 
  private:
   [[nodiscard]] messages::Setpoint setpoint(Time now);
@@ -39,7 +43,9 @@ class ComingUp final : public Core {
 
   config::Mission mission_;
   Duration long_enough_;  ///< to come up from the deepest
-  bool releases_on_leak_ = false;
+  safety::DepthEstimate depth_;
+  std::optional<Duration> releases_after_leak_;  ///< of so long
+  std::optional<Time> leaks_since_;
   bool is_engaged_;
   bool is_released_;
   messages::Health health_;

@@ -16,6 +16,10 @@ constexpr std::chrono::milliseconds kPatience{100};
 void Meanwhile::take(std::uint8_t port, const Value& value) {
   const auto* const command = std::get_if<messages::OperatorCommand>(&value);
   const Time now = clock_.now();
+  if (mission_ != nullptr) {
+    mission_->take(port, value);
+    if (!std::holds_alternative<messages::Navigation>(value)) return;
+  }
   if (command == nullptr) {
     (void)core_.take({.arrival = now, .port = port, .sequence = 0, .value = value});
   } else if (command->order == messages::Order::kAbort) {
@@ -36,15 +40,38 @@ messages::CommandOutcome Meanwhile::obey(std::uint8_t port, const messages::Oper
   return safety_.abort(kPatience) ? CommandOutcome::kObeyed : CommandOutcome::kObeyedNotDurable;
 }
 
+void Meanwhile::tell_detection(std::uint8_t port, const messages::SoundDetection& detection) {
+  if (mission_ != nullptr) mission_->tell_detection(port, detection);
+}
+
+void Meanwhile::tell_chain(std::uint8_t port, const HeardChain& chain) {
+  if (mission_ != nullptr) mission_->tell_chain(port, chain);
+}
+
+void Meanwhile::tell_trouble(std::uint8_t port, BusTrouble trouble, bool is_there) {
+  if (mission_ != nullptr) mission_->tell_trouble(port, trouble, is_there);
+}
+
+void Meanwhile::tell_order_trouble(std::uint8_t port, OrderTrouble trouble) {
+  if (mission_ != nullptr) mission_->tell_order_trouble(port, trouble);
+}
+
 void Meanwhile::turn() {
   ports_.collect(clock_, *this);
   ports_.serve();
   ports_.tend();
+  say();
+}
+
+void Meanwhile::say() {
   const Time now = clock_.now();
   runtime::Outputs outputs = core_.step(now);
   outputs.acknowledgements = acknowledgements_;
   acknowledgements_.clear();
+  safety_.stamp(now);
+  if (safety_.is_overtaken()) return;
   const host::SafetyRecord& record = safety_.record();
+  if (outputs.setpoint && outputs.setpoint->release_weight && !record.is_released) (void)safety_.release(kPatience);
   outputs.health.state = record.state;
   outputs.health.end_reason = record.end_reason;
   outputs.health.is_paused = record.is_paused;

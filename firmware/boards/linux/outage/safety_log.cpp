@@ -33,6 +33,7 @@ bool SafetyLog::begin(Time now, const config::Mission& mission, std::uint32_t jo
   record_.journal_crc32 = journal_crc32;
   record_.kept_crc32 = crc32(kept);
   (void)put_standing({}, mission, record_);
+  depth_ = {};
   copies_.prepare(kept);
   date();
   return copies_.write(record_, patience);
@@ -40,13 +41,16 @@ bool SafetyLog::begin(Time now, const config::Mission& mission, std::uint32_t jo
 
 bool SafetyLog::note(Time turn, const runtime::Outputs& outputs, const config::Mission& mission, std::chrono::milliseconds patience) {
   const bool has_changed = put_standing(outputs, mission, record_);
+  vehicle_ = mission.safety.vehicle;
+  if (outputs.setpoint) depth_.tell(turn, *outputs.setpoint, vehicle_);
   const Duration running = host_.since_boot();
-  const bool is_stamp_due = record_.state != messages::MissionState::kStandby && running - record_.since_boot >= kBetweenStamps;
+  const Duration since = running - record_.since_boot;
+  const bool is_stamp_due = record_.state != messages::MissionState::kStandby && since >= kBetweenStamps;
   if (!has_changed && !is_stamp_due) return copies_.is_durable();
   record_.mission_time = turn;
   if (running - began_ >= kFlownForAWhile) record_.starts = 0;
   date();
-  if (has_changed) return copies_.write(record_, patience);
+  if (has_changed || since >= kHangs) return copies_.write(record_, patience);
   copies_.stamp(record_);
   return copies_.is_durable();
 }
@@ -58,10 +62,33 @@ bool SafetyLog::abort(std::chrono::milliseconds patience) {
   return copies_.write(record_, patience);
 }
 
-bool SafetyLog::close(std::chrono::milliseconds patience) {
-  record_.is_closed = true;
+bool SafetyLog::release(std::chrono::milliseconds patience) {
+  record_.is_released = true;
   date();
   return copies_.write(record_, patience);
+}
+
+void SafetyLog::stamp(Time now) {
+  if (host_.since_boot() - record_.since_boot < kBetweenStamps) return;
+  record_.mission_time = now;
+  date();
+  copies_.stamp(record_);
+}
+
+bool SafetyLog::close(std::chrono::milliseconds patience, bool is_up) {
+  record_.is_closed = !record_.is_engaged || is_up || depth_.is_up(vehicle_);
+  date();
+  return copies_.write(record_, patience) && record_.is_closed;
+}
+
+/// Of a flight that goes on: a depth that is told now may be wrong, and the vehicle as deep as it ever may have been.
+void SafetyLog::start_from(Meters deepest) {
+  messages::Navigation fix;
+  fix.depth = deepest;
+  depth_.take(fix);
+  messages::Setpoint told;
+  told.depth = deepest;
+  depth_.tell(record_.mission_time, told, vehicle_);
 }
 
 void SafetyLog::date() {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 #include <system_error>
 
 #include "firmware/host/file/checksum_text.hpp"
@@ -28,7 +29,22 @@ fs::path lexically_whole(const fs::path& path) {
   return whole.has_filename() ? whole : whole.parent_path();  // "out/" is "out"
 }
 
+/// Of a small file; empty: there is none, or it cannot be read.
+std::string text_of(const fs::path& path) {
+  std::string text;
+  std::ifstream(path) >> text;
+  return text;
+}
+
 }  // namespace
+
+host::RecordOwner record_owner(const fs::path& out, const ComputerFiles& files) {
+  std::error_code error;
+  const std::string machine_id = text_of(files.machine_id);
+  const bool is_of_this_start = fs::exists(files.transient_machine_id, error) || machine_id == "uninitialized";  // as machine-id(5) says
+  const std::string told_by = (is_of_this_start ? std::string() : machine_id) + text_of(files.serial_number);
+  return {.computer = told_by.empty() ? 0 : host::crc32_of(told_by), .folder = host::crc32_of(lexically_whole(out).string())};
+}
 
 SafetyFolders SafetyFolders::of_this_process() {
   return {.state = folder_in("STATE_DIRECTORY"), .runtime = folder_in("RUNTIME_DIRECTORY")};
@@ -40,6 +56,7 @@ std::vector<host::SafetyCopy> safety_places(const fs::path& out, const std::vect
   std::vector<host::SafetyCopy> places{{.file = folder / (std::string("journal") + kEnding)}};
   for (const std::string& other : asked_for) places.push_back({.file = lexically_whole(other) / name});
   if (asked_for.empty() && folders.state) places.push_back({.file = lexically_whole(*folders.state) / name});
+  if (places.size() == 1) places.push_back({.file = folder / (std::string("journal.copy") + kEnding)});
   if (folders.runtime) places.push_back({.file = lexically_whole(*folders.runtime) / name, .survives_power_cut = false});
   return places;
 }

@@ -17,7 +17,19 @@ struct SafetyFolders {
   [[nodiscard]] static SafetyFolders of_this_process();
 };
 
-/// One beside the journal, one in each folder that is asked for or, where none is, in the service's state folder, and one in memory.
+/// What this computer is told by: its machine-id, where that outlives a start, and the serial number of its board.
+struct ComputerFiles {
+  std::filesystem::path machine_id = "/etc/machine-id";
+  std::filesystem::path transient_machine_id = "/run/machine-id";  ///< there is one: the machine-id was drawn for this start alone
+  std::filesystem::path serial_number = "/sys/firmware/devicetree/base/serial-number";
+};
+
+/// Whose records in the folder count: this computer's, of flights in this folder. A record that was copied here with its journal, from
+/// another vehicle or another folder, puts nothing under way. @param out  the journal's folder
+[[nodiscard]] host::RecordOwner record_owner(const std::filesystem::path& out, const ComputerFiles& files = {});
+
+/// One beside the journal, one in each folder that is asked for or, where none is, in the service's state folder, and one in memory. Where
+/// there is none on another disk a second one stands beside the journal: a file that is removed, or damaged, is then not the only one.
 /// Outside of the journal's folder a copy bears that folder's name and a checksum of its path: flights do not share one.
 /// @param out  the journal's folder
 [[nodiscard]] std::vector<host::SafetyCopy> safety_places(const std::filesystem::path& out, const std::vector<std::string>& asked_for,

@@ -18,8 +18,7 @@ namespace earshot::board {
 namespace {
 
 host::BadInput refusal(const std::filesystem::path& journal, const std::string& why) {
-  return host::BadInput(journal.string() + ": the mission cannot go on from it: " + why +
-                        "; without --resume a new one begins, in STANDBY");
+  return host::BadInput(journal.string() + ": the mission cannot go on from it: " + why);
 }
 
 bool is_same(const config::Mission& a, const config::Mission& b) {

@@ -15,6 +15,10 @@ messages::Challenge new_challenge(std::string_view vehicle_id, const authority::
   return challenge;
 }
 
+std::string vehicle_id_of(const messages::Challenge& challenge) {
+  return {challenge.vehicle.begin(), std::ranges::find(challenge.vehicle, 0)};
+}
+
 void CommandProof::judge(messages::OperatorCommand& command) const {
   const bool is_old = key.verifies_old(command);
   command.is_verified = key.verifies(command, challenge) || (is_old && accepts_old_marks);

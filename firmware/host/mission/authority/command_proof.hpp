@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "firmware/core/time.hpp"
@@ -13,6 +14,9 @@ namespace earshot::host {
 /// Of this start of a program: its nonce is drawn from the system's random source.
 /// @param vehicle_id  as read_vehicle_id() gives it
 [[nodiscard]] messages::Challenge new_challenge(std::string_view vehicle_id, const authority::Sha256& mission);
+
+/// The name of the vehicle that a challenge is of; empty: it has none.
+[[nodiscard]] std::string vehicle_id_of(const messages::Challenge& challenge);
 
 /// What a port knows by whether an order is of who may command the vehicle: the key, and what marks are made for besides the order.
 struct CommandProof {

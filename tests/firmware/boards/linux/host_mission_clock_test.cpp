@@ -76,6 +76,16 @@ TEST(HostMissionClock, ScalesWhatPassesAndWhatIsOld) {
   EXPECT_EQ(clock.mission_time_of(host.wall + seconds(-2)), Time{1'180'000'000}) << "2 s old are 2 min";
 }
 
+// 20 s of the host's are 400 s of a rehearsal that runs twenty times as fast.
+TEST(HostMissionClock, GoesOnSinceAMomentOfTheHostAtItsSpeed) {
+  SetHost host;
+  HostMissionClock clock(host, 20.0);
+  clock.go_on_since(Time{500'000'000}, seconds(20));
+  EXPECT_EQ(clock.now(), Time{900'000'000});
+  host.pass(seconds(1));
+  EXPECT_EQ(clock.now(), Time{920'000'000});
+}
+
 TEST(HostMissionClock, TellsTheWallsDateOfAMomentOfTheMission) {
   SetHost host;
   HostMissionClock fast(host, 60.0);

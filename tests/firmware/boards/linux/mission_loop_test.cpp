@@ -234,7 +234,7 @@ class GoneOnWithAtSea : public AtSea {
     resumption.last = last;
     turn.go_on_after(resumption, "of a test");
     stop_at(4);
-    return board::fly(turn, ports_, clock_, {.period = kPeriod}, stop_, Duration::seconds(5));
+    return board::fly(turn, ports_, clock_, {.period = kPeriod}, stop_, {.most = Duration::seconds(5)});
   }
 };
 

@@ -68,6 +68,21 @@ TEST_F(OutputFileTest, LeavesAFileOfAnotherKindUnlessForced) {
   EXPECT_EQ(content(), "[seabed]\ndepth_m = 3000\n");
 }
 
+/// Others write files that begin as ours do: a chart in NetCDF.
+TEST_F(OutputFileTest, KnowsItsOwnByAMarkWhereverItStands) {
+  constexpr OutputKind kMarked{"a file of marks", {"CDF", {}}, "Earshot, "};
+  const auto refused = [&] { return refusal([&] { require_writable(path_, kMarked, Replace::kOwnKind); }); };
+  constexpr std::size_t kPiece = std::size_t{1} << 20U;  // as much as is read at once
+  for (const std::size_t before : {std::size_t{0}, std::size_t{90}, kPiece - 12, kPiece - 8, kPiece - 3, kPiece, 2 * kPiece - 14}) {
+    write_whole(path_, "CDF" + std::string(before, '.') + "Earshot, a model");
+    EXPECT_EQ(refused(), "") << before;
+    write_whole(path_, "CDF" + std::string(before, '.') + "Earshot. another");
+    EXPECT_NE(refused().find("is not a file of marks"), std::string::npos) << before;
+  }
+  write_whole(path_, "CDE Earshot, ");
+  EXPECT_NE(refused(), "");
+}
+
 TEST_F(OutputFileTest, TakesAnEmptyFileForItsOwn) {
   write_whole(path_, "");
   EXPECT_EQ(refusal([&] { require_writable(path_, kNotes, Replace::kOwnKind); }), "");

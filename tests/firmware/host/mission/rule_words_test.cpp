@@ -26,6 +26,10 @@ TEST(RuleWords, SayARuleAsAPersonDoesWithItsUnit) {
             "hold the place once the angle between heading and set-point is above 60 degrees");
   EXPECT_EQ(in_words(Rule{Condition::kDepth, 400, Duration::seconds(5), Response::kAbort, true}),
             "abort once the vehicle's depth is above 400 m for 5 s");
+  EXPECT_EQ(in_words(Rule{Condition::kPlaceUnexplained, 0, Duration::seconds(10), Response::kAbort, true}),
+            "abort once the place went further than speed, heading and current explain, by more than 0 m for 10 s");
+  EXPECT_EQ(in_words(Rule{Condition::kNavigationDisputed, 60, {}, Response::kWarn, false}),
+            "warn once late fixes lie more than 60 m from those believed of the same moment");
   EXPECT_EQ(in_words(Rule{Condition::kLeak, 0, {}, Response::kRelease, true}),
             "abort and ask for the drop weight to be released once there is water in the hull");
 }

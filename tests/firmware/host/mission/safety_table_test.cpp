@@ -128,6 +128,15 @@ TEST(SafetyTable, NamesBothKeysThatDoNotFitEachOther) {
   EXPECT_NE(ascent.find(": vehicle.max_speed_mps = 3)"), std::string::npos) << ascent;
 }
 
+TEST(SafetyTable, RefusesAVehicleThatRisesFasterThanItMoves) {
+  const std::string said = complaint("ascent_rate_mps = 0.3", "ascent_rate_mps = 5.0");
+  EXPECT_TRUE(said.starts_with("vehicle.ascent_rate_mps = 5.0: must be at most vehicle.ascent_speed_mps (")) << said;
+  EXPECT_TRUE(said.ends_with("vehicle.ascent_speed_mps = 1.5): a vehicle that must move to come up rises no faster than it moves")) << said;
+  EXPECT_EQ(complaint("ascent_rate_mps = 0.3", "ascent_rate_mps = 1.5"), "");
+  const std::string slow = complaint("ascent_speed_mps = 1.5\nascent_rate_mps = 0.3", "ascent_speed_mps = 0.05");
+  EXPECT_TRUE(slow.starts_with("vehicle.ascent_speed_mps = 0.05: must be 0 or at least 0.1: ")) << slow;
+}
+
 TEST(SafetyTable, NamesTheKeyAndWhatIsWrongWithIt) {
   EXPECT_EQ(complaint("max_current_mps = 0.5", "max_current_mps = 2.0").substr(0, 23), "vehicle.max_current_mps");
   EXPECT_EQ(complaint("hold_speed_mps = 1.0", "hold_speed_mps = 2.1").substr(0, 22), "vehicle.hold_speed_mps");
@@ -150,10 +159,10 @@ TEST(SafetyTable, NamesTheKeyAndWhatIsWrongWithIt) {
   EXPECT_NE(complaint("north_m = 1000.0", "north_m = -1000.0").find("must lie inside the fence"), std::string::npos);
   EXPECT_NE(complaint("north_m = [5000, 6000, 6000]", "north_m = [5000, 5000, 6000]").find("corner 1 and the next are one place"),
             std::string::npos);
-  EXPECT_NE(complaint("below = 15.0", "below = 101.0").find("rule 1: below"), std::string::npos);
-  EXPECT_NE(complaint("below = 15.0", "above = 15.0").find("rule 1: below is missing"), std::string::npos);
-  EXPECT_NE(complaint("when = \"leak\"", "when = \"leaks\"").find("rule 2: when"), std::string::npos);
-  EXPECT_NE(complaint("then = \"return\"", "then = \"go home\"").find("rule 1: then"), std::string::npos);
+  EXPECT_NE(complaint("below = 15.0", "below = 101.0").find("[[rule]] number 1 of the file: below"), std::string::npos);
+  EXPECT_NE(complaint("below = 15.0", "above = 15.0").find("[[rule]] number 1 of the file: below is missing"), std::string::npos);
+  EXPECT_NE(complaint("when = \"leak\"", "when = \"leaks\"").find("[[rule]] number 2 of the file: when"), std::string::npos);
+  EXPECT_NE(complaint("then = \"return\"", "then = \"go home\"").find("[[rule]] number 1 of the file: then"), std::string::npos);
 }
 
 TEST(SafetyTable, TakesABatteryThatLastsForEverForOneThatIsNotSpokenOf) {
@@ -180,18 +189,18 @@ TEST(SafetyTable, HasRoomForTwentyFiveRulesAndSaysSoInOneLine) {
 TEST(SafetyTable, NamesTheMissionsOwnRuleThatLeavesAnotherNothingToDo) {
   const std::string what =
       complaint("when = \"leak\"\nthen = \"release\"", "when = \"battery_percent\"\nbelow = 14.0\nfor_s = 10.0\nthen = \"hold\"");
-  EXPECT_NE(
-      what.find("rule 2: when = 'battery_percent': never does anything: another rule does as much, and sooner: battery_percent below 15"),
-      std::string::npos)
+  EXPECT_NE(what.find("[[rule]] number 2 of the file: when = 'battery_percent': never does anything: another rule does as much, and "
+                      "sooner: battery_percent below 15"),
+            std::string::npos)
       << what;
   EXPECT_EQ(what.find("stands in every mission"), std::string::npos) << what;
 }
 
 TEST(SafetyTable, NamesTheRuleThatLeavesAnotherNothingToDo) {
-  EXPECT_EQ(
-      complaint("when = \"leak\"\nthen = \"release\"", "when = \"navigation_age_s\"\nabove = 9\nthen = \"hold\""),
-      "rule 2: when = 'navigation_age_s': never does anything: another rule does as much, and sooner: navigation_age_s above 5 then abort "
-      "(which stands in every mission)");
+  EXPECT_EQ(complaint("when = \"leak\"\nthen = \"release\"", "when = \"navigation_age_s\"\nabove = 9\nthen = \"hold\""),
+            "[[rule]] number 2 of the file: when = 'navigation_age_s': never does anything: another rule does as much, and sooner: "
+            "navigation_age_s above 5 then abort "
+            "(which stands in every mission)");
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 #include "firmware/host/safety_record/record_file.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -152,6 +155,85 @@ TEST_F(RecordFileTest, TakesNoLinkAndNothingThatIsNoRegularFile) {
   fs::remove(path_);
   fs::create_directory(path_);
   EXPECT_FALSE(RecordFile(path_).open());
+}
+
+TEST_F(RecordFileTest, BelievesNoFileThatOthersMayWriteOrOwn) {
+  {
+    RecordFile file(path_);
+    ASSERT_TRUE(file.prepare(kKept));
+    ASSERT_TRUE(file.write(some_record(1)));
+  }
+  fs::permissions(path_, fs::perms::others_write, fs::perm_options::add);
+  RecordFile open_to_all(path_);
+  EXPECT_FALSE(open_to_all.open());
+  EXPECT_TRUE(open_to_all.is_anybodys());
+  fs::permissions(path_, fs::perms::others_write, fs::perm_options::remove);
+  EXPECT_EQ(read(), some_record(1));
+  if (::chown(path_.c_str(), 65534, 65534) != 0) GTEST_SKIP() << "not root";
+  RecordFile anothers(path_);
+  EXPECT_FALSE(anothers.open());
+  EXPECT_TRUE(anothers.prepare(kKept)) << "a flight that begins makes its own";
+  EXPECT_TRUE(anothers.write(some_record(2)));
+  EXPECT_EQ(read(), some_record(2));
+}
+
+TEST_F(RecordFileTest, KnowsAHolderThatOnlyReadsFromOneThatMayFly) {
+  RecordFile file(path_);
+  ASSERT_TRUE(file.prepare(kKept));
+  RecordFile other(path_);
+  ASSERT_TRUE(other.open());
+  EXPECT_FALSE(other.claim());
+  EXPECT_TRUE(other.holder_may_fly()) << "it is this program";
+  file.let_go();
+  const FileDescriptor reader(::open(path_.c_str(), O_RDONLY | O_CLOEXEC));
+  ASSERT_EQ(::flock(reader.number(), LOCK_SH | LOCK_NB), 0);
+  EXPECT_FALSE(other.claim());
+  EXPECT_FALSE(other.holder_may_fly());
+}
+
+TEST_F(RecordFileTest, KnowsThatItsNameIsGoneOrAnothersOrItsEndIsCut) {
+  RecordFile file(path_);
+  ASSERT_TRUE(file.prepare(kKept));
+  EXPECT_TRUE(file.is_in_place());
+  fs::resize_file(path_, 100);
+  EXPECT_FALSE(file.is_in_place());
+  ASSERT_TRUE(file.prepare(kKept));
+  EXPECT_TRUE(file.is_in_place());
+  EXPECT_EQ(file.kept(crc32(kKept)), kKept);
+  fs::copy_file(path_, folder_ / "restored");
+  fs::rename(folder_ / "restored", path_);
+  EXPECT_FALSE(file.is_in_place());
+  fs::remove(path_);
+  EXPECT_FALSE(file.is_in_place());
+}
+
+TEST_F(RecordFileTest, LeavesNothingToBeFoundOfAnotherFlightWithHigherNumbers) {
+  RecordFile file(path_);
+  ASSERT_TRUE(file.prepare(kKept));
+  for (const std::uint64_t sequence : {50, 51}) {
+    SafetyRecord before = some_record(sequence);
+    before.journal_crc32 = 1;
+    ASSERT_TRUE(file.write(before));
+  }
+  ASSERT_TRUE(file.write(some_record(5)));
+  EXPECT_EQ(read(), some_record(5));
+  EXPECT_FALSE(file.is_overtaken());
+}
+
+TEST_F(RecordFileTest, WritesNothingOverARecordOfItsFlightThatAnotherProcessWrote) {
+  RecordFile hung(path_);
+  ASSERT_TRUE(hung.prepare(kKept));
+  ASSERT_TRUE(hung.write(some_record(1)));
+  SafetyRecord others = some_record(2);
+  others.turn = 99;
+  RecordFile other(path_);
+  ASSERT_TRUE(other.open());
+  ASSERT_TRUE(other.write(others));
+  EXPECT_FALSE(hung.write(some_record(2)));
+  EXPECT_TRUE(hung.is_overtaken());
+  EXPECT_EQ(read(), others);
+  EXPECT_TRUE(other.write(others)) << "once more what it wrote itself";
+  EXPECT_FALSE(other.is_overtaken());
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -98,6 +99,98 @@ TEST_F(SafetyCopiesTest, RefusesToBeASecondOwner) {
   SafetyCopies first(this->copies());
   first.prepare(kKept);
   EXPECT_THROW(SafetyCopies{this->copies()}, RecordInUse);
+}
+
+TEST_F(SafetyCopiesTest, AFileThatIsRemovedReplacedOrCutInFlightIsMadeAnewWithAllThatIsKept) {
+  SafetyCopies copies({{.file = one_}});
+  copies.prepare(kKept);
+  ASSERT_TRUE(copies.write(record(1), kPatient));
+  fs::remove(one_);
+  EXPECT_TRUE(copies.write(record(2), kPatient));
+  EXPECT_EQ(turn_in(one_), 2U);
+  fs::copy_file(one_, two_);
+  fs::rename(two_, one_);
+  EXPECT_TRUE(copies.write(record(3), kPatient));
+  EXPECT_EQ(turn_in(one_), 3U);
+  fs::resize_file(one_, 0);
+  EXPECT_TRUE(copies.write(record(4), kPatient));
+  RecordFile file(one_);
+  ASSERT_TRUE(file.open());
+  EXPECT_EQ(file.newest().value_or(SafetyRecord{}).turn, 4U);
+  EXPECT_EQ(file.kept(crc32(kKept)), kKept);
+}
+
+TEST_F(SafetyCopiesTest, AFlightThatGoesOnMakesTheCopyAnewThatIsGone) {
+  {
+    SafetyCopies copies(this->copies());
+    copies.prepare(kKept);
+    ASSERT_TRUE(copies.write(record(1), kPatient));
+  }
+  fs::remove(one_);
+  {
+    SafetyCopies copies(this->copies());
+    ASSERT_TRUE(copies.write(record(2), kPatient));
+  }
+  EXPECT_EQ(turn_in(one_), 2U);
+}
+
+TEST_F(SafetyCopiesTest, AStaleCopyOfAnEarlierFlightDoesNotCountHoweverHighItsNumbersAre) {
+  {
+    SafetyCopies copies({{.file = two_}});
+    copies.prepare(kKept);
+    SafetyRecord closed = record(100);
+    closed.journal_crc32 = 1;
+    closed.is_closed = true;
+    for (int i = 0; i < 9; ++i) ASSERT_TRUE(copies.write(closed, kPatient));
+  }
+  {
+    SafetyCopies copies({{.file = one_}});
+    copies.prepare(kKept);
+    SafetyRecord later = record(2);
+    later.since_boot = later.since_boot + Duration::seconds(100);
+    ASSERT_TRUE(copies.write(later, kPatient));
+  }
+  SafetyCopies copies(this->copies());
+  ASSERT_TRUE(copies.found());
+  EXPECT_EQ(copies.found()->turn, 2U);
+}
+
+TEST_F(SafetyCopiesTest, ARecordOfAnotherVehicleIsLeftOutAndSaid) {
+  const RecordOwner theirs{.computer = 1, .folder = 2};
+  {
+    SafetyCopies copies({{.file = one_}}, theirs);
+    copies.prepare(kKept);
+    ASSERT_TRUE(copies.write(record(1), kPatient));
+  }
+  SafetyCopies ours({{.file = one_}}, {.computer = 1, .folder = 3});
+  EXPECT_FALSE(ours.found());
+  ASSERT_EQ(ours.left_out().size(), 1U);
+  EXPECT_NE(ours.left_out()[0].find("of another vehicle"), std::string::npos);
+  EXPECT_TRUE(SafetyCopies({{.file = one_}}, theirs, Claim::kWaived).found());
+}
+
+TEST_F(SafetyCopiesTest, WhoWaivesTheClaimTakesTheFlightOverAndTheOtherHearsOfIt) {
+  SafetyCopies hung({{.file = one_}});
+  hung.prepare(kKept);
+  ASSERT_TRUE(hung.write(record(1), kPatient));
+  SafetyCopies other({{.file = one_}}, {}, Claim::kWaived);
+  ASSERT_TRUE(other.found());
+  EXPECT_TRUE(other.write(record(2), kPatient));
+  EXPECT_FALSE(hung.is_overtaken());
+  EXPECT_FALSE(hung.write(record(3), milliseconds(500)));
+  EXPECT_TRUE(hung.is_overtaken());
+  EXPECT_FALSE(other.is_overtaken());
+  EXPECT_EQ(turn_in(one_), 2U);
+}
+
+TEST_F(SafetyCopiesTest, TheNewestIsTheOneThatWasGivenLast) {
+  SafetyCopies copies({{.file = one_}});
+  EXPECT_FALSE(copies.newest());
+  copies.prepare(kKept);
+  ASSERT_TRUE(copies.write(record(8), kPatient));
+  EXPECT_FALSE(copies.found());
+  ASSERT_TRUE(copies.newest());
+  EXPECT_EQ(copies.newest()->turn, 8U);
 }
 
 }  // namespace

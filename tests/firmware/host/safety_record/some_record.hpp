@@ -28,7 +28,8 @@ inline SafetyRecord some_record(std::uint64_t sequence) {
           .max_time = Duration::seconds(26),
           .deepest = Meters{27},
           .ascent_speed = MetersPerSecond{0.28},
-          .turn_radius = Meters{29}};
+          .turn_radius = Meters{29},
+          .owner = {.computer = 30, .folder = 31}};
 }
 
 }  // namespace earshot::host

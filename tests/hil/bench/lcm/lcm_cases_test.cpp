@@ -39,7 +39,7 @@ TEST_F(LcmCasesTest, AreOnTheBusOfTheirMissionsPorts) {
 TEST_F(LcmCasesTest, RefuseFaultsThatTheirBusDoesNotKnow) {
   for (const std::string kind : {"wrong_length", "second_autopilot", "address_thief", "interface_down"})
     EXPECT_NE(refusal("lcm", "kind = \"" + kind + "\"").find("there is no " + kind + " over LCM, the mission's bus"), std::string::npos);
-  for (const std::string kind : {"reordering", "date_error", "navigation_flood", "unknown_order"})
+  for (const std::string kind : {"reordering", "date_error", "navigation_flood", "unknown_order", "cut_abort", "recorded_order"})
     EXPECT_NE(refusal("can", "kind = \"" + kind + "\"").find("there is no " + kind + " over CAN, the mission's bus"), std::string::npos);
 }
 

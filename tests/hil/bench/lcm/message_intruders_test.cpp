@@ -7,6 +7,7 @@
 #include "earshot/nav_state_t.hpp"
 #include "earshot/operator_command_t.hpp"
 #include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/hil/seconds.hpp"
 
@@ -84,6 +85,23 @@ TEST_F(MessageIntrudersTest, GiveAnOrderThatHasExpiredAndEveryTimeAnotherNumber)
   EXPECT_EQ(order.utime, 10'000'000);
   EXPECT_EQ(order.expiry_utime, 11'000'000);
   EXPECT_EQ(order.number, 2);
+}
+
+TEST_F(MessageIntrudersTest, GiveAnAbortOfWhichNoMoreThanTheHeadIsThere) {
+  let(Fault::kCutAbort);
+  const LcmMessages said = step(at_s(10));
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_EQ(said[0].data.size(), 33U) << "8 of the fingerprint, 8 and 8 of dates, 4 and 4 of numbers, 1 of the order";
+  EXPECT_TRUE(said[0].data.back() == operator_command_t::ABORT);
+}
+
+TEST_F(MessageIntrudersTest, GiveAPauseWhoseMarkIsOfTheKeyButOfNoChallenge) {
+  let(Fault::kRecordedOrder);
+  const messages::OperatorCommand order = wire::from_message(read<operator_command_t>(step(at_s(10)).at(0)));
+  EXPECT_EQ(order.order, messages::Order::kPause);
+  EXPECT_EQ(order.time, at_s(10));
+  EXPECT_TRUE(bench_key().verifies_old(order));
+  EXPECT_FALSE(bench_key().verifies(order, messages::Challenge{}));
 }
 
 TEST_F(MessageIntrudersTest, GiveAnOrderThatThereIsNoneOf) {

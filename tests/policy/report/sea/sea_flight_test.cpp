@@ -65,6 +65,19 @@ TEST_F(SeaFlightTest, TellsItsOrdersAndStatesAndHowFarItSailedInItsSearchAlone) 
   EXPECT_NEAR(flight.events[2].time_s, 50.0, 1e-5);
 }
 
+TEST_F(SeaFlightTest, TellsAnAnswerThatIsGivenAgainOnceAndHowOften) {
+  SeaJournal journal(path_);
+  journal.state(1, MissionState::kStandby, EndReason::kNone, 0);
+  journal.acknowledge(10, Order::kStart, CommandOutcome::kObeyed);
+  journal.state(10, MissionState::kSearch, EndReason::kNone, 0);
+  for (int i = 0; i < 10; ++i) journal.acknowledge(11, Order::kStart, CommandOutcome::kObeyed);
+  journal.end(wire::Ending::kStopped);
+  const SeaFlight flight = read_sea_flight(path_).value();
+  ASSERT_EQ(flight.events.size(), 2U);
+  EXPECT_EQ(flight.events[0].what, "order START, obeyed (11 times)");
+  EXPECT_NEAR(flight.events[0].time_s, 10.0, 1e-5) << "when it was first";
+}
+
 TEST_F(SeaFlightTest, TellsThatAnotherProcessWentOnAndHowLongNobodyFlew) {
   SeaJournal journal(path_);
   journal.state(10, MissionState::kSearch, EndReason::kNone, 0);

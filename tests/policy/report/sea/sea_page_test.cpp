@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/safety_record/safety_copies.hpp"
 #include "policy/report/page.hpp"
 #include "tests/policy/report/sea/sea_journal.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -151,6 +154,23 @@ TEST_F(SeaPageTest, OfAJournalThatEndsInMidSearchSaysThatItsEndIsMissing) {
   const std::string text = page_of_it();
   EXPECT_TRUE(has(text, "The journal ends in mid-search, after 0 steps"));
   EXPECT_TRUE(has(text, "The journal's end is missing"));
+}
+
+TEST_F(SeaPageTest, SaysWhatTheSafetyRecordBesideTheJournalSays) {
+  fly_until(MissionState::kSearch, EndReason::kNone);
+  EXPECT_FALSE(has(page_of_it(), "safety record"));
+  host::SafetyCopies copies({{.file = folder_ / "journal.safety"}});
+  copies.prepare(std::vector<std::uint8_t>{1});
+  host::SafetyRecord record;
+  record.utc = {1'795'000'000'000'000};
+  record.state = MissionState::kAbort;
+  record.end_reason = EndReason::kOutage;
+  record.is_engaged = true;
+  record.max_depth = Meters{350};
+  ASSERT_TRUE(copies.write(record, std::chrono::seconds(10)));
+  EXPECT_TRUE(has(page_of_it(),
+                  "safety record, 2026-11-18 11:06:40 UTC: ABORT, it could not go on after an outage, set-points leave; depth at most 350 "
+                  "m. earshotd --resume goes on, or brings the vehicle up"));
 }
 
 }  // namespace

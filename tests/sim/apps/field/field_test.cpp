@@ -148,6 +148,23 @@ TEST_F(FieldProgram, NeverReplacesAChartThatIsOfTheOutputsKind) {
   EXPECT_EQ(read(folder_ / "woa.nc"), before);
 }
 
+/// Nothing tells that the chart of another ocean is of use to somebody but that Earshot did not write it.
+TEST_F(FieldProgram, LeavesANetcdfFileThatOthersWrote) {
+  const std::filesystem::path chart = folder_ / "gebco.nc";
+  AtlasFile{.depth_m = {0.0, 500.0},
+            .latitude_deg = axis(-1.5, 0.5, 7),
+            .longitude_deg = axis(-1.5, 0.5, 7),
+            .temperature_c = [](double, double, double) { return 25.0; },
+            .salinity_psu = [](double, double, double) { return 35.0; }}
+      .write(chart);
+  const std::string before = read(chart);
+  const std::string small = kMunk + " --max-range-km 1 --depth 100 -o " + chart.string();
+  expect_refused(small, "gebco.nc: is there already and is not a NetCDF file of Earshot; --force replaces it");
+  EXPECT_EQ(read(chart), before);
+  EXPECT_EQ(run(small + " --force"), 0) << errors();
+  EXPECT_EQ(run(small), 0) << errors();
+}
+
 TEST_F(FieldProgram, LeavesAPipeAndFollowsASymbolicLink) {
   const std::filesystem::path pipe = folder_ / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);

@@ -122,5 +122,22 @@ TEST(SearchAccount, SaysWhichSafetyRuleEndedAFlightAndOnWhatEvidence) {
   EXPECT_TRUE(ending_rule_to_json(std::nullopt).is_null());
 }
 
+TEST(SearchAccount, SaysWhichRuleSentTheVehicleHomeFirstAndWhen) {
+  const auto rule = [](std::uint8_t number, config::Response response) {
+    return messages::SafetyEvent{
+        .time = {}, .rule = number, .condition = config::Condition::kBatteryAtHome, .response = response, .measure = 14.94, .limit = 15.0};
+  };
+  SearchAccount account;
+  account.note({.steps_taken = 0}, Meters{9'000.0});
+  account.note({.steps_taken = 0, .rule = rule(14, config::Response::kReturn)}, Meters{9'000.0});
+  account.note({.steps_taken = 1, .rule = rule(15, config::Response::kSurface)}, Meters{9'000.0});
+  EXPECT_EQ(account_lines(summary_with(account)),
+            "  went home   by rule 15, battery_at_home_percent: 14.9, below 15.0: return, after 0 steps\n");
+  EXPECT_EQ(account.to_json().at("went_home").at("rule"), 15);
+  SearchAccount aborted;
+  aborted.note({.steps_taken = 3, .rule = rule(14, config::Response::kAbort)}, Meters{9'000.0});
+  EXPECT_FALSE(aborted.to_json().contains("went_home")) << "it ended the search";
+}
+
 }  // namespace
 }  // namespace earshot::fly

@@ -90,6 +90,16 @@ TEST_F(EndReport, OfAMissionThatWasStoppedGoesByTheStateInWhichTheSignalFoundIt)
   EXPECT_EQ(of_loop(clock_).status, program::kAborted);
 }
 
+TEST_F(EndReport, OfAVehicleThatWasBroughtUpNamesNeitherStepsNorAJournal) {
+  end_in(LoopEnd::kStopped, messages::MissionState::kAbort, messages::EndReason::kOutage);
+  result_.found_in = messages::MissionState::kAbort;
+  result_.last.health.steps_taken = 0;
+  const Reported said = reported([&] { return report(result_, clock_, ports_, {}); });
+  EXPECT_EQ(said.said,
+            "earshotd: stopped by a signal after 90 s, in ABORT; it ended in ABORT, it could not go on after an outage; no journal was "
+            "kept\n");
+}
+
 TEST_F(EndReport, SaysEvenQuietlyThatTheClockIsLost) {
   end_in(LoopEnd::kClockLost, messages::MissionState::kSearch, messages::EndReason::kNone);
   const Reported lost = of_loop(LostClock{}, program::Talk::kQuiet);

@@ -82,8 +82,14 @@ TEST(Checklist, TellsWhoMayCommandTheVehicle) {
   file.command_key = host::CommandKey(host::KeyBytes{1});
   file.command_key_file = "keys/../vehicle.key";
   file.mission.authority.autopilot_timeout = Duration::milliseconds(2500);
-  EXPECT_TRUE(has(told(), "  orders      obeyed when they bear the mark of who knows the key in vehicle.key; ABORT of anybody\n"))
+  EXPECT_TRUE(has(told(),
+                  "  orders      for a vehicle without a name (vehicle_id), with the mark of who knows the key in vehicle.key; ABORT of "
+                  "anybody\n"))
       << told();
+  file.challenge = host::new_challenge("auv-7", {});
+  EXPECT_TRUE(has(told(), "  orders      for auv-7, with the mark of who knows the key in vehicle.key; ABORT of anybody\n")) << told();
+  file.accepts_old_marks = true;
+  EXPECT_TRUE(has(told(), "; ABORT of anybody; marks without the challenge count, too\n")) << told();
   EXPECT_TRUE(has(told(), "  START       waits for an autopilot's status no older than 2.5 s\n"));
 }
 
@@ -93,7 +99,11 @@ TEST(Checklist, TellsWhatTheVehicleCan) {
   EXPECT_TRUE(has(text, "  speed       at most 3.00 m/s through the water, in a current of at most 0.40 m/s\n")) << text;
   EXPECT_TRUE(has(text, "  turns       within a radius of 25 m\n"));
   EXPECT_TRUE(has(text, "  holds       its place by going round at 1.00 m/s\n"));
-  EXPECT_TRUE(has(text, "  comes up    by going round at 1.00 m/s, upwards at 0.10 m/s at the least, to 2.0 m\n"));
+  // 400 m at 0.1 m/s are 4000 s, and a minute to turn up: 67.7 min.
+  EXPECT_TRUE(has(text,
+                  "  comes up    by going round at 1.00 m/s, rising at least 0.10 m/s; it is up at 2.0 m or less; from 400 m within 1 h 08 "
+                  "min\n"))
+      << text;
   file.mission.safety.vehicle = {};
   const std::string other = checklist(file, walk(), "", {});
   EXPECT_TRUE(has(other, "  holds       hovers\n")) << other;

@@ -52,6 +52,39 @@ TEST(Doubts, DoubtsWhatIsAllowedAndUnwise) {
   EXPECT_TRUE(is_doubted(file, "this computer has no interface nosuchbus0 now"));
 }
 
+// asin(0.8 / 1.0) = 53.1 degrees.
+TEST(Doubts, DoubtsAVehicleThatRisesAlmostAsFastAsItMoves) {
+  host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
+  config::VehicleLimits& vehicle = file.mission.safety.vehicle;
+  vehicle.ascent_rate = MetersPerSecond{0.5};
+  EXPECT_FALSE(is_doubted(file, "ascent_rate_mps"));
+  vehicle.ascent_rate = MetersPerSecond{0.8};
+  EXPECT_TRUE(is_doubted(file,
+                         "vehicle.ascent_rate_mps, 0.8 m/s, asks for a climb of 53 degrees all the way: one that rises more slowly, and "
+                         "whose depth sensor fails, is told to stop below the surface"));
+  vehicle.ascent_speed = MetersPerSecond{0.0};
+  EXPECT_TRUE(is_doubted(file, "vehicle.ascent_rate_mps is not used: a vehicle with ascent_speed_mps = 0 floats up"));
+  vehicle.ascent_rate = config::kSlowestAscent;
+  EXPECT_FALSE(is_doubted(file, "ascent_rate_mps"));
+}
+
+TEST(Doubts, DoubtsAVehicleOfWhichNobodySaysTheCurrent) {
+  host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
+  file.mission.safety.vehicle.max_current = MetersPerSecond{0.0};
+  EXPECT_TRUE(is_doubted(file, "vehicle.max_current_mps is not given: any current up to 4 m/s is thought possible"));
+  file.mission.safety.vehicle = {};
+  EXPECT_FALSE(is_doubted(file, "max_current_mps")) << "that there is no [vehicle] is doubted as a whole";
+}
+
+TEST(Doubts, DoubtsAVehiclesNameThatNoOrderIsMarkedFor) {
+  host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
+  EXPECT_FALSE(is_doubted(file, "vehicle_id"));
+  file.challenge = host::new_challenge("auv-7", {});
+  EXPECT_TRUE(is_doubted(file, "vehicle_id, \"auv-7\", has no effect on orders without authority.key_file"));
+  file.command_key = host::CommandKey(host::KeyBytes{1});
+  EXPECT_FALSE(is_doubted(file, "vehicle_id"));
+}
+
 // Home from (25, 25) km to (2, 3) km: 31.83 km, against 0.4 m/s 39.79 km. At 0.9 % a kilometre the steps alone take 90 %, and with the way
 // home 125.8 %.
 TEST(Doubts, DoubtsABatteryThatLastsForTheSearchButNotForTheWayHome) {

@@ -118,6 +118,37 @@ TEST_F(TimelineTest, TellsThatASearchSweepsBecauseItHasHeardNothingWhereNothingH
   EXPECT_EQ(tell(health), Lines{"SEARCH"}) << "something is heard";
 }
 
+// Who gives an order sends it until it is answered, and each time it comes it is answered.
+TEST_F(TimelineTest, TellsAnOrderThatIsSentAgainAndAgainOnceAndHowOften) {
+  messages::OperatorCommand start;
+  start.order = messages::Order::kStart;
+  start.issuer = 77;
+  start.number = 1;
+  command_acknowledgement_t obeyed{};
+  obeyed.command = static_cast<std::int8_t>(messages::Order::kStart);
+  obeyed.issuer = 77;
+  obeyed.number = 1;
+  const std::string order = "order START, number 1 of issuer 77, by port 1";
+  const std::string answer = "order START, number 1 of issuer 77: obeyed";
+  EXPECT_EQ(tell_input(start), Lines{order});
+  EXPECT_EQ(tell(obeyed), Lines{answer});
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_EQ(tell_input(start), Lines{});
+    EXPECT_EQ(tell(obeyed), Lines{});
+  }
+  health_t health{};
+  health.state = health_t::SEARCH;
+  health.authority = health_t::COMMAND;
+  EXPECT_EQ(tell(health), (Lines{order + " (11 times)", answer + " (11 times)", "SEARCH"}));
+  EXPECT_EQ(tell_input(start), Lines{});
+  start.number = 2;
+  EXPECT_EQ(tell_input(start), (Lines{order + " (12 times)", "order START, number 2 of issuer 77, by port 1"}));
+  (void)tell(obeyed);
+  const std::vector<Event> end = timeline_.finish(std::nullopt);
+  ASSERT_EQ(end.size(), 2U);
+  EXPECT_EQ(end[0].text, answer + " (12 times)");
+}
+
 /// What is told of the state and of the end when an ABORT ended the mission.
 health_t aborted() {
   health_t health{};

@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -16,6 +17,9 @@
 #include <vector>
 
 #include "firmware/core/big_endian.hpp"
+#include "firmware/host/journal/journal_format.hpp"
+#include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/host/safety_record/safety_copies.hpp"
 #include "tests/firmware/boards/linux/journal_view/known_journal.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -55,6 +59,46 @@ class JournalView : public ::testing::Test {
   std::string said_;
   std::string errors_;
 };
+
+/// Of its first record, by which a safety record names it.
+std::uint32_t mark_of(const fs::path& journal) {
+  host::JournalReader reader(journal);
+  host::JournalRecord first;
+  EXPECT_TRUE(reader.next(first));
+  return host::checksum_of_record(first.number, first.time, first.channel, first.data);
+}
+
+/// As a flight leaves it whose computer stopped in mid-search.
+void leave_safety_record(const fs::path& folder, std::uint32_t journal_crc32) {
+  host::SafetyCopies copies({{.file = folder / "journal.safety"}});
+  copies.prepare(std::vector<std::uint8_t>{1});
+  host::SafetyRecord record;
+  record.utc = {1'795'000'000'000'000};
+  record.journal_crc32 = journal_crc32;
+  record.state = messages::MissionState::kSearch;
+  record.is_engaged = true;
+  record.max_depth = Meters{350};
+  ASSERT_TRUE(copies.write(record, 10s));
+}
+const std::string kRecord =
+    "safety record, 2026-11-18 11:06:40 UTC: SEARCH, set-points leave; depth at most 350 m. earshotd --resume goes on, or brings the "
+    "vehicle up\n";
+
+TEST_F(JournalView, EndsWithWhatTheSafetyRecordOfItsFlightSays) {
+  leave_safety_record(folder_, mark_of(journal_));
+  EXPECT_EQ(view({}), 0);
+  EXPECT_TRUE(said_.ends_with("no record was lost\n" + kRecord)) << said_;
+  EXPECT_EQ(view({"--csv", file("turns.csv")}), 0);
+  EXPECT_EQ(said_.find("safety record"), std::string::npos) << said_;
+}
+
+TEST_F(JournalView, TellsTheSafetyRecordThatIsLeftOfAFlightWhoseJournalIsGone) {
+  leave_safety_record(folder_, mark_of(journal_));
+  fs::remove(journal_);
+  EXPECT_EQ(view({}), 1);
+  EXPECT_EQ(said_, kRecord);
+  EXPECT_EQ(errors_, journal_.string() + ": no such file; what is left is the safety record beside it\n");
+}
 
 TEST_F(JournalView, PrintsTheTimelineOfAWholeJournal) {
   EXPECT_EQ(view({}), 0);

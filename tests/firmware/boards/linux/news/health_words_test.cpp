@@ -24,6 +24,14 @@ TEST(HealthWords, TellNoReasonOfASearchThatIsNotOver) {
   EXPECT_EQ(to_string(health), "SEARCH, after 1 step");
 }
 
+// The core that brings a vehicle up after an outage knows of no step.
+TEST(HealthWords, TellNoStepsOfWhatOnlyASafetyRecordKnows) {
+  messages::Health health;
+  health.state = messages::MissionState::kAbort;
+  health.end_reason = messages::EndReason::kOutage;
+  EXPECT_EQ(to_string(health), "ABORT, it could not go on after an outage");
+}
+
 TEST(HealthWords, TellTheStopOfThisProgramFromAnAbortThatCameBeforeIt) {
   messages::Health health;
   health.state = messages::MissionState::kAbort;

@@ -61,15 +61,31 @@ TEST(ComingUp, TellsStopAndComeUpAndThatAnOutageEndedTheSearch) {
 
 TEST(ComingUp, GoesRoundForAsLongAsItMayNeedWhateverDepthItIsToldAndThenStops) {
   ComingUp core(runtime::paper_mission(), in_search());
-  // 320 m at 0.1 m/s, and a minute to turn up.
-  for (const double s : {0.0, 100.0, 3259.0}) {
+  // 320 m at 0.1 m/s, and 25 m more in the minute that it takes to turn up.
+  for (int s = 0; s < 3510; ++s) {
     core.take(fix(s, 1.0, 0.0));
     const runtime::Outputs outputs = core.step(after(s));
-    EXPECT_EQ(outputs.setpoint->speed, MetersPerSecond{0.5}) << s;
+    ASSERT_EQ(outputs.setpoint->speed, MetersPerSecond{0.5}) << s;
     EXPECT_NEAR(outputs.setpoint->heading.value, 1.0 + std::acos(0.0), 1e-12) << "a quarter of a turn ahead";
     EXPECT_EQ(outputs.setpoint->waypoint, at(1, 2));
   }
-  EXPECT_EQ(core.step(after(3261)).setpoint->speed, MetersPerSecond{0});
+  static_cast<void>(core.step(after(3511)));
+  EXPECT_EQ(core.step(after(3512)).setpoint->speed, MetersPerSecond{0});
+}
+
+// Held at 20 m, and its depth says so.
+TEST(ComingUp, TriesAgainWhereItsDepthSaysThatItIsBelow) {
+  ComingUp core(runtime::paper_mission(), in_search());
+  int stopped = 0;
+  bool goes_at_last = false;
+  for (int s = 0; s < 20'000; ++s) {
+    core.take(fix(s, 1.0, 20.0));
+    const bool goes = core.step(after(s)).setpoint->speed > MetersPerSecond{0};
+    stopped += goes ? 0 : 1;
+    goes_at_last = goes_at_last || (goes && stopped > 6000);
+  }
+  EXPECT_NEAR(stopped, (20'000 - 3510) * 5 / 6, 1000);
+  EXPECT_TRUE(goes_at_last);
 }
 
 TEST(ComingUp, TurnsWithTheTimeWhileNoHeadingIsTold) {
@@ -112,6 +128,39 @@ TEST(ComingUp, ReleasesTheWeightOnALeakWhereTheMissionDoes) {
   with.take(leak);
   EXPECT_TRUE(with.step(kBegin).setpoint->release_weight);
   EXPECT_TRUE(with.step(after(100)).setpoint->release_weight);
+}
+
+TEST(ComingUp, ReleasesTheWeightNoSoonerThanTheMissionsRuleDoes) {
+  config::Mission mission = runtime::paper_mission();
+  const config::Rule rule{
+      .condition = config::Condition::kLeak, .persistence = Duration::seconds(5), .response = config::Response::kRelease};
+  ASSERT_EQ(mission.safety.rules.push_back(rule), Status::kOk);
+  ComingUp core(mission, in_search());
+  const auto tell = [&](double s, bool has_leak) {
+    core.take({.arrival = after(s), .port = 1, .sequence = 0, .value = messages::VehicleStatus{.time = after(s), .has_leak = has_leak}});
+  };
+  tell(0, true);
+  EXPECT_FALSE(core.step(after(4)).setpoint->release_weight);
+  tell(4.5, false);
+  EXPECT_FALSE(core.step(after(6)).setpoint->release_weight) << "a drop on the sensor";
+  tell(7, true);
+  EXPECT_FALSE(core.step(after(11)).setpoint->release_weight);
+  EXPECT_TRUE(core.step(after(12)).setpoint->release_weight);
+  tell(13, false);
+  EXPECT_TRUE(core.step(after(14)).setpoint->release_weight);
+}
+
+TEST(ComingUp, HasComeUpWhenItsDepthSaysSoOrItsTimeIsOver) {
+  ComingUp core(runtime::paper_mission(), in_search());
+  (void)core.step(kBegin);
+  EXPECT_FALSE(core.has_come_up(after(1)));
+  core.take(fix(2, 0, 300));
+  EXPECT_FALSE(core.has_come_up(after(3)));
+  core.take(fix(4, 0, 1));
+  EXPECT_TRUE(core.has_come_up(after(5)));
+  EXPECT_FALSE(core.has_come_up(after(60))) << "an old depth is none";
+  EXPECT_FALSE(core.has_come_up(after(3509)));
+  EXPECT_TRUE(core.has_come_up(after(3511))) << "320 m and 25 m more at 0.1 m/s, and a minute";
 }
 
 TEST(ComingUp, AnswersAnAbortAndRefusesEveryOtherOrder) {

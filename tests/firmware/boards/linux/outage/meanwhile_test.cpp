@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "firmware/host/safety_record/record_file.hpp"
 #include "tests/firmware/boards/linux/scripted_sea.hpp"
@@ -83,6 +85,44 @@ TEST_F(MeanwhileTest, ObeysAnAbortForGoodAndNoOtherOrder) {
   EXPECT_EQ(file.newest().value_or(host::SafetyRecord{}).end_reason, messages::EndReason::kOperatorAbort);
   give(Order::kAbort);
   EXPECT_EQ(turn().acknowledgements[0].outcome, CommandOutcome::kRepeated);
+}
+
+TEST_F(MeanwhileTest, NotesAReleaseInTheRecordBeforeItIsTold) {
+  config::Mission mission = runtime::paper_mission();
+  const config::Rule rule{
+      .condition = config::Condition::kLeak, .persistence = Duration::seconds(2), .response = config::Response::kRelease};
+  ASSERT_EQ(mission.safety.rules.push_back(rule), Status::kOk);
+  meanwhile_.emplace(mission, ports_, clock_, *safety_);
+  script_.then(host_.since_start(),
+               [](Clock& clock, InputSink& sink) { sink.take(kPort, messages::VehicleStatus{.time = clock.now(), .has_leak = true}); });
+  EXPECT_FALSE(turn().setpoint->release_weight);
+  EXPECT_FALSE(safety_->record().is_released);
+  (void)turn();
+  EXPECT_TRUE(turn().setpoint->release_weight);
+  host::RecordFile file(folder_ / "record");
+  ASSERT_TRUE(file.open());
+  EXPECT_TRUE(file.newest().value_or(host::SafetyRecord{}).is_released);
+}
+
+TEST_F(MeanwhileTest, OnceItPassesOnItTakesNoOrderAndStillLooksAtTheHeading) {
+  struct Taken final : InputSink {
+    void take(std::uint8_t /*port*/, const Value& value) override { values.push_back(value); }
+    std::vector<Value> values;
+  } taken;
+  meanwhile_->pass_on_to(taken);
+  give(Order::kAbort);
+  script_.then(host_.since_start(), [](Clock& clock, InputSink& sink) {
+    messages::Navigation fix;
+    fix.time = clock.now();
+    fix.position = at(7, 8);
+    sink.take(kPort, fix);
+  });
+  const runtime::Outputs outputs = turn();
+  EXPECT_EQ(taken.values.size(), 2U);
+  EXPECT_TRUE(outputs.acknowledgements.empty());
+  EXPECT_FALSE(meanwhile_->abort());
+  ASSERT_TRUE(outputs.setpoint);
+  EXPECT_EQ(outputs.setpoint->waypoint.north, Meters{7});
 }
 
 }  // namespace

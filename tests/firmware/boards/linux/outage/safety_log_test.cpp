@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -44,6 +45,12 @@ class SafetyLogTest : public testing::Test {
     outputs.health.state = state;
     if (commands) outputs.setpoint.emplace();
     return outputs;
+  }
+  [[nodiscard]] messages::Navigation fix(double depth_m) const {
+    messages::Navigation fix;
+    fix.time = kUtc + host_.running;
+    fix.depth = Meters{depth_m};
+    return fix;
   }
   bool note(const runtime::Outputs& outputs) { return log_.note(kUtc + host_.running, outputs, mission_, kPatient); }
 
@@ -108,6 +115,83 @@ TEST_F(SafetyLogTest, ForgetsItsStartsOnceItHasFlownForAMinute) {
   host_.running = host_.running + Duration::seconds(61);
   (void)log.note(kUtc, outputs(2, MissionState::kAbort), mission_, kPatient);
   EXPECT_EQ(on_disk().starts, 0U);
+}
+
+TEST_F(SafetyLogTest, AFlightThatIsStoppedBelowStaysUnderWayUntilDepthAndTimeSayThatItIsUp) {
+  mission_.safety.vehicle.ascent_rate = MetersPerSecond{0.5};
+  ASSERT_TRUE(log_.begin(kUtc, mission_, 77, {}, kPatient));
+  const auto sail = [&](double to_depth, double at_depth, int seconds) {
+    for (int s = 0; s < seconds; ++s) {
+      host_.running = host_.running + Duration::seconds(1);
+      log_.hear(fix(at_depth));
+      runtime::Outputs told = outputs(1, MissionState::kSearch);
+      told.setpoint->depth = Meters{to_depth};
+      told.setpoint->speed = MetersPerSecond{1};
+      (void)note(told);
+    }
+  };
+  sail(300, 300, 200);
+  sail(0, 0, 5);  // a depth that says so at once
+  EXPECT_FALSE(log_.close(kPatient));
+  EXPECT_TRUE(host::is_under_way(on_disk()));
+  sail(0, 0, 710);
+  EXPECT_TRUE(log_.close(kPatient)) << "a minute, and 325 m at 0.5 m/s";
+  EXPECT_FALSE(host::is_under_way(on_disk()));
+}
+
+TEST_F(SafetyLogTest, OfAFlightThatGoesOnAVehicleMayBeAsDeepAsItEverWas) {
+  ASSERT_TRUE(log_.begin(kUtc, mission_, 77, {}, kPatient));
+  ASSERT_TRUE(note(outputs(1, MissionState::kSearch)));
+  host::SafetyRecord before = log_.record();
+  before.deepest = Meters{300};
+  SafetyLog again(copies_, host_, before);
+  again.hear(fix(0));
+  (void)again.note(kUtc + host_.running, outputs(2, MissionState::kAbort), mission_, kPatient);
+  EXPECT_FALSE(again.close(kPatient)) << "a depth of 0 m may be wrong";
+  EXPECT_TRUE(again.close(kPatient, true));
+}
+
+TEST_F(SafetyLogTest, AReleaseBeforeTheFirstTurnIsDurableAndStampsGoOn) {
+  ASSERT_TRUE(log_.begin(kUtc, mission_, 77, {}, kPatient));
+  EXPECT_TRUE(log_.release(kPatient));
+  EXPECT_TRUE(on_disk().is_released);
+  const std::uint64_t sequence = on_disk().sequence;
+  host_.running = host_.running + Duration::seconds(9);
+  log_.stamp(kUtc + host_.running);
+  host_.running = host_.running + Duration::seconds(1);
+  log_.stamp(kUtc + host_.running);
+  for (int i = 0; i < 1000 && on_disk().sequence == sequence; ++i) std::this_thread::sleep_for(milliseconds(5));
+  EXPECT_EQ(on_disk().sequence, sequence + 1);
+  EXPECT_EQ(on_disk().mission_time, kUtc + host_.running);
+}
+
+TEST(SafetyPlaces, AreTwoBesideTheJournalWhereNoneIsElsewhereOnADisk) {
+  const auto places = safety_places("/a/search", {}, {.state = {}, .runtime = "/run/earshot"});
+  ASSERT_EQ(places.size(), 3U);
+  EXPECT_EQ(places[0].file, "/a/search/journal.safety");
+  EXPECT_EQ(places[1].file, "/a/search/journal.copy.safety");
+  EXPECT_TRUE(places[1].survives_power_cut);
+  EXPECT_FALSE(places[2].survives_power_cut);
+}
+
+TEST(RecordOwner, IsThisComputerAndTheFolderOfTheFlights) {
+  const support::TemporaryFolder folder;
+  const ComputerFiles files{.machine_id = folder / "id", .transient_machine_id = folder / "run", .serial_number = folder / "serial"};
+  const auto put = [](const fs::path& path, const char* text) { std::ofstream(path) << text << "\n"; };
+  EXPECT_EQ(record_owner("/a/search", files).computer, 0U) << "nothing is told";
+  put(files.machine_id, "0123456789abcdef");
+  const host::RecordOwner one = record_owner("/a/search", files);
+  EXPECT_NE(one.computer, 0U);
+  EXPECT_EQ(one, record_owner("/a/search/", files));
+  EXPECT_NE(one.folder, record_owner("/b/search", files).folder);
+  put(files.serial_number, "1000000012345678");
+  EXPECT_NE(one.computer, record_owner("/a/search", files).computer) << "a card of one computer in another";
+  fs::remove(files.serial_number);
+  put(files.machine_id, "uninitialized");
+  EXPECT_EQ(record_owner("/a/search", files).computer, 0U);
+  put(files.machine_id, "0123456789abcdef");
+  put(files.transient_machine_id, "0123456789abcdef");
+  EXPECT_EQ(record_owner("/a/search", files).computer, 0U) << "the next start of the computer has another";
 }
 
 TEST(SafetyPlaces, AreBesideTheJournalInTheServicesStateAndInMemory) {

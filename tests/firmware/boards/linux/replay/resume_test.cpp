@@ -201,8 +201,7 @@ TEST_F(Resuming, RefusesAnotherMissionAndAnotherPolicy) {
   leave(bytes_.size());
   const std::string begin = cut_.string() + ": the mission cannot go on from it: ";
   mission_.max_steps += 1;
-  EXPECT_EQ(refusal(),
-            begin + "it is of another mission, or this one's file was changed since; without --resume a new one begins, in STANDBY");
+  EXPECT_EQ(refusal(), begin + "it is of another mission, or this one's file was changed since");
   mission_.max_steps -= 1;
   EXPECT_EQ(refusal(), "");
   EXPECT_THROW((void)resume(cut_, {.mission = mission_, .policy_crc32 = 1}, GoOnAfter::kLastInput), host::BadInput);

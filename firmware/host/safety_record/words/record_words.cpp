@@ -1,0 +1,60 @@
+#include "firmware/host/safety_record/words/record_words.hpp"
+
+#include <array>
+#include <cstdio>
+#include <ctime>
+#include <system_error>
+
+#include "firmware/core/time.hpp"
+#include "firmware/host/journal/journal_name.hpp"
+#include "firmware/host/safety_record/record_file.hpp"
+#include "firmware/messages/health_words.hpp"
+
+namespace earshot::host {
+namespace {
+
+std::string utc(Time time) {
+  const std::time_t seconds = time.us / 1'000'000;
+  std::tm parts{};
+  std::array<char, 64> text{};
+  if (::gmtime_r(&seconds, &parts) == nullptr || std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M:%S UTC", &parts) == 0)
+    return "at no date";
+  return text.data();
+}
+
+std::string standing(const SafetyRecord& record) {
+  std::string text = messages::to_string(record.state);
+  if (record.end_reason != messages::EndReason::kNone) text += std::string(", ") + messages::to_string(record.end_reason);
+  if (record.is_paused) text += ", paused";
+  text += record.is_engaged ? ", set-points leave" : ", no set-points leave";
+  if (record.is_released) text += ", the drop weight was asked to be released";
+  return text;
+}
+
+std::string what_follows(const SafetyRecord& record) {
+  if (record.is_closed) return "It was stopped in order, and nothing is under way";
+  if (!is_under_way(record)) return "Nothing is under way";
+  return "earshotd --resume goes on, or brings the vehicle up";
+}
+
+}  // namespace
+
+std::string to_string(const SafetyRecord& record) {
+  std::array<char, 64> depth{};
+  (void)std::snprintf(depth.data(), depth.size(), "; depth at most %g m", record.max_depth.value);
+  const std::string starts = record.starts == 0 ? "" : "; " + std::to_string(record.starts) + (record.starts == 1 ? " start" : " starts");
+  return "safety record, " + utc(record.utc) + ": " + standing(record) + depth.data() + starts + ". " + what_follows(record);
+}
+
+std::optional<std::string> safety_record_beside(const std::filesystem::path& journal) {
+  const std::filesystem::path folder = journal.parent_path();
+  RecordFile file(folder / "journal.safety");
+  const std::optional<SafetyRecord> record = file.open() ? file.newest() : std::nullopt;
+  if (!record) return std::nullopt;
+  const std::optional<std::filesystem::path> owner = journal_marked(folder / kFirstJournal, record->journal_crc32);
+  std::error_code error;
+  if (owner && !std::filesystem::equivalent(*owner, journal, error)) return std::nullopt;
+  return to_string(*record);
+}
+
+}  // namespace earshot::host

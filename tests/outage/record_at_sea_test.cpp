@@ -1,0 +1,176 @@
+// What becomes of a vehicle at sea by what its safety record says, or no longer says: who has it hangs, it is removed, cut, another's, or
+// the program was stopped before the vehicle was up.
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/file.h>
+
+#include <csignal>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "firmware/host/file/file_descriptor.hpp"
+#include "firmware/host/program/exit_status.hpp"
+#include "tests/outage/restart_at_sea.hpp"
+
+namespace earshot {
+namespace {
+
+namespace fs = std::filesystem;
+using messages::MissionState;
+using messages::Order;
+using RecordAtSea = RestartAtSea;
+
+TEST_F(RecordAtSea, GivenAStopBelowTheNextStartBringsTheVehicleUpAndAfterThatNothingIsUnderWay) {
+  search();
+  stop();
+  EXPECT_TRUE(is_said("it stays under way")) << earshotd_->output();
+  start();
+  expect_comes_up();
+  stop();
+  EXPECT_FALSE(is_said("it stays under way")) << "its depth says that it is up" << earshotd_->output();
+  const int turns = vehicle_->turns;
+  start();
+  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 5; })) << earshotd_->output();
+  EXPECT_EQ(vehicle_->state(), MissionState::kStandby) << earshotd_->output();
+}
+
+TEST_F(RecordAtSea, GivenALeakWhileTheJournalIsReadTheWeightStaysReleased) {
+  std::ofstream(folder_ / "mission.toml", std::ios::app) << "\n[[rule]]\nwhen = \"leak\"\nfor_s = 1.0\nthen = \"release\"\n";
+  search();
+  kill();
+  start_with_slow_reading();
+  vehicle_->leak();
+  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->is_released; })) << earshotd_->output();
+  EXPECT_FALSE(is_said("goes on from"));
+  vehicle_->leak(false);
+  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->state() == MissionState::kAbort; })) << earshotd_->output();
+  const int setpoints = vehicle_->setpoints;
+  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->setpoints > setpoints + 5; })) << earshotd_->output();
+  EXPECT_TRUE(vehicle_->is_released) << earshotd_->output();
+  EXPECT_EQ(vehicle_->depth(), Meters{0});
+}
+
+TEST_F(RecordAtSea, GivenThatItsRecordIsRemovedItGoesOnByTheSecondOne) {
+  search();
+  kill();
+  ASSERT_TRUE(fs::remove(folder_ / "journal.safety"));
+  start();
+  EXPECT_TRUE(vehicle_->sails_until([&] { return is_said("goes on from") && vehicle_->turns > 5; })) << earshotd_->output();
+  EXPECT_TRUE(fs::exists(folder_ / "journal.safety")) << "made anew";
+}
+
+TEST_F(RecordAtSea, GivenRecordsThatAreRemovedInFlightAnAbortHolds) {
+  search();
+  fs::remove(folder_ / "journal.safety");
+  fs::remove(folder_ / "journal.copy.safety");
+  vehicle_->order(Order::kAbort);
+  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->outcome.has_value(); })) << earshotd_->output();
+  EXPECT_EQ(vehicle_->outcome, messages::CommandOutcome::kObeyed);
+  kill();
+  start();
+  expect_comes_up();
+}
+
+TEST_F(RecordAtSea, GivenRecordsThatAreCutInFlightAndNoMissionItComesUp) {
+  search();
+  for (const char* name : {"journal.safety", "journal.copy.safety"}) fs::resize_file(folder_ / name, 0);
+  vehicle_->order(Order::kPause);
+  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->outcome.has_value(); })) << earshotd_->output();
+  kill();
+  fs::remove(folder_ / "mission.toml");
+  start();
+  expect_comes_up();
+}
+
+TEST_F(RecordAtSea, GivenThatNothingIsKeptOfTheVehicleItComesUpByLcmsDefaultAddress) {
+  search();
+  kill();
+  for (const char* name : {"journal.safety", "journal.copy.safety"}) fs::resize_file(folder_ / name, 8192);
+  fs::remove(folder_ / "mission.toml");
+  start();
+  expect_comes_up();
+}
+
+TEST_F(RecordAtSea, GivenThatEveryRecordIsDamagedItComesUpIfItsJournalSaysThatASearchWasUnderWay) {
+  search();
+  kill();
+  for (const char* name : {"journal.safety", "journal.copy.safety"})
+    std::fstream(folder_ / name, std::ios::in | std::ios::out | std::ios::binary) << std::string(8192, '\0');
+  start();
+  expect_comes_up();
+  EXPECT_TRUE(is_said("every copy of its safety record is damaged")) << earshotd_->output();
+  kill();
+  start();
+  expect_comes_up();
+}
+
+TEST_F(RecordAtSea, GivenThatEveryRecordIsDamagedInStandbyANewMissionBegins) {
+  start();
+  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > 5; })) << earshotd_->output();
+  kill();
+  for (const char* name : {"journal.safety", "journal.copy.safety"}) fs::resize_file(folder_ / name, 0);
+  start();
+  ASSERT_TRUE(vehicle_->sails_until([&] { return is_said("journal-2.lcmlog") && vehicle_->turns > 15; })) << earshotd_->output();
+  EXPECT_EQ(vehicle_->state(), MissionState::kStandby);
+  EXPECT_EQ(vehicle_->setpoints, 0);
+}
+
+TEST_F(RecordAtSea, GivenAJournalThatWasFlownElsewhereWithItsRecordItBeginsInStandbyAndCommandsNothing) {
+  search();
+  kill();
+  const fs::path elsewhere = folder_ / "elsewhere";
+  fs::create_directory(elsewhere);
+  for (const char* name : {"journal.lcmlog", "journal.safety", "journal.copy.safety"}) fs::copy_file(folder_ / name, elsewhere / name);
+  const int setpoints = vehicle_->setpoints;
+  const int turns = vehicle_->turns;
+  start_in(elsewhere);
+  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 10; })) << earshotd_->output();
+  EXPECT_EQ(vehicle_->state(), MissionState::kStandby);
+  EXPECT_EQ(vehicle_->setpoints, setpoints);
+  EXPECT_TRUE(is_said("it is of another vehicle, or of another folder's flights")) << earshotd_->output();
+}
+
+TEST_F(RecordAtSea, GivenABackupThatHasLockedTheRecordToReadItTheMissionGoesOn) {
+  search();
+  kill();
+  const host::FileDescriptor backup(::open((folder_ / "journal.safety").c_str(), O_RDONLY | O_CLOEXEC));
+  ASSERT_EQ(::flock(backup.number(), LOCK_EX | LOCK_NB), 0) << "by another program's name";
+  start();
+  EXPECT_TRUE(vehicle_->sails_until([&] { return is_said("goes on from") && vehicle_->turns > 5; })) << earshotd_->output();
+}
+
+TEST_F(RecordAtSea, GivenAFirstProgramThatHangsTheNextComesUpAndTheFirstEndsOnceItWakes) {
+  search();
+  const std::unique_ptr<support::Process> first = std::move(earshotd_);
+  first->signal(SIGSTOP);
+  vehicle_->health = {};
+  const auto starts_again = [&] {
+    if (earshotd_ == nullptr || earshotd_->wait(std::chrono::milliseconds(0)) == program::kLost) start();
+    return vehicle_->state() == MissionState::kAbort && vehicle_->depth() == Meters{0.0};
+  };
+  EXPECT_TRUE(vehicle_->sails_until(starts_again)) << earshotd_->output();
+  EXPECT_TRUE(is_said("it hangs, or does not fly")) << earshotd_->output();
+  first->signal(SIGCONT);
+  EXPECT_EQ(first->wait(std::chrono::seconds(20)), program::kLost) << first->output();
+  const int setpoints = vehicle_->setpoints;
+  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->setpoints > setpoints + 5; })) << earshotd_->output();
+  EXPECT_EQ(vehicle_->depth(), Meters{0.0});
+}
+
+TEST_F(RecordAtSea, GivenAFlightUnderWayASecondProgramWithItsFolderIsRefusedAndTriedAgain) {
+  search();
+  const std::unique_ptr<support::Process> first = std::move(earshotd_);
+  start();
+  EXPECT_EQ(earshotd_->wait(std::chrono::seconds(10)), program::kLost) << earshotd_->output();
+  const int turns = vehicle_->turns;
+  const int setpoints = vehicle_->setpoints;
+  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 5 && vehicle_->setpoints > setpoints; })) << first->output();
+}
+
+}  // namespace
+}  // namespace earshot
