@@ -280,9 +280,11 @@ int fly(Flight& f) {
   try {
     result = fly_on(f, turn, proof, hold);
   } catch (const std::exception& e) {  // no bad input: the journal has begun, and its destructor keeps it
+    turn.end();
     std::cerr << "earshotd: " << e.what() << "; journal up to then: " << host::printable(journal.path().string()) << "\n";
     return kLost;
   }
+  turn.end();
   if (result.end == LoopEnd::kOvertaken) return report(result, f.clock, f.ports, journal.path());
   if (safety && result.end == LoopEnd::kStopped && !safety->close(kAshore) && f.options.resume) std::cerr << kStaysUnderWay;
   journal.conclude(closing_record_of(result));

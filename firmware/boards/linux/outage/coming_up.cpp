@@ -54,7 +54,7 @@ ComingUp::ComingUp(const config::Mission& mission, const host::SafetyRecord& rec
   health_.end_reason = was_over ? record.end_reason : messages::EndReason::kOutage;
 }
 
-CommandOutcome ComingUp::take(const messages::Input& input) {
+std::optional<CommandOutcome> ComingUp::take(const messages::Input& input) {
   CommandOutcome outcome = CommandOutcome::kObeyed;
   if (const auto* fix = std::get_if<messages::Navigation>(&input.value); fix != nullptr && messages::is_usable(*fix)) {
     fix_ = *fix;
