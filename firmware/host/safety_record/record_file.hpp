@@ -22,8 +22,8 @@ inline constexpr std::size_t kRecordFileBytes = 65'536;
 inline constexpr std::size_t kMostKeptBytes = kRecordFileBytes - kRecordSlots * kRecordSlotBytes;
 
 /// One copy of a vehicle's safety record: a file that is made whole once and then written in place, its slots in turn, so that a disk which
-/// is full later still takes it, and a write that the power cuts off costs the record before none of its bytes. A bit that flips costs one
-/// slot at most.
+/// is full later still takes it, and a write that the power cuts off costs the record before none of its bytes, where the
+/// disk writes blocks of a slot's size whole (the pages of eMMC and SD cards are larger). A bit that flips costs one slot at most.
 ///
 /// Of one thread at a time. Nothing allocates but kept(), holder() and the constructor.
 /// Oracle: RecordFile.*
