@@ -209,13 +209,16 @@ void Runtime::take(const messages::PortReport& report) {
 }
 
 CommandOutcome Runtime::take_command(Time arrival, std::uint8_t port, const messages::OperatorCommand& command) {
-  const authority::CommandJudge::Verdict verdict = progress_.judge.judge(arrival, command);
+  using Sender = authority::CommandJudge::Sender;
+  const Sender sender = port == messages::kOwnPort ? Sender::kVehicle : Sender::kOperator;
+  const authority::CommandJudge::Verdict verdict = progress_.judge.judge(arrival, command, sender);
   if (verdict.is_from_now) progress_.situation.operator_heard = arrival;
   CommandOutcome outcome = verdict.outcome;
   if (!verdict.is_repetition) {
     if (outcome == CommandOutcome::kObeyed) outcome = obey(arrival, command);
     if (outcome != CommandOutcome::kObeyed && outcome != CommandOutcome::kRepeated) ++progress_.counters.commands_refused;
-    if (command.order != Order::kAbort && verdict.outcome == CommandOutcome::kObeyed) progress_.judge.remember(command, outcome);
+    const bool is_to_be_known = command.order != Order::kAbort && sender == Sender::kOperator;
+    if (is_to_be_known && verdict.outcome == CommandOutcome::kObeyed) progress_.judge.remember(command, outcome);
   }
   acknowledge(
       {.time = arrival, .port = port, .issuer = command.issuer, .number = command.number, .order = command.order, .outcome = outcome});
