@@ -28,7 +28,7 @@
 #include "hil/nodes/bus_connection.hpp"
 #include "hil/nodes/emulated_vehicle.hpp"
 #include "hil/nodes/scaled_clock.hpp"
-#include "tests/scenario/temporary_folders_on_disk.hpp"
+#include "tests/outage/temporary_folders_on_disk.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/signed_policy.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tests/scenario/temporary_folders_on_disk.hpp"
+#include "tests/outage/temporary_folders_on_disk.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/signed_policy.hpp"
 #include "tests/support/temporary_folder.hpp"
