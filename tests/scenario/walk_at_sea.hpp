@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/outage/temporary_folders_on_disk.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/signed_policy.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -61,6 +62,7 @@ class WalkAtSea : public testing::Test {
     earshotd_ = std::make_unique<support::Process>(std::filesystem::path(EARSHOT_BIN_DIR) / "earshotd", a, folder_ / "earshotd.txt");
   }
 
+  const TemporaryFoldersOnDisk on_disk_{};
   support::TemporaryFolder folder_;
   std::unique_ptr<support::Process> earshotd_;
 };

@@ -212,8 +212,9 @@ Duration begin(const Flight& f, const Resumption* before, const std::filesystem:
   }
   const std::uint32_t mark =
       turn.record_mission(f.file.mission, {.policy = f.search.policy.bytes, .tables = f.search.tables.bytes, .build = build});
-  if (safety != nullptr && !safety->begin(f.clock.now(), f.file.mission, mark, kept_vehicle(f.file), kAshore))
-    std::cerr << "earshotd: warning: no disk takes the safety record (" << host::printable(f.safety->complaints())
+  const bool is_durable = safety == nullptr || safety->begin(f.clock.now(), f.file.mission, mark, kept_vehicle(f.file), kAshore);
+  if (const std::string refused = is_durable ? std::string() : f.safety->complaints(); !refused.empty())
+    std::cerr << "earshotd: warning: no disk takes the safety record (" << host::printable(refused)
               << "): a restart may forget an ABORT; tried again\n";
   if (!f.options.simulation && program::talk() != program::Talk::kQuiet) {
     std::cerr << "earshotd: waiting for navigation, SNR and an operator's START, as long as it takes, on\n"

@@ -62,8 +62,9 @@ std::optional<CommandOutcome> ComingUp::take(const messages::Input& input) {
     if (began_) depth_.take(*fix_);
   }
   const auto* status = std::get_if<messages::VehicleStatus>(&input.value);
-  if (status != nullptr && !status->has_leak) leaks_since_.reset();
-  if (status != nullptr && status->has_leak && !leaks_since_) leaks_since_ = input.arrival;
+  if (status != nullptr) leak_.take(input.arrival, input.port, status->has_leak);
+  if (!leak_.stands()) leaks_since_.reset();
+  if (leak_.stands() && !leaks_since_) leaks_since_ = input.arrival;
   if (const auto* command = std::get_if<messages::OperatorCommand>(&input.value)) outcome = answer(input.arrival, input.port, *command);
   const auto* report = std::get_if<messages::PortReport>(&input.value);
   if (report == nullptr) return outcome;

@@ -45,6 +45,7 @@ class ComingUp final : public Core {
   Duration long_enough_;  ///< to come up from the deepest
   safety::DepthEstimate depth_;
   std::optional<Duration> releases_after_leak_;  ///< of so long
+  safety::StandingAlarm leak_;
   std::optional<Time> leaks_since_;
   bool is_engaged_;
   bool is_released_;
