@@ -139,6 +139,34 @@ TEST_F(RestartAtSea, GivenTooFewDescriptorsItsStatusIsOneThatAServiceStartsAgain
   }
 }
 
+/// Standard streams and what writes to them, a copy of the record, and LCM's three.
+constexpr int kFewestFiles = 8;
+
+TEST_F(RestartAtSea, GivenDescriptorsForOnePortItComesUpHoweverFewTheyAre) {
+  search();
+  kill();
+  for (const int files : {kFewestFiles, kFewestFiles + 1, kFewestFiles + 2, 20}) {
+    vehicle_->health = {};
+    start_on_sick_host({{"EARSHOT_TEST_FILES", std::to_string(files)}});
+    EXPECT_TRUE(vehicle_->sails_until([&] { return vehicle_->state() == MissionState::kAbort && vehicle_->depth() == Meters{0.0}; }))
+        << files << " files: " << earshotd_->output();
+    kill();
+  }
+  start_on_sick_host({{"EARSHOT_TEST_FILES", std::to_string(kFewestFiles - 1)}});
+  EXPECT_EQ(earshotd_->wait(std::chrono::seconds(10)), program::kLost);
+  EXPECT_TRUE(is_said("nobody commands the vehicle")) << earshotd_->output();
+}
+
+TEST_F(RestartAtSea, GivenDescriptorsForOneOfTwoPortsItComesUpByThatAndNamesTheOther) {
+  std::ofstream(folder_ / "mission.toml", std::ios::app) << "\n[[port]]\nname = \"ashore\"\nkind = \"lcm\"\n"
+                                                            "url = \"udpm://239.255.76.67:7700?ttl=0\"\nroles = [\"status\"]\n";
+  search();
+  kill();
+  start_on_sick_host({{"EARSHOT_TEST_FILES", std::to_string(kFewestFiles)}});
+  expect_comes_up();
+  EXPECT_TRUE(is_said("port ashore does not open")) << earshotd_->output();
+}
+
 TEST_F(RestartAtSea, GivenSensorsThatAreSilentItComesUpMeanwhileAndObeysAnAbort) {
   search();
   kill();

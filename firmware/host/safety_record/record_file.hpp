@@ -54,6 +54,7 @@ class RecordFile {
   [[nodiscard]] bool is_overtaken() const { return is_overtaken_; }
   /// Whether the file still bears its name and has its whole length: somebody may have removed it, put another in its place or cut it.
   [[nodiscard]] bool is_in_place() const;
+  [[nodiscard]] bool is_open() const { return file_.number() >= 0; }
   /// As if it had not been opened.
   void let_go();
 

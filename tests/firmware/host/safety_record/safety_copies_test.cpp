@@ -114,6 +114,19 @@ TEST_F(SafetyCopiesTest, AFlightThatGoesOnIsDurableAgainOnceItsReadOnlyDiskIsWri
   EXPECT_EQ(turn_in(path), 2U);
 }
 
+TEST_F(SafetyCopiesTest, GivesUpItsLastCopiesForWhoNeedsADescriptorButNotTheFirst) {
+  SafetyCopies copies(this->copies());
+  copies.prepare(kKept);
+  ASSERT_TRUE(copies.write(record(1), kPatient));
+  EXPECT_TRUE(copies.give_up_one());
+  EXPECT_TRUE(copies.give_up_one());
+  EXPECT_FALSE(copies.give_up_one());
+  EXPECT_TRUE(copies.write(record(2), kPatient));
+  EXPECT_EQ(turn_in(one_), 2U);
+  EXPECT_EQ(turn_in(two_), 1U);
+  EXPECT_EQ(copies.complaints(), two_.string() + ", " + memory_.string());
+}
+
 TEST_F(SafetyCopiesTest, RefusesToBeASecondOwner) {
   const SafetyCopies copies(this->copies());
   EXPECT_NO_THROW(SafetyCopies{this->copies()}) << "there is no file yet";
