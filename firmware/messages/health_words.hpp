@@ -42,7 +42,7 @@ namespace earshot::messages {
     case EndReason::kSafetyRule:
       return "a safety rule ended it";
     case EndReason::kFound:
-      return "the vehicle says that it has found the source";
+      return "the vehicle declared the source found";
     case EndReason::kMemoryFault:
       return "the computer's memory is at fault";
     case EndReason::kOutage:
@@ -58,10 +58,10 @@ namespace earshot::messages {
 }
 
 // What else there is to say of a search.
-inline constexpr std::string_view kSaysFound = "says that the source is found";
-inline constexpr std::string_view kIsSurprised = "is surprised: what it hears is unlikely in every ocean of its tables";
-inline constexpr std::string_view kSweeps = "sweeps the area: what it hears fits no ocean of its tables";
+inline constexpr std::string_view kSaysFound = "declares the source found";
+inline constexpr std::string_view kIsSurprised = "model mismatch: the measured SNR is unlikely in every ocean of its tables";
+inline constexpr std::string_view kSweeps = "sweeps the area: the measured SNR fits no ocean of its tables";
 /// Of a sweep in a search that nothing has surprised (kSurprising_bits): there is no other reason for one.
-inline constexpr std::string_view kSweepsInSilence = "sweeps the area: it has heard nothing for long, where its tables say that it should";
+inline constexpr std::string_view kSweepsInSilence = "sweeps the area: nothing was detected for long, where its tables predict detections";
 
 }  // namespace earshot::messages

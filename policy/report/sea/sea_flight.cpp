@@ -50,13 +50,16 @@ std::optional<SeaFlight> begun_with(const host::JournalRecord& record) {
   flight.area = {{Meters{mission.south_m}, Meters{mission.west_m}}, {Meters{mission.north_m}, Meters{mission.east_m}}};
   if (!is_finite(flight.area.south_west) || !is_finite(flight.area.north_east)) return std::nullopt;
   flight.threshold = Decibels{mission.detection_threshold_db};
+  flight.depth = Meters{mission.search_depth_m};
+  flight.speed = MetersPerSecond{mission.search_speed_mps};
+  flight.frequency = Hertz{mission.source_frequency_hz};
   flight.account.max_steps = static_cast<std::uint32_t>(mission.max_steps);
   const char* const build = reinterpret_cast<const char*>(mission.build);
   flight.build.assign(build, ::strnlen(build, std::size(mission.build)));
   return flight;
 }
 
-void note_account(const health_t& health, SearchAccount& account) {
+void note_account(const health_t& health, search::SearchAccount& account) {
   const auto step = static_cast<std::uint32_t>(health.steps_taken);
   account.surprise_bits = double{health.surprise_bits};
   if (health.surprise_bits >= messages::kSurprising_bits && !account.surprised_step) account.surprised_step = step;
@@ -141,7 +144,7 @@ void note(const host::JournalRecord& record, SeaFlight& flight) {
 }  // namespace
 
 const char* SeaFlight::why_it_ended() const {
-  return is_stopped && end_reason == EndReason::kOperatorAbort ? "its program was told to stop" : messages::to_string(end_reason);
+  return is_stopped && end_reason == EndReason::kOperatorAbort ? "its program was stopped" : messages::to_string(end_reason);
 }
 
 bool SeaFlight::is_dated() const {

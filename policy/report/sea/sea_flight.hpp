@@ -9,7 +9,7 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
 #include "firmware/messages/health.hpp"
-#include "policy/report/search_account.hpp"
+#include "sim/search/account/search_account.hpp"
 
 namespace earshot::report {
 
@@ -19,7 +19,10 @@ struct SeaFlight {
   double began_s = 0.0;  ///< when the journal begins, on the mission's clock: at sea seconds since 1970 in UTC
   Rectangle area;        ///< where it was to search
   Decibels threshold;    ///< of a detection
-  std::string build;     ///< version and commit of the program that flew
+  Meters depth;          ///< of the search
+  MetersPerSecond speed;
+  Hertz frequency;    ///< of the source that it searched for
+  std::string build;  ///< version and commit of the program that flew
 
   struct Fix {
     double time_s = 0.0;
@@ -61,7 +64,7 @@ struct SeaFlight {
   bool is_stopped = false;                 ///< by a signal to its program, before it was over
   std::uint32_t steps_taken = 0;
   messages::Counters counters;           ///< the last
-  SearchAccount account;                 ///< of the last search
+  search::SearchAccount account;         ///< of the last search
   std::optional<double> search_began_s;  ///< the first turn of the search
   std::optional<double> search_ended_s;  ///< the first turn after it
 

@@ -94,9 +94,9 @@ bool open_what_opens(const host::MissionFile& vehicle, const HostClock& host, ho
 }  // namespace
 
 int come_up(const Options& o, host::SafetyCopies& copies, const HostClock& host, const std::string& why) {
-  std::cerr
-      << "earshotd: " << host::printable_lines(why)
-      << "\nearshotd: the mission that was under way cannot go on: the vehicle is told to stop and come up until this program is stopped\n";
+  std::cerr << "earshotd: " << host::printable_lines(why)
+            << "\nearshotd: the mission that was under way cannot go on: the vehicle is ordered to stop and come up until this program is "
+               "stopped\n";
   program::outlive_accidents();
   program::stop_on_signals();
   const host::SafetyRecord record = copies.newest().value();
@@ -130,7 +130,7 @@ int come_up(const Options& o, host::SafetyCopies& copies, const HostClock& host,
       turn.tell(*news);
     }
   } catch (const std::exception& e) {  // no thread, no descriptor: the vehicle is told, a person is not
-    std::cerr << "earshotd: " << host::printable(e.what()) << ": nothing more is said here\n";
+    std::cerr << "earshotd: " << host::printable(e.what()) << ": nothing more is reported here\n";
   }
   settle_memory(o);
   const Duration period = vehicle.step_period > Duration{} ? vehicle.step_period : Duration::seconds(1);

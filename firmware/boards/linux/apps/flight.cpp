@@ -126,19 +126,20 @@ constexpr std::chrono::milliseconds kBetweenTurns{100};  // a bus wants to be se
 /// Nothing ends a reading that is under way but the program's end; the journal is as if it had crashed.
 [[noreturn]] void stop_meanwhile(SafetyLog& safety, Meanwhile& meanwhile) {
   for (int said = 0; said < kLastSetpoints; ++said) meanwhile.turn();
-  std::cerr << "earshotd: stopped by a signal while it read the journal; the vehicle was told to stop and come up\n";
+  std::cerr << "earshotd: stopped by a signal while it read the journal; the vehicle was ordered to stop and come up\n";
   (void)safety.abort(kAshore);
   if (!safety.close(kAshore)) std::cerr << kStaysUnderWay;
   std::_Exit(program::kInterrupted);
 }
 
-/// Reads the journal again; where that takes long, the vehicle is told to stop and come up meanwhile. @return what find_unfinished() does
+/// Reads the journal again; where that takes long, the vehicle is ordered to stop and come up meanwhile. @return what find_unfinished()
+/// does
 std::optional<Unfinished> read_again(const Flight& f, const std::filesystem::path& wanted, const Flown& flown, SafetyLog& safety,
                                      Meanwhile& meanwhile) {
   const std::uint32_t mark = f.safety->found()->journal_crc32;
   auto reading = std::async(std::launch::async, [&] { return find_unfinished(wanted, flown, GoOnAfter::kLastInput, mark); });
   if (reading.wait_for(kUncommanded) == std::future_status::timeout) {
-    std::cerr << "earshotd: reading the journal takes long; the vehicle is told to stop and come up meanwhile\n";
+    std::cerr << "earshotd: reading the journal takes long; the vehicle is ordered to stop and come up meanwhile\n";
     do {
       meanwhile.turn();
       if (stop_requested) stop_meanwhile(safety, meanwhile);
@@ -192,7 +193,7 @@ void order_what_held(const Flight& f, const runtime::Outputs& last, Core& core, 
     turn.take(kOwnPort, order);
   const bool is_over = record->end_reason != messages::EndReason::kNone;
   if (!is_over && !keeps_limits_of(*record, core.mission()))
-    throw host::BadInput("the limits that an operator made tighter cannot be kept by the mission that its journal tells");
+    throw host::BadInput("the limits that an operator made tighter cannot be kept by the mission in its journal");
 }
 
 /// Begins the mission, or goes on with it. @return how long its first turn waits for its sensors

@@ -30,7 +30,7 @@ template <class Message>
 Message read(const wire::FramedRecord& record) {
   Message message{};
   if (wire::decode(record.data, message) != Status::kOk)
-    throw std::runtime_error("the board said something that this build does not know, on " + host::printable(record.channel));
+    throw std::runtime_error("the board sent something that this build does not know, on " + host::printable(record.channel));
   return message;
 }
 

@@ -41,7 +41,7 @@ std::string build_of(const mission_t& mission) {
 
 std::string state_to_string(MissionState state, EndReason reason, std::int64_t steps, AbortedBy by) {
   const bool is_stopped = reason == EndReason::kOperatorAbort && by == AbortedBy::kProgram;
-  const std::string why = is_stopped ? "its program was told to stop" : messages::to_string(reason);
+  const std::string why = is_stopped ? "its program was stopped" : messages::to_string(reason);
   const std::string ended = reason == EndReason::kNone ? "" : ": " + why;
   if (!messages::counts_steps(reason)) return messages::to_string(state) + ended;
   return messages::to_string(state) + ended + ", after " + counted(static_cast<std::uint64_t>(steps < 0 ? 0 : steps), "step");
@@ -57,7 +57,7 @@ const char* to_string(wire::Ending ending) {
     case wire::Ending::kMissionOver:
       return "the mission was over";
     case wire::Ending::kStopped:
-      return "the program was told to stop";
+      return "the program was stopped";
     case wire::Ending::kClockLost:
       return "the simulator was gone";
   }
@@ -78,7 +78,7 @@ std::string to_string(const mission_t& m) {
 
 std::string to_string(const messages::OperatorCommand& command, std::uint8_t port) {
   // Port 0 is the program's own.
-  const std::string by = port == 0 ? ", by the program, which is told to stop" : ", by port " + std::to_string(port);
+  const std::string by = port == 0 ? ", by the program, which is being stopped" : ", by port " + std::to_string(port);
   return command_name(static_cast<std::int8_t>(command.order), command.number, command.issuer) + limits_in(command.limits) + by;
 }
 
@@ -113,7 +113,7 @@ std::string to_string(const decision_t& m) {
     text += "; the source is likeliest at " + to_string({Meters{m.likeliest_north_m}, Meters{m.likeliest_east_m}}) +
             ", the belief spread over " + decimal(m.spread_m, 0) + " m";
   if (m.found != 0)
-    text += "; says that the source is found: within a step with a probability of " + decimal(m.found_probability, 2) + ", at least " +
+    text += "; declares the source found: within a step with a probability of " + decimal(m.found_probability, 2) + ", at least " +
             decimal(m.found_least_snr_db, 1) + " dB expected there, the likeliest place " + decimal(m.closest_approach_m, 0) + " m away";
   return text;
 }

@@ -28,7 +28,7 @@ inline constexpr Choice kOutcomes[]{{0, "obeyed"},
 inline constexpr Choice kMissionStates[]{{0, "STANDBY"}, {1, "SEARCH"}, {2, "DONE"}, {3, "ABORT"}};
 inline constexpr Choice kEndReasons[]{{0, "not over"},         {1, "completed"},    {2, "steps used up"},       {3, "operator abort"},
                                       {4, "navigation stale"}, {5, "SNR stale"},    {6, "left operating area"}, {7, "time used up"},
-                                      {8, "safety rule"},      {9, "memory fault"}, {10, "says found"},         {11, "outage"}};
+                                      {8, "safety rule"},      {9, "memory fault"}, {10, "declared found"},     {11, "outage"}};
 inline constexpr Choice kAuthorities[]{{0, "DISCONNECTED"}, {1, "STANDBY"}, {2, "LISTEN"}, {3, "COMMAND"}, {4, "ABORT"}};
 inline constexpr Choice kLeakStates[]{{0, "dry"}, {1, "wet"}};
 inline constexpr Choice kPeers[]{{1, "command"}, {2, "acknowledgement"}, {3, "abort"}};
