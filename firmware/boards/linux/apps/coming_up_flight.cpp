@@ -74,7 +74,7 @@ bool opens(const host::MissionFile& one, const HostClock& host, host::SafetyCopi
     } catch (const std::exception& e) {
       if (is_for_want_of_descriptors(e) && copies.give_up_one()) continue;
       std::cerr << "earshotd: port " << host::printable(one.ports.front().name)
-                << " does not open, and nothing is told or heard there: " << host::printable(e.what()) << "\n";
+                << " does not open, and nothing is sent or heard there: " << host::printable(e.what()) << "\n";
       return false;
     }
   }
