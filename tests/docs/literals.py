@@ -43,8 +43,8 @@ def of_python(text: str) -> list[Line]:
         first = node.body[0] if node.body else None
         if isinstance(first, ast.Expr):
             skipped.add(id(first.value))
-    constants = [n for n in ast.walk(tree) if isinstance(n, ast.Constant) and isinstance(n.value, str)]
-    return [(n.lineno, n.value) for n in constants if id(n) not in skipped]
+    constants = [n for n in ast.walk(tree) if isinstance(n, ast.Constant) and id(n) not in skipped]
+    return [(n.lineno, n.value) for n in constants if isinstance(n.value, str)]
 
 
 def of_script(text: str) -> list[Line]:
