@@ -45,7 +45,8 @@ bool is_killed_once(const Case& c) {
 void remove_earlier_flight(const std::filesystem::path& folder) {
   const std::filesystem::path journal = folder / kJournal;
   for (const host::JournalName& name : host::journals_beside(journal)) std::filesystem::remove(host::named(journal, name));
-  for (const char* const file : {"journal.policy", "journal.tables", "journal.safety", "vehicle.txt", "track.csv", "disk_is_sick", kWords})
+  for (const char* const file :
+       {"journal.policy", "journal.tables", "journal.safety", "journal.copy.safety", "vehicle.txt", "track.csv", "disk_is_sick", kWords})
     std::filesystem::remove(folder / file);
   std::filesystem::remove_all(folder / kMemory);
 }

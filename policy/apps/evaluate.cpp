@@ -144,7 +144,8 @@ std::vector<std::string> warnings_of(std::span<const evaluate::Candidate> candid
   return warnings;
 }
 
-std::vector<evaluate::WorldFile> worlds_of(const Options& o, const std::filesystem::path& environment, Meters depth) {
+std::vector<evaluate::WorldFile> worlds_of(const Options& o, const std::filesystem::path& environment, const search::Scenario& scenario,
+                                           Meters depth) {
   if (o.suite && !o.worlds.empty())
     throw BadInput("--suite, --world " + o.worlds.front() + ": --suite is every world of policy/worlds; give one of the two");
   std::vector<std::filesystem::path> files(o.worlds.begin(), o.worlds.end());
@@ -160,10 +161,8 @@ std::vector<evaluate::WorldFile> worlds_of(const Options& o, const std::filesyst
     }
     worlds.push_back(evaluate::load_world(files[i]));
   }
-  if (worlds.empty()) {
-    search::Scenario own = command_line::scenario_at(environment, depth);
-    worlds.push_back({.name = environment.stem().string(), .what = own.environment.name, .seed = 1, .scenario = std::move(own)});
-  }
+  if (worlds.empty())
+    worlds.push_back({.name = environment.stem().string(), .what = scenario.environment.name, .seed = 1, .scenario = scenario});
   for (evaluate::WorldFile& world : worlds) {
     world.seed = o.seed.value_or(world.seed);
     if (o.search.vehicle_depth_m || !world.vehicle_depth) world.vehicle_depth = depth;
@@ -340,8 +339,9 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
   if (mission) evaluate::apply(*mission, candidates, task.settings);
   const std::filesystem::path environment_file =
       o.search.environment ? std::filesystem::path(*o.search.environment) : host::shipped("sim/ocean/environments/munk_flat.toml");
-  const ocean::Environment environment = command_line::scenario_at(environment_file, task.depth).environment;
-  std::vector<evaluate::WorldFile> worlds = worlds_of(o, environment_file, task.depth);
+  const search::Scenario scenario = command_line::scenario_at(environment_file, task.depth);
+  const ocean::Environment& environment = scenario.environment;
+  std::vector<evaluate::WorldFile> worlds = worlds_of(o, environment_file, scenario, task.depth);
   if (mission) evaluate::apply(*mission, o.search.vehicle_depth_m.has_value(), worlds);
   task.settings.source = source_of(leading, environment, o.search.environment.has_value());
   if (!o.search.listening.is_given() && !mission) evaluate::check_same_listening(candidates);

@@ -28,17 +28,32 @@ TEST_F(RestartAtSea, GivenNothingWrongItGoesOn) {
   EXPECT_TRUE(is_said(": SEARCH, after ")) << earshotd_->output();
 }
 
-class SickDiskRestart : public RestartAtSea, public testing::WithParamInterface<const char*> {};
+class SickDiskRestart : public RestartAtSea, public testing::WithParamInterface<const char*> {
+ protected:
+  /// @param vehicle  what its computer has at every start
+  void expect_abort_holds(const Environment& vehicle) {
+    Environment sick = vehicle;
+    sick.emplace_back("LD_PRELOAD", EARSHOT_SICK_DISK);
+    sick.emplace_back("EARSHOT_TEST_DISK", GetParam());
+    sick.emplace_back("EARSHOT_TEST_DISK_IS_SICK", folder_ / "sick");
+    search(sick);
+    std::ofstream(folder_ / "sick") << "";
+    vehicle_->order(Order::kAbort);
+    ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->state() == MissionState::kAbort; })) << earshotd_->output();
+    kill();
+    fs::remove(folder_ / "sick");
+    start_with(vehicle);
+    expect_comes_up();
+  }
+};
 
 TEST_P(SickDiskRestart, AnAbortThatWasAcknowledgedHoldsThoughTheDiskTookNothingOfTheJournal) {
-  search(GetParam());
-  std::ofstream(folder_ / "sick") << "";
-  vehicle_->order(Order::kAbort);
-  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->state() == MissionState::kAbort; })) << earshotd_->output();
-  kill();
-  fs::remove(folder_ / "sick");
-  start();
-  expect_comes_up();
+  expect_abort_holds({});
+}
+
+TEST_P(SickDiskRestart, AnAbortThatWasAcknowledgedHoldsByTheCopyInMemoryThoughTheDiskTookNothingOfTheRecordEither) {
+  fs::create_directory(folder_ / "memory");
+  expect_abort_holds({{"RUNTIME_DIRECTORY", folder_ / "memory"}, {"EARSHOT_TEST_DISK_HAS_RECORD", "1"}});
 }
 
 INSTANTIATE_TEST_SUITE_P(Disk, SickDiskRestart, testing::Values("full", "read-only", "slow"));

@@ -61,7 +61,7 @@ class Document:
 
 
 def repeated_long_commands(documents: list[Document]) -> set[Command]:
-    """Which an earlier file has as well, so that what they make is there; but for those that matter to a shell alone."""
+    """Those that an earlier file has as well, so that what they make is there; but for what only a shell keeps."""
     found: set[Command] = set()
     before: set[str] = set()
     for document in documents:

@@ -35,7 +35,8 @@ class Reading(unittest.TestCase):
 
     def test_finds_long_commands_that_an_earlier_file_has(self):
         mark = "<!-- test: long -->\n"
-        first = markdown.read(Path("first.md"), mark + "```sh\ntests/run    # every test\nexport A=b\n```\n```sh\nshort\n```\n")
+        text = mark + "```sh\ntests/run    # every test\nexport A=b\n```\n```sh\nshort\n```\n"
+        first = markdown.read(Path("first.md"), text)
         again = mark + "```sh\ntests/run\ntests/run -R x\nexport A=b\nk=$(tests/run)\n```\n```sh\nshort\n```\n"
         second = markdown.read(Path("second.md"), again)
         found = markdown.repeated_long_commands([first, second])

@@ -285,7 +285,11 @@ void require_named_files(const MissionFile& file) {
 
 MissionFile load_mission(const std::filesystem::path& path) {
   const std::string text = read_text(path, kTomlFile);
-  return read_mission(TomlFile{path, text}, text, nullptr);
+  return load_mission(TomlFile{path, text}, text);
+}
+
+MissionFile load_mission(const TomlFile& file, const std::string& text) {
+  return read_mission(file, text, nullptr);
 }
 
 MissionFile load_mission(const std::filesystem::path& path, const std::string& text, const VehicleTrust& vehicle) {

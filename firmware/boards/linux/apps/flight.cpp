@@ -213,8 +213,9 @@ Duration begin(const Flight& f, const Resumption* before, const std::filesystem:
   }
   const std::uint32_t mark =
       turn.record_mission(f.file.mission, {.policy = f.search.policy.bytes, .tables = f.search.tables.bytes, .build = build});
-  if (safety != nullptr && !safety->begin(f.clock.now(), f.file.mission, mark, kept_vehicle(f.file), kAshore))
-    std::cerr << "earshotd: warning: no disk takes the safety record (" << host::printable(f.safety->complaints())
+  const bool is_durable = safety == nullptr || safety->begin(f.clock.now(), f.file.mission, mark, kept_vehicle(f.file), kAshore);
+  if (const std::string refused = is_durable ? std::string() : f.safety->complaints(); !refused.empty())
+    std::cerr << "earshotd: warning: no disk takes the safety record (" << host::printable(refused)
               << "): a restart may forget an ABORT; tried again\n";
   if (!f.options.simulation && program::talk() != program::Talk::kQuiet) {
     std::cerr << "earshotd: waiting for navigation, SNR and an operator's START, as long as it takes, on\n"
@@ -281,9 +282,11 @@ int fly(Flight& f) {
   try {
     result = fly_on(f, turn, proof, hold);
   } catch (const std::exception& e) {  // no bad input: the journal has begun, and its destructor keeps it
+    turn.end();
     std::cerr << "earshotd: " << e.what() << "; journal up to then: " << host::printable(journal.path().string()) << "\n";
     return kLost;
   }
+  turn.end();
   if (result.end == LoopEnd::kOvertaken) return report(result, f.clock, f.ports, journal.path());
   if (safety && result.end == LoopEnd::kStopped && !safety->close(kAshore) && f.options.resume) std::cerr << kStaysUnderWay;
   journal.conclude(closing_record_of(result));

@@ -70,11 +70,11 @@ BoardCore::BoardCore(host::SerialLine line, const config::Mission& mission, std:
   throw host::BadInput(name + ": no board answers");
 }
 
-messages::CommandOutcome BoardCore::take(const messages::Input& input) {
+std::optional<messages::CommandOutcome> BoardCore::take(const messages::Input& input) {
   const wire::InputRecord record(input);
   send(input.arrival, record.channel(), record.data());
   ++inputs_;
-  return messages::CommandOutcome::kObeyed;
+  return std::nullopt;
 }
 
 runtime::Outputs BoardCore::step(Time now) {

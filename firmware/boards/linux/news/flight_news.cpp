@@ -283,9 +283,8 @@ void FlightNews::tell_journal(Time now, const messages::PortReport& report) {
   if (is_journal_up_) {
     line << "journal: the disk takes it again; " << report.lost << " records are lost";
   } else {
-    line
-        << "journal: the disk does not take it in time (full, read-only, broken or slow): the flight goes on; once the buffer is full only "
-           "orders, changes of state and some set-points are kept";
+    line << "journal: the disk does not take it in time (full, read-only, broken, slow, or in memory alone): the flight goes on; once the "
+            "buffer is full only orders, changes of state and some set-points are kept";
   }
   say({.severity = is_journal_up_ ? Severity::kNotice : Severity::kError, .event = "journal", .time = now, .message = line.text()});
 }

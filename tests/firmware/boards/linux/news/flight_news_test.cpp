@@ -261,8 +261,8 @@ TEST_F(FlightNewsTest, TellsOnceThatTheDiskDoesNotTakeTheJournalAndOnceThatItDoe
   news_->tell(kUtc + Duration::seconds(62), h);
   EXPECT_EQ(all_told(),
             "earshotd: 2026-11-18 11:06:40 UTC: STANDBY\n"
-            "earshotd: 2026-11-18 11:06:41 UTC: journal: the disk does not take it in time (full, read-only, broken or slow): the flight "
-            "goes on; once the buffer is full only orders, changes of state and some set-points are kept\n"
+            "earshotd: 2026-11-18 11:06:41 UTC: journal: the disk does not take it in time (full, read-only, broken, slow, or in memory "
+            "alone): the flight goes on; once the buffer is full only orders, changes of state and some set-points are kept\n"
             "earshotd: 2026-11-18 11:07:42 UTC: journal: the disk takes it again; 12 records are lost\n");
 }
 

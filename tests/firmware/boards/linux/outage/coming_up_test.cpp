@@ -150,6 +150,21 @@ TEST(ComingUp, ReleasesTheWeightNoSoonerThanTheMissionsRuleDoes) {
   EXPECT_TRUE(core.step(after(14)).setpoint->release_weight);
 }
 
+TEST(ComingUp, ReleasesTheWeightThoughASecondSenderSaysThatThereIsNoLeak) {
+  config::Mission mission = runtime::paper_mission();
+  const config::Rule rule{
+      .condition = config::Condition::kLeak, .persistence = Duration::seconds(2), .response = config::Response::kRelease};
+  ASSERT_EQ(mission.safety.rules.push_back(rule), Status::kOk);
+  ComingUp core(mission, in_search());
+  bool is_released = false;
+  for (int s = 0; s < 10; ++s) {
+    for (const bool has_leak : {true, false})
+      core.take({.arrival = after(s), .port = 1, .sequence = 0, .value = messages::VehicleStatus{.time = after(s), .has_leak = has_leak}});
+    is_released = core.step(after(s)).setpoint->release_weight;
+  }
+  EXPECT_TRUE(is_released);
+}
+
 TEST(ComingUp, HasComeUpWhenItsDepthSaysSoOrItsTimeIsOver) {
   ComingUp core(runtime::paper_mission(), in_search());
   (void)core.step(kBegin);
