@@ -57,7 +57,7 @@ TEST_F(ListenProgram, ListensToWhatThereIsOfAFileThatWasCutShortAndSaysSo) {
 
 TEST_F(ListenProgram, HearsWhatStandsBehindTheEndThatTheHeaderTellsAndSaysSo) {
   std::string bytes = WavBytes{.sample_rate = 1000, .samples = sixteen_bits(song(60, {12.0, 50.0}))}.bytes();
-  for (const auto& [told, mentioned] : {std::pair{60'000ULL, "holds 30 s of samples behind the end that its header tells"},
+  for (const auto& [told, mentioned] : {std::pair{60'000ULL, "holds 30 s of samples behind the end that its header gives"},
                                         {0ULL, "its header does not give its length"},
                                         {0xFFFFFFFFULL, "its header does not give its length"}}) {
     bytes.replace(40, 4, little_endian(told, 4));
