@@ -1,6 +1,5 @@
 #include "policy/report/page.hpp"
 
-#include <cmath>
 #include <span>
 
 #include "firmware/host/file/printable.hpp"
@@ -15,6 +14,7 @@
 #include "policy/report/sea/sea_page.hpp"
 #include "policy/report/sea/sea_plots.hpp"
 #include "policy/report/sound/sound_plots.hpp"
+#include "sim/search/account/numbers.hpp"
 #include "sim/search/account/search_account.hpp"
 #include "sim/search/actions/compass_directions.hpp"
 #include "sim/search/settings.hpp"
@@ -77,14 +77,6 @@ std::string shortcomings(const Flight& flight) {
   return text;
 }
 
-/// "38.500° N, 28.000° W"
-std::string geographic(const nlohmann::json& origin) {
-  const double latitude = origin.at("latitude_deg");
-  const double longitude = origin.at("longitude_deg");
-  return fixed(std::abs(latitude), 3) + "\u00B0 " + (latitude < 0.0 ? "S, " : "N, ") + fixed(std::abs(longitude), 3) + "\u00B0 " +
-         (longitude < 0.0 ? "W" : "E");
-}
-
 /// What was searched for, where, how and when; a summary of an earlier version knows less.
 std::string conditions(const nlohmann::json& s) {
   const nlohmann::json origin = s.value("origin", nlohmann::json());
@@ -93,8 +85,9 @@ std::string conditions(const nlohmann::json& s) {
   if (s.contains("source_frequency_hz")) text += fact("frequency of the source", fixed(s.at("source_frequency_hz"), 1) + " Hz");
   if (s.contains("depth_m")) text += fact("depth of the vehicle", fixed(s.at("depth_m"), 0) + " m");
   if (s.contains("speed_mps")) text += fact("speed of the vehicle", fixed(s.at("speed_mps"), 1) + " m/s");
-  text += fact("area", fixed(size.north.value / 1e3, 1) + " km \u00D7 " + fixed(size.east.value / 1e3, 1) + " km",
-               origin.is_null() ? "" : "its origin lies at " + geographic(origin));
+  text += fact(
+      "area", fixed(size.north.value / 1e3, 1) + " km \u00D7 " + fixed(size.east.value / 1e3, 1) + " km",
+      origin.is_null() ? "" : "its origin lies at " + search::geographic(origin.at("latitude_deg"), origin.at("longitude_deg"), "\u00B0"));
   if (s.contains("flown_utc")) text += fact("simulated on", escaped(s.at("flown_utc").get<std::string>()) + " UTC");
   return text;
 }
@@ -160,9 +153,8 @@ std::string decisions(const Flight& flight, const FlightExplanation& explanation
   if (taken.empty()) return "<p>The policy took no decision.</p>\n";
   std::string text =
       "<p>A decision is taken at the end of each step; the first is that of step 0. Percent: how probable the policy made each direction; "
-      "bold: the one taken; &#9679;: a detection. A step of a sweep is marked: its direction follows parallel tracks over the area, and "
-      "not "
-      "the policy.</p>\n";
+      "bold: the one taken; &#9679;: a detection. A step of a sweep is marked: its direction follows parallel tracks over the "
+      "area, and not the policy.</p>\n";
   if (!explanation.why_not.empty()) text += "<p>Not explained: " + escaped(explanation.why_not) + "</p>\n";
   text +=
       "<div class=\"table\"><table class=\"decisions\">\n<thead><tr><th>step</th><th>at</th><th>north (km)</th><th>east (km)</th><th>SNR "
@@ -191,9 +183,8 @@ std::string history_to_string(const Flight& flight) {
   if (!flight.sea)
     return "<p>Above: the SNR at the vehicle's place, which it measures. Below: its range to the source, which the simulation alone "
            "knows.</p>\n";
-  return "<p>Dots: every SNR that came in. Circles: the SNR of a decision, by the mission's way of listening; from the threshold on it is "
-         "a "
-         "detection.</p>\n";
+  return "<p>Dots: every SNR that came in. Circles: the SNR of a decision, by the mission's way of listening; from the threshold on "
+         "it is a detection.</p>\n";
 }
 
 std::string sound_to_string(const Flight& flight) {

@@ -1,37 +1,23 @@
 #include "sim/apps/fly/flight_summary.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "firmware/core/time.hpp"
 #include "firmware/host/program/wrapped.hpp"
 #include "sim/apps/fly/flight_progress.hpp"
 #include "sim/apps/fly/search_account.hpp"
+#include "sim/search/account/numbers.hpp"
 #include "sim/search/account/search_account.hpp"
 
 namespace earshot::fly {
 namespace {
 
 using nlohmann::json;
-
-std::string decimals(double value, int places) {
-  std::array<char, 64> text{};
-  (void)std::snprintf(text.data(), text.size(), "%.*f", places, value);
-  return text.data();
-}
+using search::decimals;
 
 std::string km(double length_m) {
   return decimals(length_m / 1e3, 1) + " km";
-}
-
-/// "38.500 N, 28.000 W"
-std::string geographic(const json& origin) {
-  const double latitude = origin.at("latitude_deg");
-  const double longitude = origin.at("longitude_deg");
-  return decimals(std::abs(latitude), 3) + (latitude < 0.0 ? " S, " : " N, ") + decimals(std::abs(longitude), 3) +
-         (longitude < 0.0 ? " W" : " E");
 }
 
 std::string simulation_line(const json& s) {
@@ -46,7 +32,9 @@ std::string place_line(const json& s) {
   const auto side = [&](const char* axis) { return high.at(axis).get<double>() - low.at(axis).get<double>(); };
   const json origin = s.value("origin", json());
   return entry("area", km(side("north_m")) + " north by " + km(side("east_m")) + " east" +
-                           (origin.is_null() ? "" : "; the plane's origin lies at " + geographic(origin)));
+                           (origin.is_null() ? ""
+                                             : "; the plane's origin lies at " +
+                                                   search::geographic(origin.at("latitude_deg"), origin.at("longitude_deg"))));
 }
 
 std::string vehicle_line(const json& s) {

@@ -1,26 +1,20 @@
 #include "sim/apps/fly/search_account.hpp"
 
-#include <array>
-#include <cstdio>
-
 #include "firmware/config/safety.hpp"
 #include "firmware/host/journal/rule_event_words.hpp"
 #include "firmware/host/program/wrapped.hpp"
 #include "firmware/messages/health.hpp"
 #include "sim/apps/fly/hearing/hear_option.hpp"
+#include "sim/search/account/numbers.hpp"
 #include "sim/search/account/search_account.hpp"
 
 namespace earshot::fly {
 namespace {
 
+using search::decimals;
+
 nlohmann::ordered_json or_null(const std::optional<std::uint32_t>& step) {
   return step ? nlohmann::ordered_json(*step) : nlohmann::ordered_json();
-}
-
-std::string decimals(double value, int places) {
-  std::array<char, 32> text{};
-  (void)std::snprintf(text.data(), text.size(), "%.*f", places, value);
-  return text.data();
 }
 
 /// The value of a summary's key; null where it has none.

@@ -2,11 +2,11 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "firmware/host/file/printable.hpp"
 #include "firmware/messages/health.hpp"
+#include "sim/search/account/numbers.hpp"
 
 namespace earshot::search {
 namespace {
@@ -30,12 +30,6 @@ bool is_step(const nlohmann::json& value) {
 template <class Value>
 std::optional<Value> known(const nlohmann::json& value) {
   return value.is_null() ? std::nullopt : std::optional(value.get<Value>());
-}
-
-std::string decimals(double value, int places) {
-  std::array<char, 64> text{};
-  (void)std::snprintf(text.data(), text.size(), "%.*f", places, value);
-  return text.data();
 }
 
 std::string step_to_string(std::uint32_t step) {
