@@ -22,9 +22,15 @@ class CommandJudge {
     bool is_from_now = false;    ///< somebody who may command says it now: it is no old recording, and verified where that is needed
   };
 
-  /// kObeyed: nothing speaks against it; remember() what became of it. Nothing speaks against an ABORT, ever: stopping once too often costs
-  /// a search, not stopping may cost the vehicle. An issuer that it knows is heard by whatever it says: a repetition, too.
-  [[nodiscard]] Verdict judge(Time arrival, const messages::OperatorCommand& command);
+  enum class Sender : std::uint8_t {
+    kOperator,
+    kVehicle,  ///< this computer, for what its safety record holds: whoever used the number before, its order is a new one
+  };
+
+  /// kObeyed: nothing speaks against it; of an operator's remember() what became of it. Nothing speaks against an ABORT, ever: stopping
+  /// once too often costs a search, not stopping may cost the vehicle. An issuer that it knows is heard by whatever it says: a repetition,
+  /// too.
+  [[nodiscard]] Verdict judge(Time arrival, const messages::OperatorCommand& command, Sender sender = Sender::kOperator);
 
   /// When there is no room for another issuer, the one that was silent for longest is forgotten; its old commands are still recognised by
   /// their dates.

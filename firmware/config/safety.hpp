@@ -53,7 +53,7 @@ enum class Condition : std::uint8_t {
   kLeak,                 ///< water in the hull
   kGroundFault,          ///< current between battery and hull
   kHydrophoneDeaf,       ///< the hydrophone says that it hears nothing
-  kAutopilotDisengaged,  ///< the autopilot says that it follows no set-points
+  kAutopilotDisengaged,  ///< the autopilot reports that it follows no set-points
   kHeadingIgnored,       ///< between heading and set-point
   kDepthIgnored,         ///< between depth and set-point
   kNoProgress,           ///< since the vehicle last came nearer to its way-point
@@ -97,7 +97,7 @@ inline constexpr double kMostTurnRateLimit_deg_per_s = 90.0;
 inline constexpr std::array<ConditionTraits, kConditions> kConditionTraits{{
     {"navigation_age_s", "the age of the newest fix", ConditionTraits::Kind::kAbove, 1e-6, 3600.0},
     {"navigation_jump_m", "the distance of refused fixes from where the vehicle can be", ConditionTraits::Kind::kAbove, 0.0, 1e6},
-    {"navigation_frozen_s", "the time for which fixes say one place although the vehicle should move", ConditionTraits::Kind::kAbove, 0.5,
+    {"navigation_frozen_s", "the time for which fixes give one place although the vehicle should move", ConditionTraits::Kind::kAbove, 0.5,
      3600.0},
     {"snr_age_s", "the age of the newest SNR", ConditionTraits::Kind::kAbove, 1e-6, 3600.0},
     {"vehicle_status_age_s", "the age of the newest vehicle status", ConditionTraits::Kind::kAbove, 0.5, 3600.0},
@@ -115,8 +115,8 @@ inline constexpr std::array<ConditionTraits, kConditions> kConditionTraits{{
     {"battery_at_home_percent", "the charge that will be left at the safe point", ConditionTraits::Kind::kBelow, 0.0, 100.0},
     {"leak", "there is water in the hull", ConditionTraits::Kind::kFlag, 0.0, 0.0},
     {"ground_fault", "there is a ground fault", ConditionTraits::Kind::kFlag, 0.0, 0.0},
-    {"hydrophone_deaf", "the hydrophone says that it is deaf", ConditionTraits::Kind::kFlag, 0.0, 0.0},
-    {"autopilot_disengaged", "the autopilot says that it follows no set-points", ConditionTraits::Kind::kFlag, 0.0, 0.0},
+    {"hydrophone_deaf", "the hydrophone reports that it is deaf", ConditionTraits::Kind::kFlag, 0.0, 0.0},
+    {"autopilot_disengaged", "the autopilot reports that it follows no set-points", ConditionTraits::Kind::kFlag, 0.0, 0.0},
     {"heading_ignored_deg", "the angle between heading and set-point", ConditionTraits::Kind::kAbove, 0.0, 180.0},
     {"depth_ignored_m", "the distance between depth and set-point", ConditionTraits::Kind::kAbove, 0.0, 11'000.0},
     {"no_progress_s", "the time since the vehicle last came nearer to its way-point", ConditionTraits::Kind::kAbove, 1.0, 1e7},

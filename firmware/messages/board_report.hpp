@@ -8,9 +8,9 @@
 namespace earshot::messages {
 
 enum class BoardEvent : std::uint8_t {
-  kStarted = 0,     ///< and knows of no mission; the first thing that it says
+  kStarted = 0,     ///< and knows of no mission; the first thing that it sends
   kArmed = 1,       ///< it has a mission, a policy and ocean tables
-  kRefused = 2,     ///< what it was sent; `status` says why
+  kRefused = 2,     ///< what it was sent; `status` has the reason
   kInputsLost = 3,  ///< fewer inputs have come than the turn counts
   kDecided = 4,     ///< in the turn before
 };

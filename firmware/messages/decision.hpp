@@ -33,10 +33,9 @@ struct Decision {
   std::uint8_t action_count = 0;
   std::array<float, config::kMaxObservation> observation{};
   std::array<float, config::kMaxActions> logits{};
-  std::optional<Bearing> bearing = std::nullopt;  ///< that was heard with the SNR; absent when none was measured
-  std::optional<BeliefSummary> belief;            ///< in the mission's frame; absent when the policy holds none
-  std::optional<FoundDeclaration> found =
-      std::nullopt;  ///< the vehicle says that it has found the source here; its place in the mission's frame
+  std::optional<Bearing> bearing = std::nullopt;         ///< that was heard with the SNR; absent when none was measured
+  std::optional<BeliefSummary> belief;                   ///< in the mission's frame; absent when the policy holds none
+  std::optional<FoundDeclaration> found = std::nullopt;  ///< the vehicle declared the source found here; its place in the mission's frame
 };
 
 /// The first so many of a decision's floats. A size that came from outside may be any: more than there is room for is cut, and what others

@@ -12,12 +12,12 @@ namespace earshot::messages {
   return reason != EndReason::kOutage;
 }
 
-// What there is to say of a search besides its state and its end (dictionary/mission_words.hpp).
-inline constexpr std::string_view kSaysFound = "says that the source is found";
-inline constexpr std::string_view kIsSurprised = "is surprised: what it hears is unlikely in every ocean of its tables";
-inline constexpr std::string_view kSweeps = "sweeps the area: what it hears fits no ocean of its tables";
+// What there is to report of a search besides its state and its end (dictionary/mission_words.hpp).
+inline constexpr std::string_view kSaysFound = "declares the source found";
+inline constexpr std::string_view kIsSurprised = "model mismatch: the measured SNR is unlikely in every ocean of its tables";
+inline constexpr std::string_view kSweeps = "sweeps the area: the measured SNR fits no ocean of its tables";
 /// Of a sweep in a search that nothing has surprised (kSurprising_bits): there is no other reason for one.
-inline constexpr std::string_view kSweepsInSilence = "sweeps the area: it has heard nothing for long, where its tables say that it should";
+inline constexpr std::string_view kSweepsInSilence = "sweeps the area: nothing was detected for long, where its tables predict detections";
 
 /// What else there is to say about a state that has not ended; mostly nothing. That the vehicle is surprised is said apart.
 [[nodiscard]] constexpr std::string_view remark_on(const Health& health, bool was_surprised) {

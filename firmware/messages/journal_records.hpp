@@ -33,7 +33,7 @@ struct MissionRecord {
 
 /// A later part of a journal begins with it.
 struct JournalPart {
-  std::uint32_t part = 0;                ///< counted from 1: the second file says 2
+  std::uint32_t part = 0;                ///< counted from 1: the second file has 2
   std::uint32_t first_record_crc32 = 0;  ///< of the journal's first record, as it stands there: which journal this is a part of
   friend constexpr bool operator==(const JournalPart&, const JournalPart&) = default;
 };
@@ -51,7 +51,7 @@ enum class ControllerState : std::uint8_t {
   kBusOff = 1,        ///< it has left the bus
 };
 
-/// The CAN controller of a port is in trouble from now on, or no longer: its kernel said so. It steers nothing.
+/// The CAN controller of a port is in trouble from now on, or no longer: its kernel reported it. It steers nothing.
 struct ControllerTrouble {
   Time time;
   std::uint8_t port = 0;

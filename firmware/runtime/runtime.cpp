@@ -140,10 +140,11 @@ messages::CommandOutcome Runtime::judge(const messages::Input& input) {
   if (const auto* report = std::get_if<messages::PortReport>(&input.value)) take(*report);
   if (std::holds_alternative<messages::UnsentSetpoints>(input.value)) progress_.is_mute = true;
   safety::Situation& situation = progress_.situation;
-  if (const auto* status = std::get_if<messages::VehicleStatus>(&input.value))
-    take_status(input.arrival, messages::usable_part_of(*status), situation.vehicle);
-  if (const auto* status = std::get_if<messages::AutopilotStatus>(&input.value)) take_status(input.arrival, *status, situation.autopilot);
-  if (const auto* status = std::get_if<messages::HydrophoneStatus>(&input.value)) take_status(input.arrival, *status, situation.hydrophone);
+  if (const auto* status = std::get_if<messages::VehicleStatus>(&input.value)) take(input.arrival, input.port, *status);
+  if (const auto* status = std::get_if<messages::AutopilotStatus>(&input.value))
+    (void)take_status(input.arrival, *status, situation.autopilot);
+  if (const auto* status = std::get_if<messages::HydrophoneStatus>(&input.value))
+    (void)take_status(input.arrival, *status, situation.hydrophone);
   return outcome;
 }
 
@@ -173,13 +174,31 @@ void Runtime::take(Time arrival, std::uint8_t port, const messages::Navigation& 
 }
 
 template <class Status>
-void Runtime::take_status(Time arrival, const Status& status, std::optional<Status>& newest) {
+bool Runtime::take_status(Time arrival, const Status& status, std::optional<Status>& newest) {
   if (!is_in_order(status.time, newest ? newest->time : Time{}, arrival, kStatusMaxAge)) {
     ++progress_.counters.status_refused;
-    return;
+    return false;
   }
   newest = status;
   newest->time = effective(status.time, arrival);
+  return true;
+}
+
+/// An alarm counts also where another sender, whose clock is ahead, has hidden what it says.
+void Runtime::take(Time arrival, std::uint8_t port, const messages::VehicleStatus& status) {
+  safety::Situation& situation = progress_.situation;
+  const bool is_newest = take_status(arrival, messages::usable_part_of(status), situation.vehicle);
+  if (!situation.vehicle || !lies_within(status.time, arrival, kStatusMaxAge)) return;
+  if (is_newest || status.has_leak) situation.leak.take(arrival, port, status.has_leak);
+  if (is_newest || status.has_ground_fault) situation.ground_fault.take(arrival, port, status.has_ground_fault);
+  hold_alarms();
+}
+
+void Runtime::hold_alarms() {
+  safety::Situation& situation = progress_.situation;
+  if (!situation.vehicle) return;
+  situation.vehicle->has_leak = situation.leak.stands();
+  situation.vehicle->has_ground_fault = situation.ground_fault.stands();
 }
 
 void Runtime::take(Time arrival, const messages::SnrMeasurement& measurement) {
@@ -209,13 +228,16 @@ void Runtime::take(const messages::PortReport& report) {
 }
 
 CommandOutcome Runtime::take_command(Time arrival, std::uint8_t port, const messages::OperatorCommand& command) {
-  const authority::CommandJudge::Verdict verdict = progress_.judge.judge(arrival, command);
+  using Sender = authority::CommandJudge::Sender;
+  const Sender sender = port == messages::kOwnPort ? Sender::kVehicle : Sender::kOperator;
+  const authority::CommandJudge::Verdict verdict = progress_.judge.judge(arrival, command, sender);
   if (verdict.is_from_now) progress_.situation.operator_heard = arrival;
   CommandOutcome outcome = verdict.outcome;
   if (!verdict.is_repetition) {
     if (outcome == CommandOutcome::kObeyed) outcome = obey(arrival, command);
     if (outcome != CommandOutcome::kObeyed && outcome != CommandOutcome::kRepeated) ++progress_.counters.commands_refused;
-    if (command.order != Order::kAbort && verdict.outcome == CommandOutcome::kObeyed) progress_.judge.remember(command, outcome);
+    const bool is_to_be_known = command.order != Order::kAbort && sender == Sender::kOperator;
+    if (is_to_be_known && verdict.outcome == CommandOutcome::kObeyed) progress_.judge.remember(command, outcome);
   }
   acknowledge(
       {.time = arrival, .port = port, .issuer = command.issuer, .number = command.number, .order = command.order, .outcome = outcome});

@@ -137,8 +137,10 @@ class Runtime {
   void take(Time arrival, const messages::SnrMeasurement& measurement);
   void take(Time arrival, std::uint8_t port, const messages::BearingMeasurement& measurement);
   void take(const messages::PortReport& report);
+  void take(Time arrival, std::uint8_t port, const messages::VehicleStatus& status);
+  void hold_alarms();
   template <class Status>
-  void take_status(Time arrival, const Status& status, std::optional<Status>& newest);
+  bool take_status(Time arrival, const Status& status, std::optional<Status>& newest);
   messages::CommandOutcome take_command(Time arrival, std::uint8_t port, const messages::OperatorCommand& command);
   [[nodiscard]] messages::CommandOutcome obey(Time arrival, const messages::OperatorCommand& command);
   void acknowledge(const messages::CommandAcknowledgement& acknowledgement);

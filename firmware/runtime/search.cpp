@@ -69,6 +69,9 @@ std::size_t Runtime::choose(NorthEast position, std::span<const float> logits) {
 void Runtime::begin_search(Time now) {
   progress_.state = MissionState::kSearch;
   progress_.situation.search_began = now;
+  progress_.situation.leak.begin();
+  progress_.situation.ground_fault.begin();
+  hold_alarms();
   progress_.situation.track.begin(*progress_.situation.navigation.newest());
   progress_.command.begin();
   progress_.listener.begin_leg(now);  // no leg leads to the start: its newest look is all that it hears

@@ -24,10 +24,16 @@ void NavigationJudge::compare(Time arrival, const messages::Navigation& fix) {
   if (!messages::is_usable(fix) || !lies_within(fix.time, arrival, timeout_)) return;
   messages::Navigation dated = fix;
   dated.time = std::min(fix.time, arrival);
+  const Meters off = contradiction(dated);
+  if (!(off > Meters{0.0})) way_together_ = Meters{0.0};
+  dispute(arrival, off - std::min(way_together_ * kDriftShare, kMostNoise));
+  compare_depth(arrival, dated);
+}
+
+Meters NavigationJudge::contradiction(const messages::Navigation& dated) const {
   const Mark other = mark_of(dated);
   const Mark newest = mark_of(*newest_);
-  dispute(arrival, other.time < newest.time ? excess(other, newest, kNoise) : excess(newest, other, kNoise));
-  compare_depth(arrival, dated);
+  return other.time < newest.time ? excess(other, newest, kNoise) : excess(newest, other, kNoise);
 }
 
 void NavigationJudge::compare_depth(Time arrival, const messages::Navigation& dated) {
@@ -57,7 +63,8 @@ bool NavigationJudge::take(Time arrival, const messages::Navigation& fix, bool i
   messages::Navigation dated = fix;
   dated.time = std::min(fix.time, arrival);  // a sender whose clock is fast does not stay fresh for longer
   if (newest_ && dated.time < newest_->time) {
-    compare(arrival, dated);
+    dispute(arrival, contradiction(dated));
+    compare_depth(arrival, dated);
     return false;
   }
   const bool starts_over = !newest_ || (!is_to_move && arrival - newest_->time > timeout_);  // carried about, as on a ship's deck
@@ -145,15 +152,28 @@ void NavigationJudge::count(bool is_refused) {
 void NavigationJudge::believe(Time arrival, const messages::Navigation& fix, bool is_to_move) {
   const bool stays = newest_ && newest_->position == fix.position && is_to_move;
   if (!stays) moved_ = fix.time;
-  if (!newest_ || !is_to_move || range_between(left_at_, fix.position) > kJitter) {
-    left_ = fix.time;
+  const Meters away = range_between(left_at_, fix.position);
+  if (away < away_) came_nearer_ = fix.time;
+  away_ = away;
+  if (!newest_ || !is_to_move || away > kJitter) {
+    left_ = came_nearer_ = fix.time;
     left_at_ = fix.position;
+    away_ = Meters{0.0};
   }
+  if (newest_is_correction_) counted_ = fix.position;
+  count_way(fix.position);
   newest_ = fix;
   refused_.reset();
   if (jump(arrival) > Meters{0.0} || dispute(arrival) > Meters{0.0}) return;  // an anchor is of a time when nobody contradicted
   move_on(anchor_, mark_of(fix), kAnchorAge);
   move_on(young_anchor_, mark_of(fix), kYoungAnchorAge);
+}
+
+void NavigationJudge::count_way(NorthEast place) {
+  const Meters stride = range_between(counted_, place);
+  if (stride < kStride) return;
+  way_together_ = way_together_ + stride;
+  counted_ = place;
 }
 
 void NavigationJudge::move_on(Anchor& anchor, const Mark& fix, Duration age) {
@@ -169,7 +189,8 @@ Meters NavigationJudge::jump(Time now) const {
 Duration NavigationJudge::frozen() const {
   if (!newest_) return {};
   const Duration jitters = newest_->time - left_;
-  return std::max(newest_->time - moved_, jitters > kSlowMove ? jitters : Duration{});
+  const bool goes_away = away_ > kLastDigits && newest_->time - came_nearer_ >= kSlowMove;
+  return std::max(newest_->time - moved_, jitters > kSlowMove && !goes_away ? jitters : Duration{});
 }
 
 }  // namespace earshot::safety

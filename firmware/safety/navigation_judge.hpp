@@ -38,13 +38,19 @@ class NavigationJudge {
   /// kMostNoise: that is noise. Once three that lay further off have gone on from each other they are a sender's, and one that is slower
   /// than kJumpMemory is remembered for twice the time between its fixes.
   [[nodiscard]] Meters jump(Time now) const;
-  /// For how long fixes have said one place although the vehicle was to move, or places within kJitter for more than kSlowMove.
+  /// For how long fixes have said one place although the vehicle was to move, or places within kJitter for more than kSlowMove. A place
+  /// that has gone away for as long as that, and further than kLastDigits, is not one: a vehicle makes little way against a strong current.
   [[nodiscard]] Duration frozen() const;
 
   /// Whether fixes are taken from another port: from the first that has brought one that is believed, until it has brought none for
   /// kHandover.
   [[nodiscard]] bool is_anothers(std::uint8_t port, Time arrival) const;
-  /// Of a fix by another port than the one that fixes are taken from: holds it against those.
+  /// Of a fix by another port than the one that fixes are taken from: holds it against those. Two honest sources go apart with the way, as
+  /// a dead reckoning does from a true fix: what is tolerated between two ports grows with the way since they last agreed within kNoise,
+  ///
+  ///   tolerated = kNoise + min(kDriftShare * way, kMostNoise)
+  ///
+  /// and is never more than by what a refused fix of the same port may be off without a doubt: a liar's bound stays what it is.
   void compare(Time arrival, const messages::Navigation& fix);
   void hold(std::uint8_t port, Time arrival);
 
@@ -74,8 +80,14 @@ class NavigationJudge {
   static constexpr double kNoisyShare = 1.0 / 3.0;  ///< of some sixteen fixes
   static constexpr Meters kMostNoise{50.0};
   static constexpr Duration kHandover = Duration::seconds(3);
-  /// Of a receiver's last digits; a vehicle that makes more than a tenth of that a second is not still.
+  /// Of its way, by what a dead reckoning with a Doppler log is off at the most.
+  static constexpr double kDriftShare = 0.02;
+  /// The way is counted in such strides: noise is none.
+  static constexpr Meters kStride{10.0};
+  /// Of a receiver's noise; a vehicle that makes more than a tenth of that a second is not still.
   static constexpr Meters kJitter{0.25};
+  /// Of positions as a bus rounds them.
+  static constexpr Meters kLastDigits{0.05};
   static constexpr Duration kSlowMove = Duration::seconds(3);
 
  private:
@@ -93,6 +105,8 @@ class NavigationJudge {
   static void move_on(Anchor& anchor, const Mark& fix, Duration age);
   [[nodiscard]] Meters excess(const Mark& from, const Mark& to, Meters noise) const;
   [[nodiscard]] Meters excess(const Mark& fix) const;
+  [[nodiscard]] Meters contradiction(const messages::Navigation& dated) const;
+  void count_way(NorthEast place);
   void dispute(Time arrival, Meters by);
   void compare_depth(Time arrival, const messages::Navigation& dated);
   struct Correction {
@@ -128,9 +142,13 @@ class NavigationJudge {
   Time moved_;         ///< date of the last fix of another place, or after which the vehicle was not told to move
   Time left_;          ///< likewise, of the last that lay further than kJitter from the one before it that did
   NorthEast left_at_;  ///< its place
+  Meters away_;        ///< from there, of the newest
+  Time came_nearer_;   ///< likewise, date of the last that was nearer to it than the one before, or that fix itself
   Time disputed_;      ///< arrival
   Meters dispute_;
   Duration dispute_memory_ = kJumpMemory;
+  NorthEast counted_;    ///< up to where the way is
+  Meters way_together_;  ///< since two ports last agreed
   Time depth_disputed_;  ///< arrival
   Meters depth_dispute_;
   Time held_;  ///< arrival of the newest that is believed

@@ -75,8 +75,9 @@ void PlaceEstimate::take(const messages::Navigation& fix, const messages::Setpoi
   const Meters anywhere = is_anywhere ? Meters{vehicle.max_speed.value * seconds} : Meters{0.0};
   by_log_.take(fix, way, kShare * length_of(way) + anywhere);
 
-  const bool may_have_stopped = apart > kUnheard;
+  const bool may_have_stopped = apart > kUnheard && (!stopped_ || fix.time - *stopped_ >= kBetweenStops);
   if (may_have_stopped) {
+    stopped_ = fix.time;
     ordered_.reset();
     ordered_speed_ = {};
   }

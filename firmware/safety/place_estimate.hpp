@@ -68,6 +68,8 @@ class PlaceEstimate {
   static constexpr Duration kFarApart = Duration::seconds(3);
   /// While nobody hears of it for longer, its own computers may have been away: it may have stopped, and needs to come to its speed again.
   static constexpr Duration kUnheard = Duration::seconds(5);
+  /// That is granted once in so long: whose fixes always come as rarely is held to its orders.
+  static constexpr Duration kBetweenStops = Duration::seconds(600);
   /// Until it has the speed that it is told.
   static constexpr Duration kGathersWay = Duration::seconds(10);
   /// Where nobody says how strong it may be: tides in straits.
@@ -82,7 +84,8 @@ class PlaceEstimate {
   NorthEast each_second_;           ///< through the water, as it says
   std::optional<Radians> ordered_;  ///< heading
   MetersPerSecond ordered_speed_;
-  double turning_s_ = 0.0;  ///< until it points where it is told, and is as fast
+  std::optional<Time> stopped_;  ///< when it may have done so last
+  double turning_s_ = 0.0;       ///< until it points where it is told, and is as fast
 };
 
 }  // namespace earshot::safety

@@ -11,6 +11,7 @@
 #include "firmware/safety/depth_estimate.hpp"
 #include "firmware/safety/navigation_judge.hpp"
 #include "firmware/safety/place_estimate.hpp"
+#include "firmware/safety/standing_alarm.hpp"
 #include "firmware/safety/track.hpp"
 
 namespace earshot::safety {
@@ -25,8 +26,10 @@ struct Situation {
   Track track;
   DepthEstimate depth;
   PlaceEstimate place;
-  std::optional<Time> mute_since;  ///< since when no set-point could be sent
-  std::optional<messages::VehicleStatus> vehicle;
+  std::optional<Time> mute_since;                  ///< since when no set-point could be sent
+  std::optional<messages::VehicleStatus> vehicle;  ///< the newest; of its alarms those that stand, whoever told them
+  StandingAlarm leak;
+  StandingAlarm ground_fault;
   std::optional<messages::AutopilotStatus> autopilot;
   std::optional<messages::HydrophoneStatus> hydrophone;
   std::optional<messages::Setpoint> commanded;  ///< the last set-point

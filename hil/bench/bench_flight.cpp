@@ -7,6 +7,7 @@
 #include <thread>
 #include <utility>
 
+#include "firmware/boards/linux/outage/safety_places.hpp"
 #include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/program/child_process.hpp"
@@ -45,8 +46,9 @@ bool is_killed_once(const Case& c) {
 void remove_earlier_flight(const std::filesystem::path& folder) {
   const std::filesystem::path journal = folder / kJournal;
   for (const host::JournalName& name : host::journals_beside(journal)) std::filesystem::remove(host::named(journal, name));
-  for (const char* const file : {"journal.policy", "journal.tables", "journal.safety", "vehicle.txt", "track.csv", "disk_is_sick", kWords})
+  for (const char* const file : {"journal.policy", "journal.tables", "vehicle.txt", "track.csv", "disk_is_sick", kWords})
     std::filesystem::remove(folder / file);
+  for (const host::SafetyCopy& copy : board::safety_places(folder, {}, {})) std::filesystem::remove(copy.file);
   std::filesystem::remove_all(folder / kMemory);
 }
 

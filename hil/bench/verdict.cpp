@@ -103,11 +103,11 @@ void judge_notice(const Case& c, const JournalFindings& journal, std::vector<std
         return trouble.trouble == state && trouble.is_there == begins;
       });
     };
-    if (is_of_controller(fault.fault) && !says(true)) wrong.push_back("the journal does not say that it began: " + in_words(fault));
+    if (is_of_controller(fault.fault) && !says(true)) wrong.push_back("the journal does not report that it began: " + in_words(fault));
     if (is_of_controller(fault.fault) && fault.until && !says(false))
-      wrong.push_back("the journal does not say that it ended: " + in_words(fault));
+      wrong.push_back("the journal does not report that it ended: " + in_words(fault));
     if (fault.fault == Fault::kSoundDropout && fault.until && journal.lost.at(c.sound_port) == 0)
-      wrong.emplace_back("the journal does not say that samples were lost");
+      wrong.emplace_back("the journal does not report that samples were lost");
   }
 }
 
@@ -200,7 +200,7 @@ std::vector<std::string> unmet_expectations(const Case& c, const BenchFlight& fl
   const bool is_told = c.expected.end == messages::EndReason::kNone && journal.end == messages::EndReason::kOperatorAbort;
   const bool is_journalled = flight.end != messages::EndReason::kOutage;  // who brings the vehicle up then needs none, and writes none
   if (!loses_journal(c) && !is_told && is_journalled && flight.end != journal.end)
-    wrong.emplace_back("the journal says another end than earshotd's last answer");
+    wrong.emplace_back("the journal has another end than earshotd's last answer");
   if (flight.end != c.expected.end)
     wrong.push_back(std::string("the mission ended otherwise: ") + messages::to_string(flight.end) +
                     ", not: " + messages::to_string(c.expected.end));

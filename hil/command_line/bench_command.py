@@ -1,4 +1,4 @@
-"""Flies missions with faults with the real earshotd on a CAN bus or over LCM, and says which cases of the bench passed.
+"""Flies missions with faults with the real earshotd on a CAN bus or over LCM, and reports which cases passed.
 
 Without --interface it does so on a virtual bus, in user-mode Linux where this kernel has no SocketCAN. Cases over LCM
 need no CAN bus, and are flown within this machine, alone where no bus can be made. It builds what it needs, which takes
@@ -66,7 +66,7 @@ def read_command_line(words: list[str]) -> argparse.Namespace:
         type=whole_number(0, (1 << 63) - 1),
         default=1,
         metavar="N",
-        help="draws which frames a fault befalls (default: 1)",
+        help="draws which frames a fault is injected into (default: 1)",
     )
     parser.add_argument(
         "--random",

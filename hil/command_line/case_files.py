@@ -43,7 +43,7 @@ def _read_table(file: Path) -> dict[str, Any]:
 def _when_of(file: Path) -> str:
     when = _read_table(file).get("when")
     if not isinstance(when, str):
-        raise BadInput(f"{file}: when: must be a text that says what the case does")
+        raise BadInput(f"{file}: when: must be a text that describes what the case does")
     return when
 
 

@@ -28,7 +28,7 @@ class Programs:
 
     def version(self) -> str:
         """Of the earshotd that flies, with its commit."""
-        unknown = "an earshotd that does not say its version"
+        unknown = "an earshotd that does not give its version"
         try:
             asked = subprocess.run(
                 [self.earshotd, "--version"],

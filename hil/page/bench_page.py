@@ -35,9 +35,9 @@ th{color:var(--soft);font-weight:600}th,td{overflow-wrap:normal}
 
 # For one who has read nothing else of Earshot.
 _IN_SHORT = """Each case is a search by Earshot, the software of an underwater vehicle, with something
-made wrong on purpose. A rule is a limit that Earshot watches by itself; when it fires, it does what its mission says
+made wrong on purpose. A rule is a limit that Earshot watches by itself; when it fires, it does what its mission orders
 (response).
-The source is reached where the operator says so: one step of the search (mostly 1 km) away from it."""
+The source is reached where the operator sends COMPLETE: one step of the search (mostly 1 km) away from it."""
 
 
 def headline(results: list[CaseResult], not_flown: list[str]) -> str:

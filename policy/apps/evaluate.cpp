@@ -83,10 +83,11 @@ void add_options(program::CommandLine& line, Options& o) {
   line.option("--mission", &o.mission,
               "mission file: its area, depth, speed, steps, limits, listening and tables; without a POLICY its policy, too")
       .names("a file");
-  o.search.add_to(line, {.source = "what the policies were trained with, changing when none says it",
-                         .start = "what the policies were trained with, inside_border when none says it; --border-width-m, --max-steps and "
-                                  "--vehicle-depth-m likewise",
-                         .listening = "what the .policy files have, newest when none is evaluated"});
+  o.search.add_to(line,
+                  {.source = "what the policies were trained with, changing when none states it",
+                   .start = "what the policies were trained with, inside_border when none states it; --border-width-m, --max-steps and "
+                            "--vehicle-depth-m likewise",
+                   .listening = "what the .policy files have, newest when none is evaluated"});
   line.option(
           "--tables", &o.tables,
           "oceans that policies and ocean_search think possible (.tables, or folders of them); of several those for a world's depth and "
@@ -100,16 +101,16 @@ void add_options(program::CommandLine& line, Options& o) {
   line.option("--csv", &o.csv, "also write the table there");
   line.option("--plot", &o.plot, "also draw it there (.png or .svg)");
   line.option("--paths", &o.paths, "also write there where every search went, step by step (CSV)");
-  line.flag(
-      "--declared", &o.declared,
-      "as at sea, nobody tells a searcher that the source is found: a search of one that declares it itself (ocean_search) ends when it "
-      "does so within a step length of a source");
+  line.flag("--declared", &o.declared,
+            "as at sea, nobody reports to a searcher that the source is found: a search of one that declares it itself (ocean_search) ends "
+            "when it "
+            "does so within a step length of a source");
   line.flag("--timing", &o.timing, "write the time per decision into the files too, whose bytes then differ from run to run");
   line.flag("--force", &o.force, command_line::kForceHelp);
   line.footer(
       "By name:\n  shipped             the policy that ships (policy/frozen)" + names_of_baselines() +
-      "\nAll fly the same starts in the same worlds. In a world all but the oracles go by what the --environment says is heard, learned "
-      "policies by what their file says; the vehicle is as deep as the world says. Who was trained for another search than is flown is "
+      "\nAll fly the same starts in the same worlds. In a world all but the oracles go by what is heard by the --environment, learned "
+      "policies by what their file states; the vehicle is as deep as the world states. Who was trained for another search than is flown is "
       "warned of.\n"
       "mpirun -n N earshot evaluate ... shares the searches out.\n"
       "Example: earshot evaluate --policies shipped,bayes,oracle --episodes 3000 --json evaluation.json");
@@ -143,7 +144,8 @@ std::vector<std::string> warnings_of(std::span<const evaluate::Candidate> candid
   return warnings;
 }
 
-std::vector<evaluate::WorldFile> worlds_of(const Options& o, const std::filesystem::path& environment, Meters depth) {
+std::vector<evaluate::WorldFile> worlds_of(const Options& o, const std::filesystem::path& environment, const search::Scenario& scenario,
+                                           Meters depth) {
   if (o.suite && !o.worlds.empty())
     throw BadInput("--suite, --world " + o.worlds.front() + ": --suite is every world of policy/worlds; give one of the two");
   std::vector<std::filesystem::path> files(o.worlds.begin(), o.worlds.end());
@@ -159,10 +161,8 @@ std::vector<evaluate::WorldFile> worlds_of(const Options& o, const std::filesyst
     }
     worlds.push_back(evaluate::load_world(files[i]));
   }
-  if (worlds.empty()) {
-    search::Scenario own = command_line::scenario_at(environment, depth);
-    worlds.push_back({.name = environment.stem().string(), .what = own.environment.name, .seed = 1, .scenario = std::move(own)});
-  }
+  if (worlds.empty())
+    worlds.push_back({.name = environment.stem().string(), .what = scenario.environment.name, .seed = 1, .scenario = scenario});
   for (evaluate::WorldFile& world : worlds) {
     world.seed = o.seed.value_or(world.seed);
     if (o.search.vehicle_depth_m || !world.vehicle_depth) world.vehicle_depth = depth;
@@ -339,8 +339,9 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
   if (mission) evaluate::apply(*mission, candidates, task.settings);
   const std::filesystem::path environment_file =
       o.search.environment ? std::filesystem::path(*o.search.environment) : host::shipped("sim/ocean/environments/munk_flat.toml");
-  const ocean::Environment environment = command_line::scenario_at(environment_file, task.depth).environment;
-  std::vector<evaluate::WorldFile> worlds = worlds_of(o, environment_file, task.depth);
+  const search::Scenario scenario = command_line::scenario_at(environment_file, task.depth);
+  const ocean::Environment& environment = scenario.environment;
+  std::vector<evaluate::WorldFile> worlds = worlds_of(o, environment_file, scenario, task.depth);
   if (mission) evaluate::apply(*mission, o.search.vehicle_depth_m.has_value(), worlds);
   task.settings.source = source_of(leading, environment, o.search.environment.has_value());
   if (!o.search.listening.is_given() && !mission) evaluate::check_same_listening(candidates);
@@ -392,7 +393,7 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  program::CommandLine line("earshot evaluate", "Flies many simulated searches with policies and baselines and says how they did.");
+  program::CommandLine line("earshot evaluate", "Flies many simulated searches with policies and baselines and reports how they did.");
   Options options;
   add_options(line, options);
   return command_line::run_ranked(line, argc, argv, [&](parallel::RankSession& session) { evaluate_policies(options, session); });

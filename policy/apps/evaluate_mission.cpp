@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/input_file.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/policy/unverified_policy.hpp"
@@ -39,8 +40,10 @@ void require_alike(const FlownMission& mission, const std::string& key, double s
 }  // namespace
 
 FlownMission read_mission(const std::filesystem::path& path) {
-  search::require_kind("--mission", path, search::FileKind::kMission);
-  return {.path = path, .file = host::load_mission(path)};
+  const std::string text = host::read_text(path, host::kTomlFile);
+  const host::TomlFile file(path, text);
+  search::require_kind("--mission", file, search::FileKind::kMission);
+  return {.path = path, .file = host::load_mission(file, text)};
 }
 
 Candidate policy_of(const FlownMission& mission) {

@@ -111,14 +111,14 @@ void write_decision_report(const DecisionOptions& o) {
   host::write_whole(o.output, in_format_of(o.output, made));
   for (const std::string& sentence : report::sentences(made.account)) program::say() << sentence << "\n";
   program::say() << "Integrated gradients: " << report::completeness_to_string(made.account.attribution) << ".\n"
-                 << host::printable(o.output.string()) << ": step " << o.step << " of " << host::printable(flight.journal_path.string())
-                 << "\n";
+                 << "wrote " << host::printable(o.output.string()) << ": step " << o.step << " of "
+                 << host::printable(flight.journal_path.string()) << "\n";
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  program::CommandLine line("earshot explain", "Draws what a policy does, and says of one recorded decision why it was taken.");
+  program::CommandLine line("earshot explain", "Draws what a policy does, and explains why one recorded decision was taken.");
   line.footer(
       "Examples:\n"
       "  earshot explain map policy/frozen/fixed_source.policy --source 10000,10000 --environment sim/ocean/environments/munk_flat.toml -o "

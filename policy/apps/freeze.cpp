@@ -63,7 +63,7 @@ std::string search_of(const freeze::TrainedActor& actor, const Options& options)
   if (actor.search && options.search) throw BadInput("carries its own search description; --search is for models that carry none");
   if (actor.search) return *actor.search;
   if (options.search) return host::read_text(*options.search, host::kJsonFile);
-  throw BadInput("does not say what it was trained to search: save it with earshot_gym.sb3.save or export_onnx, or give --search");
+  throw BadInput("does not state what it was trained to search: save it with earshot_gym.sb3.save or export_onnx, or give --search");
 }
 
 policy::ActionDraw draw_of(const Options& options) {
@@ -111,7 +111,7 @@ std::unique_ptr<policy::FrozenPolicy> freeze_foreign(const std::string& bytes, c
 }
 
 std::unique_ptr<policy::FrozenPolicy> freeze_again(const std::string& text, const std::filesystem::path& file, const Options& options) {
-  if (options.search) throw BadInput("--search: a policy says itself what it was trained to search");
+  if (options.search) throw BadInput("--search: a policy states itself what it was trained to search");
   const std::vector<std::uint8_t> bytes(text.begin(), text.end());
   std::unique_ptr<policy::FrozenPolicy> policy = freeze::thaw(bytes, file.string());
   const std::string key = host::to_text(freeze::signer_of(bytes));
@@ -122,7 +122,7 @@ std::unique_ptr<policy::FrozenPolicy> freeze_again(const std::string& text, cons
 
 /// A policy for the search of a run file, which nothing is trained for.
 std::unique_ptr<policy::FrozenPolicy> freeze_untrained(const std::filesystem::path& file, const Options& options) {
-  if (options.search) throw BadInput("--search: a run file says itself what is searched");
+  if (options.search) throw BadInput("--search: a run file states itself what is searched");
   const ppo::TrainingRun run = ppo::load_run(file);
   if (run.state != description::State::kBelief)
     throw BadInput(file.string() + ": state = \"" + std::string(description::name_of(run.state)) +
@@ -140,7 +140,7 @@ std::unique_ptr<policy::FrozenPolicy> freeze_model(const std::filesystem::path& 
   if (file.extension() == ".toml") return freeze_untrained(file, options);
   if (freeze::is_policy(bytes)) return freeze_again(bytes, file, options);
   if (freeze::is_foreign_model(bytes, file.string())) return freeze_foreign(bytes, file, options, files);
-  if (options.search) throw BadInput("--search: a checkpoint says itself what it was trained to search");
+  if (options.search) throw BadInput("--search: a checkpoint states itself what it was trained to search");
   const ppo::Checkpoint checkpoint = ppo::from_text(bytes, file.string());
   return naming(file, [&] { return freeze::freeze(checkpoint, draw_of(options)); });
 }

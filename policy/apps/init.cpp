@@ -69,7 +69,7 @@ void add_options(program::CommandLine& line, Options& o) {
           [](const std::string& name) { return host::is_interface_name(name) ? std::string() : std::string(host::kInterfaceNameRule); })
       .shows_default();
   line.flag("--hear", &s.hears,
-            "the vehicle has a hydrophone, and measures the SNR itself: the mission's tables for it, and no port that tells one; "
+            "the vehicle has a hydrophone, and measures the SNR itself: the mission's tables for it, and no port that brings one; "
             "for a sound of 9.1 to 740 Hz");
   line.option("--battery-percent", &s.battery_percent, "a rule that ends the search when the battery is below this")
       .between(own_search::kBattery_percent.lowest, own_search::kBattery_percent.highest);
@@ -80,7 +80,8 @@ void add_options(program::CommandLine& line, Options& o) {
   line.option("--fence-m", &s.fence_m,
               "a fence so far outside of the area: the vehicle is steered back from twice, and the mission aborted at four times that")
       .between(own_search::kFence_m.lowest, own_search::kFence_m.highest);
-  line.flag("--own-tables", &s.own_tables, "believe in oceans of your own: README.md there says how earshot tables makes tables of them");
+  line.flag("--own-tables", &s.own_tables,
+            "believe in oceans of your own: README.md there explains how earshot tables makes tables of them");
   line.flag("--force", &o.force,
             "replace a folder that earshot init made, with what was changed in it; its key, tables, flights and journals stay");
 }
@@ -115,7 +116,7 @@ void run(const program::CommandLine& line, const Options& o) {
   if (o.search.battery_percent && !o.search.battery_percent_per_km)
     program::say() << "how far the battery lasts is left open: put your vehicle's battery_percent_per_km into\n"
                    << (o.folder / own_search::kMissionFile).string() << " (or --battery-percent-per-km)\n";
-  program::say() << (o.folder / own_search::kReadmeFile).string() << " says how to check this search and fly it\n";
+  program::say() << (o.folder / own_search::kReadmeFile).string() << " explains how to check this search and fly it\n";
 }
 
 }  // namespace
@@ -126,7 +127,7 @@ int main(int argc, char** argv) {
   line.footer(
       "The ocean tables that ship are of 20 Hz, 27 to 363 m deep, and of 35 Hz at 30, 100 and 300 m (each within a tenth), as far as 35.4 "
       "km. For\n"
-      "another search, and with --own-tables, README.md in DIR says with which command tables are made.\n"
+      "another search, and with --own-tables, README.md in DIR gives the command with which tables are made.\n"
       "Example: earshot init my_search --latitude-deg 47.5 --longitude-deg -8 --depth-m 200 --speed-mps 1.5");
   Options options;
   add_options(line, options);

@@ -22,7 +22,7 @@ namespace {
 
 using namespace earshot;
 
-/// Says on standard error what the page lacks. @return the exit status
+/// Reports on standard error what the page lacks. @return the exit status
 int say_what_is_missing(const std::filesystem::path& folder_or_journal, const report::Flight& flight) {
   const bool is_folder = std::filesystem::is_directory(folder_or_journal);
   const std::filesystem::path& folder = folder_or_journal;
@@ -63,7 +63,7 @@ int write_report(const std::filesystem::path& folder, host::Replace replace) try
   host::require_writable(std::move(read), std::array{host::Output{"the page", page, host::kHtmlOutput}}, replace);
   const report::Pictures pictures = report::pictures_of(flight);
   host::write_whole(page, report::page(flight, pictures, report::explain_flight(folder)));
-  program::say() << host::printable(page.string()) << ": " << steps_and_decisions(flight) << "\n";
+  program::say() << "wrote " << host::printable(page.string()) << ": " << steps_and_decisions(flight) << "\n";
   program::detail() << folder.string() << ": " << flight.journal.decisions.size() << " decisions in " << flight.journal.records
                     << " records of the journal, " << flight.track.size() << " rows of track.csv, " << flight.snr.size() << " of snr.csv\n";
   tell_others(folder, flight);
@@ -81,7 +81,7 @@ int main(int argc, char** argv) {
       "DIR/report.html, a page that needs no other file. A flight at sea leaves its journal and policy alone, and its page is of these;\n"
       "where it left several journals, earshot report DIR/journal-2.lcmlog writes the page of one, DIR/journal-2.html.\n"
       "Exit status: 0 written, 1 written of what is there: a file is missing, or the journal is cut or damaged, which standard error "
-      "says,\n"
+      "reports,\n"
       "2 something of the flight cannot be read or the page cannot be made.");
   std::filesystem::path folder;
   bool force = false;

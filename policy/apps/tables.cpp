@@ -73,7 +73,7 @@ void add_options(program::CommandLine& line, Options& o) {
               "--variants-of writes them); may be given several times: none is merged either, and each weighs as much as one other table")
       .one_each_time();
   line.option("-o,--output", &o.output, "tables to write (.tables)");
-  line.option("--show", &o.show, "say what these tables are (.tables), and make none");
+  line.option("--show", &o.show, "print what these tables are (.tables), and make none");
   line.option("--plot", &o.plot, "also draw SNR against range in every ocean there (.png or .svg)");
   line.option("--vehicle-depth-m", &o.vehicle_depth_m, "depth of the vehicle, metres").shows_default().between(0.1, 12'000.0);
   line.option("--furthest-m", &o.furthest_m, "furthest that a source may be from the vehicle, metres (the diagonal of 25 km x 25 km)")
@@ -85,11 +85,11 @@ void add_options(program::CommandLine& line, Options& o) {
   line.option("--at-most", &o.at_most, "tables; of more oceans those that are most alike become one")
       .shows_default()
       .from(1, config::kMaxOceanTables);
-  line.option("--origin", &o.origin, "where the environments come from, in words: the file says so");
+  line.option("--origin", &o.origin, "where the environments come from, in words: the file states it");
   o.key.add_to(line);
   line.flag("--force", &o.force, command_line::kForceHelp);
   line.footer(
-      "An ocean whose sea floor lies above the vehicle is left out, which is said.\n"
+      "An ocean whose sea floor lies above the vehicle is left out, which is reported.\n"
       "Example: earshot tables sim/ocean/environments/munk_flat.toml -o mine.tables --key mine.key --new-key\n"
       "         earshot tables --show mine.tables --plot mine.png");
 }
@@ -237,7 +237,7 @@ void require_no_tables(const std::vector<std::string>& environments) {
   for (const std::string& file : environments) {
     if (std::filesystem::path(file).extension() == ".tables")
       throw BadInput("ENVIRONMENT " + file + ": is a file of tables, not an environment: earshot tables --show " + file +
-                     " says what is in it");
+                     " prints what is in it");
   }
 }
 
@@ -299,7 +299,7 @@ void make(const Options& o) {
 
 int main(int argc, char** argv) {
   program::CommandLine line("earshot tables",
-                            "Makes the signed file of what a vehicle believes possible of the ocean, or says what is in one.");
+                            "Makes the signed file of what a vehicle believes possible of the ocean, or prints what is in one.");
   Options options;
   add_options(line, options);
   return command_line::run(line, argc, argv, [&] { options.show ? show(options) : make(options); });

@@ -26,13 +26,13 @@ std::unique_ptr<Searcher> make_oracle(const PriorKnowledge& prior) {
 
 constexpr std::array kCatalogue{
     Entry{"oracle", "knows the source and goes straight to it, heedless of the border"},
-    Entry{"oracle_lookahead", "knows the source, looks one step ahead at the border"},
+    Entry{"oracle_lookahead", "knows the source, considers the border one step ahead"},
     Entry{"random", "random walk"},
     Entry{"lawn_mower", "parallel tracks, twice the assured detection range apart"},
     Entry{"sweep", "parallel tracks over all of the area, two step lengths apart: what a vehicle falls back to"},
     Entry{"expanding_square", "square spiral about the start, tracks two step lengths apart"},
     Entry{"gradient", "goes on while it grows louder, turns when it grows fainter"},
-    Entry{"bayes", "belief in the ocean that it is told of, goes to the likeliest cell"},
+    Entry{"bayes", "belief in the known ocean, goes to the likeliest cell"},
     Entry{"bayes_least_regret", "the same belief, takes the action that it expects to cost least"},
     Entry{"ocean_search", "belief over place and ocean, takes the action that it expects to cost least"},
     Entry{"infotaxis", "the belief of ocean_search, takes the step after which least is expected to be left to search (space-aware)"},

@@ -8,7 +8,8 @@ namespace earshot::command_line {
 
 void ListeningOptions::add_to(program::CommandLine& line, const std::string& otherwise) {
   line.option("--listening", &listening,
-              "what an observation hears of its step: the newest look, or the loudest or mean of those in the window that were measured (" +
+              "what an observation hears of its step: the newest SNR measurement, or the loudest or mean of those in the window that were "
+              "measured (" +
                   otherwise + ")")
       .one_of({config::kListeningWords.begin(), config::kListeningWords.end()});
   const std::string allowed = "1 to " + std::to_string(config::kMaxListeningSeconds);

@@ -3,7 +3,6 @@
 #include <sstream>
 
 #include "firmware/host/toml/table_reader.hpp"
-#include "sim/search/scenario/file_kind.hpp"
 #include "sim/search/scenario/placement.hpp"
 #include "sim/search/scenario/scenario_file.hpp"
 #include "sim/sonar/sonar_field.hpp"
@@ -47,8 +46,7 @@ void ScenarioOptions::apply_to(search::SearchSettings& settings) const {
 
 search::Scenario scenario_at(const std::filesystem::path& path, Meters vehicle_depth) {
   if (path.empty()) throw BadInput("--environment: no environment file given");
-  search::require_kind("--environment", path, search::FileKind::kEnvironment);
-  search::Scenario scenario = search::load_scenario(path);
+  search::Scenario scenario = search::load_scenario(path, "--environment");
   check_vehicle_depth(scenario.environment, path, vehicle_depth);
   return scenario;
 }

@@ -13,7 +13,8 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view kFormat = "earshot search 1";
 
 void check_normalisation(const Json& json) {
-  if (!json.contains("normalisation")) throw BadInput("normalisation: missing; nothing says that the network saw the observation as it is");
+  if (!json.contains("normalisation"))
+    throw BadInput("normalisation: missing; nothing states that the network saw the observation as it is");
   if (json.at("normalisation") != "none")
     throw BadInput("normalisation: only a policy that saw the observation as it is (none) can be frozen");
 }

@@ -223,7 +223,7 @@ std::string as_text(std::span<const Row> rows) {
                     "     mean                       median"},
                    reward);
   text += table_of(rows,
-                   {"    path /    left     heard surprised at look  decision  pondering",  //
+                   {"    path /    left     heard  mismatch  at SNR  decision   refining",  //
                     "      line  area %     times         %  number        us         us"},
                    way_and_decisions);
   for (const Row& row : rows) text += said_by(row);

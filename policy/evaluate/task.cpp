@@ -49,7 +49,7 @@ class Differences {
 void compare_sources(const TrainedTask& trained, const TestedTask& tested, Differences& all) {
   const SourcePlacement searched = tested.settings.placement;
   const std::string kind(search::name_of(searched));
-  if (!trained.source) return all.say("does not say which source it was trained with and is tested with a " + kind + " one");
+  if (!trained.source) return all.say("does not state which source it was trained with and is tested with a " + kind + " one");
   if (*trained.source != searched) {
     return all.add("with a " + std::string(search::name_of(*trained.source)) + " source",
                    "with a " + kind + " one: another search than it is made for");
@@ -112,7 +112,7 @@ void check_same_source(std::span<const Candidate> candidates) {
     const std::optional<SourcePlacement> other = trained_task(c).source;
     if (!other || *other == source) continue;
     throw host::BadInput(first->name + " was trained with a " + std::string(search::name_of(source)) + " source, " + c.name + " with a " +
-                         std::string(search::name_of(*other)) + " one: say which to search for with --source");
+                         std::string(search::name_of(*other)) + " one: choose with --source which to search for");
   }
 }
 

@@ -45,8 +45,8 @@ std::filesystem::path shipped_world(const std::string& name) try {
 
 WorldFile load_world(const std::filesystem::path& path) {
   require_there(path);
-  search::require_kind("--world", path, search::FileKind::kWorld);
   const host::TomlFile file(path);
+  search::require_kind("--world", file, search::FileKind::kWorld);
   host::TableReader root = file.root();
   WorldFile world{.name = root.text("name"), .what = root.text("what"), .scenario = {}};
   world.seed = static_cast<std::uint64_t>(root.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));

@@ -26,6 +26,7 @@ std::vector<ActionAccount> actions_of(const Circumstances& c, const RecordedDeci
                        .hear = expected_hearing(place, sound, end - c.south_west),
                        .detected = static_cast<double>(outlook.detected),
                        .found = static_cast<double>(outlook.found),
+                       .found_soon = static_cast<double>(outlook.reach),
                        .approach = expected_approach(place, decision.position - c.south_west, end - c.south_west),
                        .border = static_cast<double>(outlook.border)});
   }

@@ -23,6 +23,7 @@ struct ActionAccount {
   ExpectedHearing hear;                        ///< at its end
   double detected = 0.0;                       ///< probability of a detection at its end
   double found = 0.0;                          ///< probability that its end lies within a step length of the source
+  double found_soon = 0.0;                     ///< probability that the source is found within policy::kReachSteps steps, this one first
   Meters approach;                             ///< expected decrease of the distance to the source
   double border = 0.0;                         ///< how deep its end lies in the border: 0 inside, 1 at the edge, more beyond
   std::optional<double> worth = std::nullopt;  ///< 1 the best, 0 the worst, of a policy that goes by its belief's advice alone

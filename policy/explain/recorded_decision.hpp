@@ -22,7 +22,7 @@ struct RecordedDecision {
   bool sweeping = false;    ///< the action is a sweep's, not the policy's
   float surprise_bits = 0.0F;
   bool was_surprised = false;                             ///< then, or before in this search
-  std::optional<float> found_probability = std::nullopt;  ///< where the vehicle says that it has found the source
+  std::optional<float> found_probability = std::nullopt;  ///< where the vehicle declared the source found
   NorthEast waypoint;
   std::vector<float> observation;
   std::vector<float> logits;

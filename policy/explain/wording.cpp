@@ -10,6 +10,8 @@ namespace {
 
 using policy::Feature;
 
+constexpr double kDegreesPerPoint = 22.5;
+
 enum class Unit : std::uint8_t { kMeters, kDecibels, kShare, kCount };
 
 Unit unit_of(Feature feature) {
@@ -75,14 +77,17 @@ std::string degrees_to_string(double degrees) {
   return text.data();
 }
 
-std::string direction_name(const UnitNorthEast& direction) {
+std::string compass_point(double degrees) {
   constexpr std::array<std::string_view, 16> kPoints{"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
                                                      "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"};
+  const double point = std::round(std::fmod(degrees + 360.0, 360.0) / kDegreesPerPoint);
+  return std::string(kPoints[static_cast<std::size_t>(point) % kPoints.size()]);
+}
+
+std::string direction_name(const UnitNorthEast& direction) {
   const double degrees = std::fmod(std::atan2(direction.east, direction.north) * 180.0 / std::numbers::pi + 360.0, 360.0);
-  const double point = degrees / 22.5;
-  const double nearest = std::round(point);
-  if (std::abs(point - nearest) < 1e-6) return std::string(kPoints[static_cast<std::size_t>(nearest) % kPoints.size()]);
-  return degrees_to_string(degrees);
+  const double point = degrees / kDegreesPerPoint;
+  return std::abs(point - std::round(point)) < 1e-6 ? compass_point(degrees) : degrees_to_string(degrees);
 }
 
 std::string name_of(const policy::ObservationElement& element, const FixedVector<UnitNorthEast, config::kMaxActions>& actions) {
@@ -133,7 +138,7 @@ std::string name_of(const policy::ObservationElement& element, const FixedVector
     case Feature::kRegret:
       return going("expected extra cost of the search by going");
     case Feature::kPreference:
-      return going("worth (1 the best, 0 the worst) of going");
+      return going("action value (1 the best, 0 the worst) of going");
     case Feature::kApproach:
       return going("nearer to the likeliest place by going");
     default:

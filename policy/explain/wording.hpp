@@ -25,6 +25,10 @@ enum class Subject : std::uint8_t {
 /// @param degrees  clockwise from north, above -360
 [[nodiscard]] std::string degrees_to_string(double degrees);
 
+/// The nearest of the sixteen points of the compass, "NNE".
+/// @param degrees  clockwise from north, above -360
+[[nodiscard]] std::string compass_point(double degrees);
+
 /// "N", "NE", "NNE" where a direction is one of the sixteen points of the compass; otherwise degrees, "014°".
 [[nodiscard]] std::string direction_name(const UnitNorthEast& direction);
 

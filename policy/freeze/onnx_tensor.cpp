@@ -150,12 +150,12 @@ void OnnxTensorReader::fill_from_file(const std::vector<std::string_view>& entri
   const std::uint64_t rest = place.offset <= file.size() ? file.size() - place.offset : 0;
   const std::uint64_t length = place.length.value_or(rest);
   if (place.offset > file.size() || length > rest) {
-    throw BadInput("offset = " + std::to_string(place.offset) + ", length = " + std::to_string(length) + ": reaches beyond the " +
+    throw BadInput("offset = " + std::to_string(place.offset) + ", length = " + std::to_string(length) + ": extends beyond the " +
                    std::to_string(file.size()) + " bytes of " + place.location);
   }
   const std::uint64_t size = size_of(tensor.shape);
   if (length != size * sizeof(float)) {
-    throw BadInput("length = " + std::to_string(length) + ": not as many numbers as its shape says, 4 bytes each");
+    throw BadInput("length = " + std::to_string(length) + ": not as many numbers as its shape states, 4 bytes each");
   }
   if (size > values_left_) throw BadInput("more weights than any policy that flies");
   values_left_ -= size;
@@ -178,7 +178,7 @@ OnnxTensor OnnxTensorReader::read(std::string_view bytes) {
     if (described.value_fields.size() + (described.is_external ? 1U : 0U) > 1U) throw BadInput("its values stand in more than one place");
     const std::uint64_t size = size_of(tensor.shape);
     if (described.is_external) fill_from_file(described.entries, tensor);
-    if (tensor.values.size() != size) throw BadInput("not as many numbers as its shape says");
+    if (tensor.values.size() != size) throw BadInput("not as many numbers as its shape states");
   } catch (const BadInput& e) {
     throw BadInput("initializer " + tensor.name + ": " + e.what());
   }

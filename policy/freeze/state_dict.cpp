@@ -93,7 +93,7 @@ class Reader {
     check_contiguous(tensor.shape, naturals(pickle_, pickle_.at(call.items[3])));
     const std::size_t size = size_of(tensor.shape);
     const std::size_t stored = storage.size() / sizeof(float);
-    if (offset > stored || size > stored - offset) throw BadInput("reaches beyond its storage");
+    if (offset > stored || size > stored - offset) throw BadInput("extends beyond its storage");
     tensor.values.resize(size);
     static_assert(std::endian::native == std::endian::little);
     std::memcpy(tensor.values.data(), storage.data() + offset * sizeof(float), size * sizeof(float));

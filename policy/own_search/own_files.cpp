@@ -66,7 +66,7 @@ void replace_line(std::string& text, const std::string& begin, const std::string
 
 std::string noise_remark(const OwnSearch& search) {
   const std::string frequency = toml_number(search.frequency_hz) + " Hz";
-  if (search.noise_db) return "  # in the detector's band, as --noise-db said";
+  if (search.noise_db) return "  # in the detector's band, from --noise-db";
   return "  # in the detector's band: Wenz curves at " + frequency + ", about, for ships and wind of 5 m/s (90 dB at 20 Hz)";
 }
 
@@ -160,7 +160,8 @@ std::string fence_table(const OwnSearch& search) {
 std::string consumption(const OwnSearch& search) {
   if (!search.battery_percent_per_km)
     return "# battery_percent_per_km =       # put your vehicle's value here: what a kilometre through the water, at search speed, takes\n"
-           "                                 # of its battery; without it nothing says how far that lasts, and earshot fly cannot simulate "
+           "                                 # of its battery; without it nothing states how far that lasts, and earshot fly cannot "
+           "simulate "
            "it\n";
   return "battery_percent_per_km = " + toml_number(*search.battery_percent_per_km) +
          "     # through the water, at search speed; earshot fly --battery-percent 100 simulates it\n";
@@ -176,7 +177,7 @@ std::string battery_rules(const OwnSearch& search) {
          toml_number(*search.battery_percent) +
          "\nfor_s = 30.0\n"
          "then = \"abort\"                   # and come up\n\n"
-         "[[rule]]                         # the battery is known as long as the vehicle tells it: at sea let this do more than warn\n"
+         "[[rule]]                         # the battery is known as long as the vehicle reports it: at sea let this do more than warn\n"
          "when = \"vehicle_status_age_s\"\n"
          "above = 60.0\n"
          "then = \"warn\"\n\n";
@@ -189,14 +190,15 @@ bool is_battery_simulated(const OwnSearch& search) {
 std::string battery_remark(const OwnSearch& search) {
   if (!search.battery_percent) return "";
   const std::string rule = "\n- The search ends when the battery is below " + toml_number(*search.battery_percent) + " %. ";
-  const std::string untold = "no battery is told, and the rule about `vehicle_status_age_s` warns of that after a minute.";
+  const std::string untold = "no battery is reported, and the rule about `vehicle_status_age_s` warns of that after a minute.";
   if (is_battery_simulated(search))
     return rule +
            "`earshot fly --battery-percent 100` begins with a full one, of which each kilometre takes the mission's "
            "`battery_percent_per_km`; without that option " +
            untold;
   return rule +
-         "How far it lasts `mission.toml` does not say yet: put there what a kilometre takes of your vehicle's (`battery_percent_per_km`). "
+         "How far it lasts `mission.toml` does not state yet: put there what a kilometre takes of your vehicle's "
+         "(`battery_percent_per_km`). "
          "Then "
          "`earshot fly --battery-percent 100` simulates it; until then " +
          untold;
@@ -218,7 +220,7 @@ std::string extra_tables(const OwnSearch& search) {
 std::string mission_text(const OwnSearch& search, FliesBy by) {
   TemplateText mission = shipped_text(kMissions / mission_of(search.bus));
   mission.set_heading(
-      "# A search of one's own, made by earshot init: README.md beside it says how to check and to fly it.\n"
+      "# A search of one's own, made by earshot init: README.md beside it explains how to check and to fly it.\n"
       "# Lengths are metres north and east of the origin, depth is positive down.");
   mission.set("area", "north_m", toml_number(search.area_north_m));
   mission.set("area", "east_m", toml_number(search.area_east_m));
@@ -294,7 +296,7 @@ std::string readme_text(const OwnSearch& search, FliesBy by, const fs::path& fol
         "The first makes `search.tables`, what the vehicle believes possible of the ocean: here `ocean.toml` alone. At sea the ocean is "
         "not known so well: name as many "
         "files as there are oceans that may be true there. It is needed once, and again after a change of depth, area or frequency. ";
-  text += std::string(to_be_made ? "The second" : "The first") + " says what the mission will do, and what may be wrong with it. The " +
+  text += std::string(to_be_made ? "The second" : "The first") + " prints what the mission will do, and what may be wrong with it. The " +
           (to_be_made ? "third" : "second") + " flies it in the ocean of `ocean.toml`" + (search.bus == "lcm" ? "" : kOverLcm) +
           " and leaves `flight/report.html`.\n\n"
           "| file | what | change it for |\n|---|---|---|\n"
@@ -308,7 +310,7 @@ std::string readme_text(const OwnSearch& search, FliesBy by, const fs::path& fol
         "| `search.tables` | the oceans that the vehicle thinks possible | made again by `earshot tables` |\n"
         "| `search.key`, `search.pub` | sign both; the mission trusts the public half | keep `search.key` off the vehicle |\n";
   text +=
-      "\nEvery key of both TOML files says beside it what it means. After a change, check and fly again.\n\n"
+      "\nEvery key of both TOML files has its meaning beside it. After a change, check and fly again.\n\n"
       "- The size of the area must be the policy's, depth (within a tenth) and frequency (within a twentieth) those of its ocean tables: "
       "what does not fit is refused, with "
       "the values that do.\n"

@@ -31,7 +31,8 @@ DecisionReport make_decision_report(const RecordedFlight& flight, std::size_t in
 
 std::string title_of(const DecisionReport& report) {
   const explain::DecisionAccount& a = report.account;
-  return "Step " + std::to_string(a.decision.step) + ": why it went " + a.actions[a.decision.action].name;
+  return "Step " + std::to_string(a.decision.step) + (a.decision.sweeping ? ": a sweep, going " : ": why it went ") +
+         a.actions[a.decision.action].name;
 }
 
 std::string as_html(const DecisionReport& report) {
@@ -49,8 +50,8 @@ std::string as_html(const DecisionReport& report) {
       "doubles "
       "the chance, one of -0.69 halves it.</p>\n" +
       attribution_tables(a, kRows);
-  text += "<h2>What was heard</h2>\n" + looks_table(report.looks());
-  text += "<h2>Everything it saw</h2>\n<details><summary>" + std::to_string(a.observed.size()) + " numbers</summary>\n" +
+  text += "<h2>What it measured</h2>\n" + looks_table(report.looks());
+  text += "<h2>All numbers that the policy received</h2>\n<details><summary>" + std::to_string(a.observed.size()) + " numbers</summary>\n" +
           observation_table(a) + "</details>\n";
   return text + std::string(kHtmlEnd);
 }
@@ -60,17 +61,19 @@ std::string as_markdown(const DecisionReport& report) {
   std::string text = "# " + title_of(report) + "\n" + subtitle(report) + "\n\n";
   if (!notes(report).empty()) text += notes(report) + "\n\n";
   for (const std::string& sentence : sentences(a)) text += "- " + sentence + "\n";
-  text += "\n| direction | chosen with (%) | would hear (dB) | detects (%) | finds (%) | nearer by (km) |\n|---|---|---|---|---|---|\n";
+  text +=
+      "\n| direction | chosen with (%) | expected SNR (dB) | detects (%) | finds (%) | finds within 3 steps (%) | nearer by (km) "
+      "|\n|---|---|---|---|---|---|---|\n";
   for (const explain::ActionAccount& action : a.actions) {
     text += "| " + action.name + " | " + fixed(100.0 * action.probability, 0) + " | " + fixed(action.hear.snr.value, 1) + " \u00B1 " +
             fixed(action.hear.spread.value, 1) + " | " + fixed(100.0 * action.detected, 0) + " | " + fixed(100.0 * action.found, 1) +
-            " | " + fixed(action.approach.value / 1e3, 2) + " |\n";
+            " | " + fixed(100.0 * action.found_soon, 1) + " | " + fixed(action.approach.value / 1e3, 2) + " |\n";
   }
   text += "\n| observation | seen | baseline | part | chance |\n|---|---|---|---|---|\n";
   for (const explain::ObservedAccount& o : explain::weightiest(a, kRows))
     text += "| " + o.name + " | " + o.value + " | " + o.baseline + " | " + fixed(o.part, 3) + " | " + factor_to_string(o.part) + " |\n";
   text += "\nCompared with " + to_string(a.baseline) + ": " + completeness_to_string(a.attribution) + ".\n";
-  text += "\n| step | north (km) | east (km) | heard |\n|---|---|---|---|\n";
+  text += "\n| step | north (km) | east (km) | SNR |\n|---|---|---|---|\n";
   for (const explain::RecordedDecision& look : report.looks())
     text += "| " + std::to_string(look.step) + " | " + fixed(look.position.north.value / 1e3, 2) + " | " +
             fixed(look.position.east.value / 1e3, 2) + " | " + to_string(look.reception) + (look.detected ? ", a detection" : "") + " |\n";

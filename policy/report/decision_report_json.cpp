@@ -62,6 +62,7 @@ ordered_json actions(const explain::DecisionAccount& a) {
                     {"snr_spread_db", action.hear.spread.value},
                     {"detection_probability", action.detected},
                     {"found_probability", action.found},
+                    {"found_within_three_steps_probability", action.found_soon},
                     {"expected_approach_m", action.approach.value},
                     {"border", action.border}});
   return rows;

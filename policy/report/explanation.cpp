@@ -35,38 +35,45 @@ std::string place_to_string(NorthEast place) {
   return fixed(place.north.value / 1e3, 2) + " km north, " + fixed(place.east.value / 1e3, 2) + " km east";
 }
 
-std::string bearing_to_string(NorthEast from, NorthEast to) {
+/// Clockwise from north.
+double bearing_deg(NorthEast from, NorthEast to) {
   const NorthEast way = to - from;
-  return explain::degrees_to_string(bearing_of(way.north.value, way.east.value).value * 180.0 / std::numbers::pi);
+  return bearing_of(way.north.value, way.east.value).value * 180.0 / std::numbers::pi;
 }
 
-std::string heard_sentence(const DecisionAccount& a) {
+/// "3.2 km NE"
+std::string likeliest_place(const DecisionAccount& a) {
+  const NorthEast likeliest = a.area.south_west + a.place.likeliest;
+  return km(range_between(a.decision.position, likeliest)) + " " + explain::compass_point(bearing_deg(a.decision.position, likeliest));
+}
+
+std::string measured_sentence(const DecisionAccount& a) {
   const std::string threshold = fixed(a.detection_threshold.value, 0) + " dB";
   if (a.decision.reception.too_faint)
-    return "It heard nothing that could be measured: the signal lies under " + fixed(a.decision.reception.snr.value, 1) + " dB.";
-  return "It heard " + to_string(a.decision.reception) + ", " +
-         (a.decision.detected ? "a detection (threshold " + threshold + ")." : "under the threshold of " + threshold + ": no detection.");
+    return "The signal was too faint to measure: the SNR is below " + fixed(a.decision.reception.snr.value, 1) + " dB.";
+  return "It measured an SNR of " + to_string(a.decision.reception) + ", " +
+         (a.decision.detected ? "a detection (threshold " + threshold + ")." : "below the threshold of " + threshold + ": no detection.");
 }
 
 std::string belief_sentence(const DecisionAccount& a) {
-  const NorthEast likeliest = a.area.south_west + a.place.likeliest;
+  const double bearing = bearing_deg(a.decision.position, a.area.south_west + a.place.likeliest);
   return std::string(a.belief_is_the_policys ? "It believes" : "An observer would believe (this policy holds no belief)") +
-         " that the source is most likely " + km(range_between(a.decision.position, likeliest)) + " away, bearing " +
-         bearing_to_string(a.decision.position, likeliest) + "; with 50 % it lies within " + square_km(a.place.smallest_area_km2(0.5)) +
-         ", with 95 % within " + square_km(a.place.smallest_area_km2(0.95)) + ".";
+         " that the source is most likely " + likeliest_place(a) + " (bearing " + explain::degrees_to_string(bearing) +
+         "); with 50 % it lies within " + square_km(a.place.smallest_area_km2(0.5)) + ", with 95 % within " +
+         square_km(a.place.smallest_area_km2(0.95)) + ".";
 }
 
-std::string found_sentence(const DecisionAccount& a) {
-  return "It says that the source is found: with " + percent(static_cast<double>(*a.decision.found_probability)) +
-         " it lies within a step of here.";
+std::string declared_sentence(const DecisionAccount& a) {
+  return "It declared the source found: with " + percent(static_cast<double>(*a.decision.found_probability)) +
+         " the source lies within a step of here.";
 }
 
 std::string sweep_sentence(const DecisionAccount& a) {
-  if (!a.decision.was_surprised)
-    return "It has heard nothing for long, where its tables say that it should: it sweeps the area, and went " +
-           a.actions[a.decision.action].name + ".";
-  return "What it heard fits no ocean of its tables (surprise " + fixed(static_cast<double>(a.decision.surprise_bits), 1) +
-         " bits): it sweeps the area, and went " + a.actions[a.decision.action].name + ".";
+  const std::string sweep =
+      "It sweeps the whole area in parallel tracks, not by the policy, and went " + a.actions[a.decision.action].name + ": ";
+  if (!a.decision.was_surprised) return sweep + "it had detected nothing for long, where its tables predict detections.";
+  return sweep + "the SNR that it measured fits no ocean of its tables (model-mismatch score " +
+         fixed(static_cast<double>(a.decision.surprise_bits), 1) + " bits).";
 }
 
 std::string choice_sentence(const DecisionAccount& a) {
@@ -79,8 +86,9 @@ std::string choice_sentence(const DecisionAccount& a) {
 
 std::string expectation_sentence(const DecisionAccount& a) {
   const explain::ActionAccount& taken = a.actions[a.decision.action];
-  return "There one would expect to hear " + fixed(taken.hear.snr.value, 1) + " dB, give or take " + fixed(taken.hear.spread.value, 1) +
-         " dB: a detection with " + percent(taken.detected) + ", the source found with " + percent(taken.found) + ".";
+  return "At the end of this step it expects an SNR of " + fixed(taken.hear.snr.value, 1) + " dB, give or take " +
+         fixed(taken.hear.spread.value, 1) + " dB: a detection with " + percent(taken.detected) + ", the source found with " +
+         percent(taken.found) + ".";
 }
 
 std::string safety_sentence(const DecisionAccount& a) {
@@ -90,25 +98,25 @@ std::string safety_sentence(const DecisionAccount& a) {
          place_to_string(a.decision.waypoint) + ".";
 }
 
-/// "W was worth the most, 1.00 (the worst is worth 0); next came SW with 0.93 and N with 0.90."
-std::string worth_sentence(const DecisionAccount& a) {
-  constexpr std::size_t kOthers = 2;
-  std::vector<const explain::ActionAccount*> others;
+/// "0.90 km"
+std::string nearer(const explain::ActionAccount& action) {
+  return fixed(action.approach.value / 1e3, 2) + " km";
+}
+
+/// Of the directions that were not taken the one that the policy made most of.
+const explain::ActionAccount* next_best(const DecisionAccount& a) {
+  const explain::ActionAccount* best = nullptr;
+  const auto rank = [](const explain::ActionAccount& action) { return action.worth.value_or(action.probability); };
   for (std::size_t i = 0; i < a.actions.size(); ++i) {
-    if (i != a.decision.action && a.actions[i].worth) others.push_back(&a.actions[i]);
+    if (i != a.decision.action && (best == nullptr || rank(a.actions[i]) > rank(*best))) best = &a.actions[i];
   }
-  std::ranges::stable_sort(others, [](const auto* x, const auto* y) { return *x->worth > *y->worth; });
-  if (others.size() > kOthers) others.erase(others.begin() + kOthers, others.end());
-  const explain::ActionAccount& taken = a.actions[a.decision.action];
-  const bool is_best = others.empty() || *taken.worth >= *others.front()->worth;
-  std::string text = "By its belief's advice " + taken.name + " was worth " + (is_best ? "the most, " : "") + fixed(*taken.worth, 2) +
-                     " (of 1 for the best and 0 for the worst)";
-  const char* separator = is_best ? "; next came " : "; beside it ";
-  for (const explain::ActionAccount* other : others) {
-    text += separator + other->name + " with " + fixed(*other->worth, 2);
-    separator = " and ";
-  }
-  return text + ".";
+  return best;
+}
+
+/// Of a policy that goes by its belief's action values alone: how much it made of the direction, and of the next best.
+std::string rating_sentence(const explain::ActionAccount& taken, const explain::ActionAccount& next) {
+  return "All costs of the search together, the belief rates " + taken.name + " " + fixed(*taken.worth, 2) + " and " + next.name + " " +
+         fixed(next.worth.value_or(0.0), 2) + " (1: the best direction, 0: the worst).";
 }
 
 constexpr const char* kTimes = "\u00D7 ";
@@ -152,8 +160,27 @@ double largest_part(const std::vector<explain::ObservedAccount>& observed) {
 
 }  // namespace
 
+std::string why_this_direction(const DecisionAccount& a) {
+  constexpr double kWorthNaming = 0.01;
+  const explain::ActionAccount& taken = a.actions[a.decision.action];
+  const explain::ActionAccount* const next = next_best(a);
+  if (next == nullptr) return "Why " + taken.name + ": the policy has no other direction.";
+  const std::string likeliest =
+      "Why " + taken.name + " and not " + next->name + ", the next best: the likeliest place is " + likeliest_place(a) + "; ";
+  const std::string promised =
+      taken.name + " promises to find the source within three steps with " + percent(taken.found_soon) + ", " + next->name;
+  const bool is_near = std::max(taken.found_soon, next->found_soon) >= kWorthNaming;
+  const bool is_alike = percent(taken.found_soon) == percent(next->found_soon);
+  if (is_near && !is_alike) return likeliest + promised + " with " + percent(next->found_soon) + ".";
+  return likeliest + (is_near ? promised + " as much" : "neither finds it within three steps") + "; on average over the belief " +
+         taken.name + " comes " + nearer(taken) + " nearer and detects it with " + percent(taken.detected) + ", " + next->name + " " +
+         nearer(*next) + " and " + percent(next->detected) + ".";
+}
+
 std::string because(const DecisionAccount& a) {
-  if (a.actions[a.decision.action].worth) return worth_sentence(a);
+  const explain::ActionAccount& taken = a.actions[a.decision.action];
+  const explain::ActionAccount* const next = next_best(a);
+  if (taken.worth && next != nullptr) return rating_sentence(taken, *next);
   std::string text = "What weighed most:";
   const char* separator = " ";
   for (const explain::ObservedAccount& o : explain::weightiest(a, 3)) {
@@ -164,13 +191,13 @@ std::string because(const DecisionAccount& a) {
 }
 
 std::vector<std::string> sentences(const DecisionAccount& a) {
-  std::vector<std::string> all{heard_sentence(a), belief_sentence(a)};
-  if (a.decision.found_probability) all.push_back(found_sentence(a));
+  std::vector<std::string> all{measured_sentence(a), belief_sentence(a)};
+  if (a.decision.found_probability) all.push_back(declared_sentence(a));
   if (a.decision.sweeping) {
     all.push_back(sweep_sentence(a));
     return all;  // what the policy would have done, nobody did
   }
-  for (std::string sentence : {choice_sentence(a), expectation_sentence(a), safety_sentence(a), because(a)})
+  for (std::string sentence : {why_this_direction(a), because(a), choice_sentence(a), expectation_sentence(a), safety_sentence(a)})
     all.push_back(std::move(sentence));
   return all;
 }
@@ -209,7 +236,7 @@ std::string to_string(const messages::Bearing& bearing) {
 }
 
 std::string looks_table(std::span<const explain::RecordedDecision> looks) {
-  std::string text = "<div class=\"table\"><table>\n<tr><th>step</th><th>at</th><th>north (km)</th><th>east (km)</th><th>heard</th></tr>\n";
+  std::string text = "<div class=\"table\"><table>\n<tr><th>step</th><th>at</th><th>north (km)</th><th>east (km)</th><th>SNR</th></tr>\n";
   for (std::size_t i = looks.size(); i > 0 && looks.size() - i < kLooksShown; --i) {
     const explain::RecordedDecision& look = looks[i - 1];
     text += "<tr><td>" + std::to_string(look.step) + "</td><td>" + duration(look.time_s - looks.front().time_s) + "</td><td>" +
@@ -222,17 +249,17 @@ std::string looks_table(std::span<const explain::RecordedDecision> looks) {
 
 std::string actions_table(const DecisionAccount& a) {
   std::string text =
-      "<div class=\"table\"><table>\n<tr><th class=\"left\">direction</th><th>chosen with (%)</th><th>would hear (dB)</th><th>detects "
+      "<div class=\"table\"><table>\n<tr><th class=\"left\">direction</th><th>chosen with (%)</th><th>expected SNR (dB)</th><th>detects "
       "(%)</th>"
-      "<th>finds (%)</th><th>nearer by (km)</th><th>border</th></tr>\n";
+      "<th>finds (%)</th><th>finds within 3 steps (%)</th><th>nearer by (km)</th><th>border</th></tr>\n";
   for (std::size_t i = 0; i < a.actions.size(); ++i) {
     const explain::ActionAccount& action = a.actions[i];
     const bool is_taken = i == a.decision.action;
     text += std::string("<tr><td class=\"left\">") + (is_taken ? "<b>" + action.name + "</b> taken" : action.name) + "</td>" +
             percent_cell("", action.probability, is_taken) + "<td>" + fixed(action.hear.snr.value, 1) + " &plusmn; " +
             fixed(action.hear.spread.value, 1) + "</td><td>" + fixed(100.0 * action.detected, 0) + "</td><td>" +
-            fixed(100.0 * action.found, 1) + "</td><td>" + fixed(action.approach.value / 1e3, 2) + "</td><td>" +
-            (action.border > 0.0 ? fixed(action.border, 2) : "-") + "</td></tr>\n";
+            fixed(100.0 * action.found, 1) + "</td><td>" + fixed(100.0 * action.found_soon, 1) + "</td><td>" +
+            fixed(action.approach.value / 1e3, 2) + "</td><td>" + (action.border > 0.0 ? fixed(action.border, 2) : "-") + "</td></tr>\n";
   }
   return text + "</table></div>\n";
 }

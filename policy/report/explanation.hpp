@@ -10,11 +10,14 @@ namespace earshot::report {
 
 // One decision in words and tables: what a report and a row of a flight's page have in common.
 
-/// Sentences that a watch officer reads first: heard, believed, chosen, expected, safety, why.
+/// Sentences that a watch officer reads first: measured, believed, why this direction, chosen, expected, safety; of a sweep why it sweeps.
 [[nodiscard]] std::vector<std::string> sentences(const explain::DecisionAccount& account);
 
-/// The last of them: what spoke for the action that was taken. Of a policy that goes by its belief's advice alone how much that made of it,
-/// and of the next best; of a trained one what it saw that weighed most.
+/// One of them: why this direction and not the next best, in physical words: where the source is believed to be, and what each promises.
+[[nodiscard]] std::string why_this_direction(const explain::DecisionAccount& account);
+
+/// The next: what spoke for it to the policy. Of one that goes by its belief's action values alone how it and the next best are rated; of
+/// a trained one which of its observations weighed most.
 [[nodiscard]] std::string because(const explain::DecisionAccount& account);
 
 /// "a vehicle in the middle of the area that has heard nothing yet"

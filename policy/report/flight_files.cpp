@@ -17,7 +17,7 @@
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/messages/health.hpp"
 #include "policy/description/json_fault.hpp"
-#include "policy/report/search_account.hpp"
+#include "sim/search/account/search_account.hpp"
 
 namespace earshot::report {
 namespace {
@@ -47,13 +47,20 @@ void check_summary(const std::filesystem::path& path, const nlohmann::json& summ
   for (const char* key : {"reward", "distance_m", "sim_time_s", "wall_time_s", "detection_threshold_db"})
     require(key, is_number(value(key)), "a number");
   if (summary.contains("battery_percent")) require("battery_percent", is_number(summary.at("battery_percent")), "a number");
+  for (const char* key : {"depth_m", "speed_mps", "source_frequency_hz"})
+    require(key, !summary.contains(key) || is_number(value(key)), "a number");
+  require("flown_utc", !summary.contains("flown_utc") || value("flown_utc").is_string(), "a text");
+  const nlohmann::json origin = value("origin");
+  const bool is_geographic = origin.is_object() && is_number(origin.value("latitude_deg", nlohmann::json())) &&
+                             is_number(origin.value("longitude_deg", nlohmann::json()));
+  require("origin", origin.is_null() || is_geographic, "latitude_deg, longitude_deg");
   for (const char* key : {"end_reason", "environment", "mission"}) require(key, value(key).is_string(), "a text");
   for (const char* key : {"source", "start"}) require(key, is_place(value(key)), "a place: north_m, east_m");
   const nlohmann::json area = value("area");
   const bool is_area =
       area.is_object() && is_place(area.value("south_west", nlohmann::json())) && is_place(area.value("north_east", nlohmann::json()));
   require("area", is_area, "two places: south_west, north_east");
-  if (const std::string fault = fault_in_account(summary); !fault.empty()) throw BadInput(path.string() + ": " + fault);
+  if (const std::string fault = search::fault_in_account(summary); !fault.empty()) throw BadInput(path.string() + ": " + fault);
 }
 
 nlohmann::json read_summary(const std::filesystem::path& path) {

@@ -16,7 +16,8 @@ body { margin: 0 auto; max-width: 62rem; padding: 2rem 1.25rem 4rem; background:
 h1 { font-size: 1.7rem; line-height: 1.25; margin: 0 0 .25rem; } h2 { font-size: 1.15rem; margin: 2.25rem 0 .75rem; } p { color: var(--soft); margin: .25rem 0; }
 .found { color: var(--good); } .missed { color: var(--bad); }
 dl { display: grid; grid-template-columns: repeat(auto-fit, minmax(9.5rem, 1fr)); gap: .75rem; margin: 1.25rem 0 0; }
-dl div { background: var(--card); border-radius: .5rem; padding: .6rem .8rem; } dt { color: var(--soft); font-size: .82rem; } dd { margin: 0; font-size: 1.2rem; font-variant-numeric: tabular-nums; }
+dl div { background: var(--card); border-radius: .5rem; padding: .6rem .8rem; } dt { color: var(--soft); font-size: .82rem; } dd { margin: 0; font-size: 1.2rem; font-variant-numeric: tabular-nums; } dd.meaning { color: var(--soft); font-size: .82rem; line-height: 1.35; }
+.note { color: var(--ink); border-left: .25rem solid var(--bar); padding: .1rem 0 .1rem .8rem; margin: .6rem 0; }
 .chart { max-width: 38rem; margin: 0 auto; } .chart svg { display: block; width: 100%; height: auto; } .cells image { image-rendering: pixelated; }
 .table { overflow-x: auto; }
 table { border-collapse: collapse; width: 100%; font-size: .85rem; font-variant-numeric: tabular-nums; } th { color: var(--soft); font-weight: 600; vertical-align: bottom; }
@@ -51,8 +52,9 @@ std::string html_head(const std::string& title) {
          "<body onbeforeprint=\"for (const part of document.querySelectorAll('details')) part.open = true\">\n";
 }
 
-std::string fact(std::string_view name, const std::string& value) {
-  return "<div><dt>" + std::string(name) + "</dt><dd>" + value + "</dd></div>\n";
+std::string fact(std::string_view name, const std::string& value, const std::string& meaning) {
+  return "<div><dt>" + std::string(name) + "</dt><dd>" + value + "</dd>" +
+         (meaning.empty() ? "" : "<dd class=\"meaning\">" + meaning + "</dd>") + "</div>\n";
 }
 
 std::string percent_cell(std::string_view name, double share, bool is_taken) {

@@ -14,7 +14,8 @@ inline constexpr std::string_view kHtmlEnd = "</body></html>\n";
 using plot::escaped;
 
 /// A `dt` and a `dd` in a box; belongs into a `dl`.
-[[nodiscard]] std::string fact(std::string_view name, const std::string& value);
+/// @param meaning  what name or value mean, in one line below; none
+[[nodiscard]] std::string fact(std::string_view name, const std::string& value, const std::string& meaning = "");
 
 /// A cell in percent whose background is a bar, as long as the cell where the share is one.
 /// @param name  of one of many columns, shown in the cell where a narrow screen has no room for the table's head; none: a wide column

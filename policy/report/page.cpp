@@ -15,8 +15,9 @@
 #include "policy/report/recorded_flight.hpp"
 #include "policy/report/sea/sea_page.hpp"
 #include "policy/report/sea/sea_plots.hpp"
-#include "policy/report/search_account.hpp"
 #include "policy/report/sound/sound_plots.hpp"
+#include "sim/search/account/numbers.hpp"
+#include "sim/search/account/search_account.hpp"
 #include "sim/search/actions/compass_directions.hpp"
 #include "sim/search/settings.hpp"
 
@@ -27,9 +28,9 @@ using explain::fixed;
 
 constexpr std::size_t kRowsOfAttribution = 5;
 
-std::string account_paragraph(const SearchAccount& account) {
-  const std::string said = to_string(account);
-  return said.empty() ? "" : "<p>" + escaped(said) + "</p>\n";
+std::string account_paragraph(const search::SearchAccount& account) {
+  const std::string text = search::to_string(account);
+  return text.empty() ? "" : "<p>" + escaped(text) + "</p>\n";
 }
 
 /// A rule or an order may end the mission within a step: its decision was taken, the step was not.
@@ -39,10 +40,16 @@ std::string unfinished_step(const Flight& flight, std::size_t steps) {
   return "<p>The mission ended within the step of the last of " + std::to_string(decisions) + " decisions, which does not count.</p>\n";
 }
 
-/// "declared_found" is what a summary of an earlier version says.
-bool is_ended_by_declaration(const nlohmann::json& summary) {
-  const nlohmann::json& reason = summary.at("end_reason");
-  return reason == messages::key_of(messages::EndReason::kFound) || reason == "declared_found";
+constexpr const char* kSimulationNote =
+    "<p class=\"note\">This flight is a simulation. Ocean, noise and source are computed, and no vehicle was at sea. What decided is the "
+    "software that flies on the vehicle. It measured the SNR at its own place, and nothing more: it never saw where the source is, nor the "
+    "coloured field of the map.</p>\n";
+
+/// The account of a summary; an earlier version's does not have the rule that ended the flight, but its journal does.
+search::SearchAccount account_of(const Flight& flight) {
+  search::SearchAccount account = search::account_in(flight.summary);
+  if (account.ending_rule.empty() && flight.ending_rule) account.ending_rule = *flight.ending_rule;
+  return account;
 }
 
 /// The flight's summary counts a step that the source cut short as the others: one count, with a word about the last.
@@ -51,18 +58,12 @@ std::string headline(const Flight& flight) {
   if (flight.sea) return sea_headline(*flight.sea, flight.journal) + account_paragraph(flight.sea->account);
   if (s.is_null()) return "<h1 class=\"missed\">A flight without its end</h1>\n";
   const int steps = s.at("steps");
-  const std::string count = std::to_string(steps) + (steps == 1 ? " step" : " steps");
-  const SearchAccount account = account_in(s);
-  std::string text;
-  if (s.at("found").get<bool>())
-    text = "<h1 class=\"found\">Source found after " + count + "</h1>\n";
-  else if (is_ended_by_declaration(s) && account.declared_range_m)
-    text = "<h1 class=\"missed\">After " + count + " declared found" + declared_where(account) + "</h1>\n";
-  else
-    text = "<h1 class=\"missed\">Source not found in " + count +
-           "</h1>\n<p>The mission ended because: " + escaped(host::spelled_apart(s.at("end_reason"))) +
-           (flight.ending_rule ? ": " + escaped(*flight.ending_rule) : "") + "</p>\n";
-  text += unfinished_step(flight, static_cast<std::size_t>(steps));
+  const search::SearchAccount account = account_of(flight);
+  const search::Verdict verdict = search::verdict_on(account);
+  std::string text = std::string("<h1 class=\"") + (verdict.is_found ? "found" : "missed") + "\">" + escaped(verdict.text) + "</h1>\n";
+  if (const std::string end = search::end_to_string(account); !account.is_found && verdict.text.find(end) == std::string::npos)
+    text += "<p>The mission ended after " + std::to_string(steps) + (steps == 1 ? " step: " : " steps: ") + escaped(end) + ".</p>\n";
+  text += kSimulationNote + unfinished_step(flight, static_cast<std::size_t>(steps));
   if (s.value("whole_steps", steps) < steps) text += "<p>The last step was cut short by the source.</p>\n";
   return text + account_paragraph(account) + "<p>Seed " + std::to_string(s.at("seed").get<std::uint64_t>()) + " &middot; mission " +
          escaped(s.at("mission").get<std::string>()) + " &middot; ocean " + escaped(s.at("environment").get<std::string>()) + "</p>\n";
@@ -78,18 +79,37 @@ std::string shortcomings(const Flight& flight) {
   return text;
 }
 
+/// What was searched for, where, how and when; a summary of an earlier version knows less.
+std::string conditions(const nlohmann::json& s) {
+  const nlohmann::json origin = s.value("origin", nlohmann::json());
+  const NorthEast size = place_in(s.at("area").at("north_east")) - place_in(s.at("area").at("south_west"));
+  std::string text;
+  if (s.contains("source_frequency_hz")) text += fact("frequency of the source", fixed(s.at("source_frequency_hz"), 1) + " Hz");
+  if (s.contains("depth_m")) text += fact("depth of the vehicle", fixed(s.at("depth_m"), 0) + " m");
+  if (s.contains("speed_mps")) text += fact("speed of the vehicle", fixed(s.at("speed_mps"), 1) + " m/s");
+  text += fact(
+      "area", fixed(size.north.value / 1e3, 1) + " km \u00D7 " + fixed(size.east.value / 1e3, 1) + " km",
+      origin.is_null() ? "" : "its origin lies at " + search::geographic(origin.at("latitude_deg"), origin.at("longitude_deg"), "\u00B0"));
+  if (s.contains("flown_utc")) text += fact("simulated on", escaped(s.at("flown_utc").get<std::string>()) + " UTC");
+  return text;
+}
+
 std::string facts(const Flight& flight) {
   const nlohmann::json& s = flight.summary;
   if (flight.sea) return sea_facts(*flight.sea, flight.journal);
   if (s.is_null()) return "";
+  const search::SearchAccount account = account_of(flight);
   const double sim = s.at("sim_time_s");
   const double wall = s.at("wall_time_s");
-  const bool has_battery = s.contains("battery_percent");
-  return "<dl>\n" + fact("reward", fixed(s.at("reward"), 1)) +
-         fact("steps with a detection", std::to_string(s.at("detections").get<int>())) +
+  return "<dl>\n" + conditions(s) + "</dl>\n<dl>\n" + fact("reward", fixed(s.at("reward"), 1), search::kRewardMeans) +
+         fact("detections", std::to_string(s.at("detections").get<int>()), search::detection_means(s.at("detection_threshold_db"))) +
+         fact("found", search::verdict_on(account).is_found ? "yes" : "no", search::found_means(account.step_length_m)) +
+         fact("declared", account.declared_step ? "at step " + std::to_string(*account.declared_step) : "no", search::kDeclaredMeans) +
          fact("distance", fixed(s.at("distance_m").get<double>() / 1e3, 1) + " km") +
-         (has_battery ? fact("battery left", fixed(s.at("battery_percent"), 1) + " %") : "") + fact("time at sea", duration(sim)) +
-         fact("time to simulate", fixed(wall, 2) + " s") + fact("times real time", wall > 0 ? fixed(sim / wall, 0) : "-") + "</dl>\n";
+         (s.contains("battery_percent") ? fact("battery left", fixed(s.at("battery_percent"), 1) + " %") : "") +
+         fact("time at sea", duration(sim),
+              "in simulated time; computed in " + fixed(wall, 2) + " s, " + (wall > 0 ? fixed(sim / wall, 0) : "-") + " times real time") +
+         "</dl>\n";
 }
 
 /// The actions of a policy that may be missing: the compass directions that every policy has.
@@ -117,12 +137,14 @@ std::string row(const explain::RecordedDecision& d, double began_s, const std::v
            d.detected ? "heard" : "");
   const std::vector<double> probabilities = probabilities_of(d);
   for (std::size_t a = 0; a < probabilities.size(); ++a) text += percent_cell(directions[a], probabilities[a], a == d.action);
-  return text + "<td>" + (d.overridden ? "way-point moved" : "") + "</td></tr>\n";
+  return text + "<td>" + (d.sweeping ? "sweep" : "") + (d.sweeping && d.overridden ? ", " : "") + (d.overridden ? "way-point moved" : "") +
+         "</td></tr>\n";
 }
 
 std::string reasons(const explain::DecisionAccount& account, const std::string& chart, std::size_t columns) {
-  std::string text = "<tr class=\"why\"><td colspan=\"" + std::to_string(columns) + "\"><details><summary>why " +
-                     account.actions[account.decision.action].name + "</summary>\n<ul class=\"words\">\n";
+  std::string text = "<tr class=\"why\"><td colspan=\"" + std::to_string(columns) + "\"><details><summary>" +
+                     (account.decision.sweeping ? "sweep, going " : "why ") + account.actions[account.decision.action].name +
+                     "</summary>\n<ul class=\"words\">\n";
   for (const std::string& sentence : sentences(account)) text += "<li>" + escaped(sentence) + "</li>\n";
   return text + "</ul>\n<div class=\"chart cells\">" + chart + "</div>\n" + actions_table(account) +
          attribution_tables(account, kRowsOfAttribution) + "</details></td></tr>\n";
@@ -132,8 +154,9 @@ std::string decisions(const Flight& flight, const FlightExplanation& explanation
   const std::vector<explain::RecordedDecision>& taken = flight.journal.decisions;
   if (taken.empty()) return "<p>The policy took no decision.</p>\n";
   std::string text =
-      "<p>Percent: how likely the policy made each direction; bold: the one taken; &#9679;: source heard. The first decision is that of "
-      "step 0.</p>\n";
+      "<p>A decision is taken at the end of each step; the first is that of step 0. Percent: how probable the policy made each direction; "
+      "bold: the one taken; &#9679;: a detection. A step of a sweep is marked: its direction follows parallel tracks over the "
+      "area, and not the policy.</p>\n";
   if (!explanation.why_not.empty()) text += "<p>Not explained: " + escaped(explanation.why_not) + "</p>\n";
   text +=
       "<div class=\"table\"><table class=\"decisions\">\n<thead><tr><th>step</th><th>at</th><th>north (km)</th><th>east (km)</th><th>SNR "
@@ -141,7 +164,7 @@ std::string decisions(const Flight& flight, const FlightExplanation& explanation
   std::vector<std::string> directions;
   for (const UnitNorthEast& direction : directions_of(taken.front().logits.size()))
     text += "<th>" + directions.emplace_back(explain::direction_name(direction)) + "</th>";
-  text += "<th>safety</th></tr></thead>\n<tbody>\n";
+  text += "<th>remark</th></tr></thead>\n<tbody>\n";
   for (std::size_t i = 0; i < taken.size(); ++i) {
     text += row(taken[i], flight.sea ? journal::seconds_of(flight.sea->began) : 0.0, directions);
     if (i < explanation.accounts.size()) text += reasons(explanation.accounts[i], explanation.charts[i], directions.size() + 6);
@@ -151,21 +174,25 @@ std::string decisions(const Flight& flight, const FlightExplanation& explanation
 
 std::string map_to_string(const Flight& flight) {
   if (flight.sea) return "By its own navigation, in kilometres of the mission's plane.";
-  return "SNR at the vehicle's depth. Warm colours: the source is heard, " + fixed(flight.summary.at("detection_threshold_db"), 0) +
-         " dB or more.";
+  return "The coloured field is the truth, the SNR at the vehicle's depth as the simulation computes it. The vehicle never saw it. Warm "
+         "colours: the source can be detected, with " +
+         fixed(flight.summary.at("detection_threshold_db"), 0) + " dB or more. The source's mark, too, is known to the simulation alone.";
 }
 
 std::string history_to_string(const Flight& flight) {
-  if (flight.sound.is_there()) return "<p>What the model of the sea says for the vehicle's place. It was never told this.</p>\n";
-  if (!flight.sea) return "";
-  return "<p>Dots: every SNR that came in. Circles: what a decision heard by the mission's way of listening; from the threshold on it is "
-         "the source.</p>\n";
+  if (flight.sound.is_there())
+    return "<p>The SNR that the simulation computes for the vehicle's place, which the vehicle never received.</p>\n";
+  if (!flight.sea)
+    return "<p>Above: the SNR at the vehicle's place, which it measures. Below: its range to the source, which the simulation alone "
+           "knows.</p>\n";
+  return "<p>Dots: every SNR that came in. Circles: the SNR of a decision, by the mission's way of listening; from the threshold on "
+         "it is a detection.</p>\n";
 }
 
 std::string sound_to_string(const Flight& flight) {
-  return "The vehicle measured the SNR in sound. Above: each SNR that it measured, beside the one that the model of the sea gives there; "
+  return "The vehicle measured the SNR in sound. Above: each SNR that it measured, beside the one that the simulation computes there; "
          "one that was too faint is only known to lie below its mark. Below: the spectrogram of the sound at its hydrophone, with a bar "
-         "over it while measured SNRs reached the threshold. For the first " +
+         "over it while measured SNRs were at the threshold or above. For the first " +
          fixed(flight.summary.at("hearing").at("search_began_s"), 0) + " s it lay at its start, to learn the noise of the sea.";
 }
 

@@ -47,7 +47,7 @@ void TrainOptions::add_to(program::CommandLine& line) {
   line.option("RUN", &run_file, "run file (TOML) with every setting, such as policy/ppo/runs/fixed_source.toml; options override it");
   line.option("-o,--output", &output, "checkpoint to write (with --resume the one it goes on from)");
   line.option("--resume", &resume,
-              "checkpoint of a training to go on with, bit for bit, as its own command line said; several go on together")
+              "checkpoint of a training to go on with, bit for bit, as its own command line asked; several go on together")
       .takes(1, -1);
   line.option("--checkpoint-every", &checkpoint_every, "steps after which the checkpoint is written again (at the end, and on Ctrl-C)")
       .positive();
@@ -65,7 +65,7 @@ void TrainOptions::add_to(program::CommandLine& line) {
               "oceans that a belief thinks possible (.tables, or folders of them, of which one is of the vehicle's depth and the source's "
               "frequency); the environment's alone")
       .names("a file or a folder");
-  world.add_to(line, {.source = "fixed", .start = "domain", .listening = "what RUN says, else newest"});
+  world.add_to(line, {.source = "fixed", .start = "domain", .listening = "what RUN states, else newest"});
   line.option(
           "--state", &state,
           "what the policy sees: simple (x, y), memory (last steps and their SNR), position_memory (both) or belief (where the source may "

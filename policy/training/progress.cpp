@@ -19,7 +19,7 @@ void TrainingProgress::begin(std::size_t training, const At& at) {
 void TrainingProgress::update(std::size_t training, const At& at) {
   const std::scoped_lock guard(lock_);
   now_[training] = at;
-  if (Clock::now() - shown_ > (terminal_ ? 200ms : 5'000ms)) show();
+  if (terminal_ && Clock::now() - shown_ > 200ms) show();
 }
 
 void TrainingProgress::finish() {

@@ -9,7 +9,8 @@
 
 namespace earshot::training {
 
-/// A line on standard error that says how far one training or several have come, at what rate, how well, and how long it will take.
+/// A line on standard error: how far one training or several have come, at what rate, how well, and how long it will take. It is renewed
+/// on a terminal; elsewhere it is printed once, at the end.
 class TrainingProgress {
  public:
   enum class Voice : std::uint8_t { kSpeaks, kSilent };

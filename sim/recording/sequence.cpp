@@ -161,14 +161,14 @@ std::vector<std::string> Sequence::remarks() const {
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const Part& part = parts_[i];
     if (part.missing_frames > 0)
-      remarks.push_back(part.path.string() + ": was cut short: its header tells of " +
+      remarks.push_back(part.path.string() + ": was cut short: its header announces " +
                         seconds_text(duration_of(part.missing_frames, part.format.sample_rate)) + " more than it holds");
     if (part.first_frame == 0 && part.told_length == ToldLength::kTooShort)
       remarks.push_back(part.path.string() + ": holds " + seconds_text(duration_of(part.frames_behind, part.format.sample_rate)) +
-                        " of samples behind the end that its header tells; they are listened to: its recorder was killed, or the size "
+                        " of samples behind the end that its header gives; they are listened to: its recorder was killed, or the size "
                         "wrapped at 4 GiB");
     if (part.first_frame == 0 && part.told_length == ToldLength::kUnknown)
-      remarks.push_back(part.path.string() + ": its header does not tell its length: it is listened to up to its end, " +
+      remarks.push_back(part.path.string() + ": its header does not give its length: it is listened to up to its end, " +
                         seconds_text(duration_of(part.file_frames, part.format.sample_rate)) +
                         "; whether its recorder took more is not known");
     if (part.first_frame == 0 && part.frames_elsewhere > 0)
@@ -177,7 +177,7 @@ std::vector<std::string> Sequence::remarks() const {
     if (i == 0) continue;
     const std::optional<Duration> gap = gap_between(parts_[i - 1], part);
     if (!gap) {
-      remarks.push_back(part.path.string() + ": whether it follows without a gap is not known: no time is told");
+      remarks.push_back(part.path.string() + ": whether it follows without a gap is not known: no time is given");
     } else if (!is_within_clock_step(*gap)) {
       const bool is_gap = gap->us > 0;
       remarks.push_back(part.path.string() + ": begins " + seconds_text(is_gap ? *gap : Duration{-gap->us}) +

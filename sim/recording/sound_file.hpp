@@ -51,7 +51,7 @@ class SoundFile {
   [[nodiscard]] const SoundTexts& texts() const { return texts_; }
   /// Samples of one channel that it holds; of a FLAC file that was cut short: should hold.
   [[nodiscard]] std::uint64_t frames() const { return frames_; }
-  /// Samples of one channel that its header tells of and the file does not hold (WAV): it was cut short.
+  /// Samples of one channel that its header announces and the file does not hold (WAV): it was cut short.
   [[nodiscard]] std::uint64_t missing_frames() const { return missing_frames_; }
   /// Samples of one channel behind the end that its header tells (WAV); frames() holds them.
   [[nodiscard]] std::uint64_t frames_behind() const { return frames_behind_; }

@@ -66,7 +66,7 @@ void write_detection(Writer& file, const Fan& fan, const Detector& detector) {
   write_floats(file, "assured_detection_range", shape,
                {{"long_name", "range up to which the signal-to-noise ratio is never below the threshold"}, {"units", "m"}}, assured);
   write_floats(file, "furthest_detection_range", shape,
-               {{"long_name", "greatest range at which the signal-to-noise ratio reaches the threshold"},
+               {{"long_name", "greatest range at which the signal-to-noise ratio is at the threshold or above"},
                 {"comment", "equal to the last range in the water where it is still heard there"},
                 {"units", "m"}},
                furthest);

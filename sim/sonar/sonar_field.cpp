@@ -52,7 +52,7 @@ void require_receiver_in_water(const ocean::Environment& environment, Meters rec
 SnrCurve compute_snr_curve(const ocean::Environment& environment, Meters receiver_depth, Meters max_range) {
   if (differs_with_place(environment)) {
     throw std::invalid_argument(environment.name +
-                                ": its ocean differs from bearing to bearing; one curve of SNR against range does not tell it");
+                                ": its ocean differs from bearing to bearing; one curve of SNR against range does not describe it");
   }
   require_receiver_in_water(environment, receiver_depth, max_range);
   constexpr Meters kStep{10.0};  // at 20 Hz the shortest interference along the range is 75 m long

@@ -25,11 +25,8 @@ class RestartAtSea : public WalkAtSea {
  protected:
   void SetUp() override {
     ENTER_PRIVATE_NETWORK_OR_SKIP();
-    std::string mission = mission_of_short_steps("search.toml");
-    // No stall of this computer reaches them; of the rule that wants progress only one of seconds.
-    replace(mission, "speed_mps = 20.0", "speed_mps = 2.0");
-    replace(mission, "navigation_timeout_s = 5.0", "navigation_timeout_s = 300.0");
-    replace(mission, "snr_timeout_s = 5.0", "snr_timeout_s = 300.0");
+    std::string mission = patient(mission_of_short_steps("search.toml"));
+    replace(mission, "speed_mps = 20.0", "speed_mps = 2.0");  // the rule that wants progress waits for seconds
     write_mission(mission);
     vehicle_.emplace(std::string(host::kDefaultLcmUrl));
   }
@@ -40,15 +37,21 @@ class RestartAtSea : public WalkAtSea {
     start_earshotd(arguments);
   }
 
-  /// GIVEN a search under way that a power cut, or a crash, ends.
-  void search(const std::string& sickness = "") {
-    if (!sickness.empty()) {
-      ::setenv("LD_PRELOAD", EARSHOT_SICK_DISK, 1);
-      ::setenv("EARSHOT_TEST_DISK", sickness.c_str(), 1);
-      ::setenv("EARSHOT_TEST_DISK_IS_SICK", (folder_ / "sick").c_str(), 1);
-    }
+  using Environment = std::vector<std::pair<const char*, std::string>>;
+  void start_with(const Environment& environment) {
+    for (const auto& [name, value] : environment) ::setenv(name, value.c_str(), 1);
     start();
-    for (const char* name : {"LD_PRELOAD", "EARSHOT_TEST_DISK", "EARSHOT_TEST_DISK_IS_SICK"}) ::unsetenv(name);
+    for (const auto& [name, value] : environment) ::unsetenv(name);
+  }
+  /// @param environment  what sick_host reads
+  void start_on_sick_host(Environment environment) {
+    environment.emplace_back("LD_PRELOAD", EARSHOT_SICK_HOST);
+    start_with(environment);
+  }
+
+  /// GIVEN a search under way that a power cut, or a crash, ends.
+  void search(const Environment& environment = {}) {
+    start_with(environment);
     ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > 5; })) << earshotd_->output();
     vehicle_->order(messages::Order::kStart);
     ASSERT_TRUE(vehicle_->sails_until([&] {
@@ -78,15 +81,6 @@ class RestartAtSea : public WalkAtSea {
       return vehicle_->state() == messages::MissionState::kAbort && vehicle_->depth() == Meters{0.0};
     })) << earshotd_->output();
     EXPECT_EQ(earshotd_->wait(std::chrono::milliseconds(0)), -1) << "it goes on until it is stopped" << earshotd_->output();
-  }
-
-  /// @param environment  what sick_host reads
-  void start_on_sick_host(const std::vector<std::pair<const char*, std::string>>& environment) {
-    ::setenv("LD_PRELOAD", EARSHOT_SICK_HOST, 1);
-    for (const auto& [name, value] : environment) ::setenv(name, value.c_str(), 1);
-    start();
-    ::unsetenv("LD_PRELOAD");
-    for (const auto& [name, value] : environment) ::unsetenv(name);
   }
 
   /// Started again, and told to come up while its journal is read.

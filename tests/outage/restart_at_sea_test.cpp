@@ -28,17 +28,32 @@ TEST_F(RestartAtSea, GivenNothingWrongItGoesOn) {
   EXPECT_TRUE(is_said(": SEARCH, after ")) << earshotd_->output();
 }
 
-class SickDiskRestart : public RestartAtSea, public testing::WithParamInterface<const char*> {};
+class SickDiskRestart : public RestartAtSea, public testing::WithParamInterface<const char*> {
+ protected:
+  /// @param vehicle  what its computer has at every start
+  void expect_abort_holds(const Environment& vehicle) {
+    Environment sick = vehicle;
+    sick.emplace_back("LD_PRELOAD", EARSHOT_SICK_DISK);
+    sick.emplace_back("EARSHOT_TEST_DISK", GetParam());
+    sick.emplace_back("EARSHOT_TEST_DISK_IS_SICK", folder_ / "sick");
+    search(sick);
+    std::ofstream(folder_ / "sick") << "";
+    vehicle_->order(Order::kAbort);
+    ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->state() == MissionState::kAbort; })) << earshotd_->output();
+    kill();
+    fs::remove(folder_ / "sick");
+    start_with(vehicle);
+    expect_comes_up();
+  }
+};
 
 TEST_P(SickDiskRestart, AnAbortThatWasAcknowledgedHoldsThoughTheDiskTookNothingOfTheJournal) {
-  search(GetParam());
-  std::ofstream(folder_ / "sick") << "";
-  vehicle_->order(Order::kAbort);
-  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->state() == MissionState::kAbort; })) << earshotd_->output();
-  kill();
-  fs::remove(folder_ / "sick");
-  start();
-  expect_comes_up();
+  expect_abort_holds({});
+}
+
+TEST_P(SickDiskRestart, AnAbortThatWasAcknowledgedHoldsByTheCopyInMemoryThoughTheDiskTookNothingOfTheRecordEither) {
+  fs::create_directory(folder_ / "memory");
+  expect_abort_holds({{"RUNTIME_DIRECTORY", folder_ / "memory"}, {"EARSHOT_TEST_DISK_HAS_RECORD", "1"}});
 }
 
 INSTANTIATE_TEST_SUITE_P(Disk, SickDiskRestart, testing::Values("full", "read-only", "slow"));
@@ -122,6 +137,34 @@ TEST_F(RestartAtSea, GivenTooFewDescriptorsItsStatusIsOneThatAServiceStartsAgain
     EXPECT_TRUE(status == program::kLost || status == -1) << files << " files: status " << status << earshotd_->output();
     if (status == -1) kill();
   }
+}
+
+/// Standard streams, a copy of the record, and LCM's three.
+constexpr int kFewestFiles = 7;
+
+TEST_F(RestartAtSea, GivenDescriptorsForOnePortItComesUpHoweverFewTheyAre) {
+  search();
+  kill();
+  for (const int files : {kFewestFiles, kFewestFiles + 1, kFewestFiles + 2, 20}) {
+    vehicle_->health = {};
+    start_on_sick_host({{"EARSHOT_TEST_FILES", std::to_string(files)}});
+    EXPECT_TRUE(vehicle_->sails_until([&] { return vehicle_->state() == MissionState::kAbort && vehicle_->depth() == Meters{0.0}; }))
+        << files << " files: " << earshotd_->output();
+    kill();
+  }
+  start_on_sick_host({{"EARSHOT_TEST_FILES", std::to_string(kFewestFiles - 1)}});
+  EXPECT_EQ(earshotd_->wait(std::chrono::seconds(10)), program::kLost);
+  EXPECT_TRUE(is_said("nobody commands the vehicle")) << earshotd_->output();
+}
+
+TEST_F(RestartAtSea, GivenDescriptorsForOneOfTwoPortsItComesUpByThatAndNamesTheOther) {
+  std::ofstream(folder_ / "mission.toml", std::ios::app) << "\n[[port]]\nname = \"ashore\"\nkind = \"lcm\"\n"
+                                                            "url = \"udpm://239.255.76.67:7700?ttl=0\"\nroles = [\"status\"]\n";
+  search();
+  kill();
+  start_on_sick_host({{"EARSHOT_TEST_FILES", std::to_string(kFewestFiles)}});
+  expect_comes_up();
+  EXPECT_TRUE(is_said("port ashore does not open")) << earshotd_->output();
 }
 
 TEST_F(RestartAtSea, GivenSensorsThatAreSilentItComesUpMeanwhileAndObeysAnAbort) {

@@ -1,8 +1,7 @@
-// Loaded into a program by LD_PRELOAD: a computer on which something is wrong. While the file of EARSHOT_TEST_DISK_IS_SICK is there, the
-// disk under journals and safety records (files that end with .lcmlog and .safety, but for those in a folder "memory") is sick in the way
-// of EARSHOT_TEST_DISK ("slow", "full", "read-only"). The wall clock is EARSHOT_TEST_CLOCK_S seconds ahead; with EARSHOT_TEST_BOOT (the
-// file of a boot id) the computer has started again twenty seconds ago. EARSHOT_TEST_THREADS is how many threads the program may have
-// beside its first, EARSHOT_TEST_FILES how many open files.
+// Loaded into a program by LD_PRELOAD: a computer on which something is wrong. The wall clock is EARSHOT_TEST_CLOCK_S seconds ahead; with
+// EARSHOT_TEST_BOOT (the file of a boot id) the computer has started again twenty seconds ago. EARSHOT_TEST_THREADS is how many threads the
+// program may have beside its first, EARSHOT_TEST_FILES how many open files. The first journal that is read takes EARSHOT_TEST_READING_S
+// seconds. Its disk: hil/bench/at_sea/sick_disk.cpp.
 
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -16,64 +15,15 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <cstdarg>
+#include <charconv>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
-#include <utility>
 
 namespace {
 
-constexpr std::size_t kMostFiles = 1024;
 constexpr int kMostThreads = 1'000'000;
-std::array<bool, kMostFiles> is_on_disk{};  ///< and written
-std::array<bool, kMostFiles> is_read{};     ///< a journal
-std::array<off_t, kMostFiles> held{};       ///< bytes for which the disk has promised room
-
-bool is_of_disk(std::string_view path) {
-  return (path.ends_with(".lcmlog") || path.ends_with(".safety")) && path.find("/memory/") == std::string_view::npos;
-}
-
-std::string_view present_sickness() {
-  const char* const sickness = std::getenv("EARSHOT_TEST_DISK");
-  const char* const flag = std::getenv("EARSHOT_TEST_DISK_IS_SICK");
-  if (sickness == nullptr || flag == nullptr || ::access(flag, F_OK) != 0) return {};
-  return sickness;
-}
-
-std::string_view sickness_of(int file) {
-  const bool is_known = file >= 0 && static_cast<std::size_t>(file) < kMostFiles && is_on_disk[static_cast<std::size_t>(file)];
-  return is_known ? present_sickness() : std::string_view{};
-}
-
-int refuse(int error) {
-  errno = error;
-  return -1;
-}
-
-void take_a_second() {
-  timespec second{.tv_sec = 1, .tv_nsec = 0};
-  (void)::nanosleep(&second, nullptr);
-}
-
-/// How many of so many bytes at `offset` the disk takes; 0: errno says why.
-std::size_t taken(int file, off_t offset, std::size_t size) {
-  const std::string_view sickness = sickness_of(file);
-  if (sickness == "read-only") return errno = EROFS, 0;
-  if (sickness == "slow") take_a_second();
-  if (sickness != "full") return size;
-  const off_t room = std::max(held[static_cast<std::size_t>(file)], ::lseek(file, 0, SEEK_END)) - offset;
-  if (room <= 0) return errno = ENOSPC, 0;
-  return std::min(size, static_cast<std::size_t>(room));
-}
-
-int brought(int file, long call) {
-  const std::string_view sickness = sickness_of(file);
-  if (sickness == "read-only") return refuse(EROFS);
-  if (sickness == "slow") take_a_second();
-  return static_cast<int>(::syscall(call, file));
-}
 
 FILE* opened(const char* path, const char* mode) {
   static const char* const boot = std::getenv("EARSHOT_TEST_BOOT");
@@ -82,10 +32,21 @@ FILE* opened(const char* path, const char* mode) {
   return file < 0 ? nullptr : ::fdopen(file, mode);
 }
 
+/// Asks the heap for nothing: who reads may have to do without.
+bool is_journal(int file) {
+  constexpr std::string_view kFolder = "/proc/self/fd/";
+  std::array<char, 32> name{};
+  std::to_chars(std::ranges::copy(kFolder, name.begin()).out, name.end() - 1, file);
+  std::array<char, 4096> path{};
+  const ssize_t size = ::readlink(name.data(), path.data(), path.size());
+  return size > 0 && std::string_view(path.data(), static_cast<std::size_t>(size)).ends_with(".lcmlog");
+}
+
 /// Before the program begins.
 [[gnu::constructor]] void limit_files() {
   const char* const files = std::getenv("EARSHOT_TEST_FILES");
   if (files == nullptr) return;
+  (void)::close_range(3, ~0U, 0);  // what a test's own starter left open does not count
   const auto most = static_cast<rlim_t>(std::atol(files));
   const rlimit limit{.rlim_cur = most, .rlim_max = most};
   (void)::setrlimit(RLIMIT_NOFILE, &limit);
@@ -95,65 +56,15 @@ FILE* opened(const char* path, const char* mode) {
 
 extern "C" {
 
-int open(const char* path, int flags, ...) {
-  std::va_list rest;
-  va_start(rest, flags);
-  const int mode = va_arg(rest, int);
-  va_end(rest);
-  const bool is_to_write = is_of_disk(path) && (flags & O_ACCMODE) != O_RDONLY;
-  if (is_to_write && present_sickness() == "read-only") return refuse(EROFS);
-  if (is_to_write && (flags & O_CREAT) != 0 && present_sickness() == "full" && ::access(path, F_OK) != 0) return refuse(ENOSPC);
-  const int file = static_cast<int>(::syscall(SYS_openat, AT_FDCWD, path, flags, mode));
-  if (file >= 0 && static_cast<std::size_t>(file) < kMostFiles) {
-    is_on_disk[static_cast<std::size_t>(file)] = is_to_write;
-    is_read[static_cast<std::size_t>(file)] = !is_to_write && std::string_view(path).ends_with(".lcmlog");
-  }
-  return file;
-}
-
 ssize_t read(int file, void* bytes, std::size_t size) {
   static bool has_waited = false;
   const char* const reading_s = std::getenv("EARSHOT_TEST_READING_S");
-  if (reading_s != nullptr && file >= 0 && static_cast<std::size_t>(file) < kMostFiles && is_read[static_cast<std::size_t>(file)] &&
-      !std::exchange(has_waited, true))
-    for (long s = std::atol(reading_s); s > 0; --s) take_a_second();
+  if (reading_s != nullptr && !has_waited && is_journal(file)) {
+    has_waited = true;
+    const timespec wait{.tv_sec = std::atol(reading_s), .tv_nsec = 0};
+    (void)::nanosleep(&wait, nullptr);
+  }
   return ::syscall(SYS_read, file, bytes, size);
-}
-
-ssize_t write(int file, const void* bytes, std::size_t size) {
-  if (sickness_of(file).empty()) return ::syscall(SYS_write, file, bytes, size);
-  const std::size_t most = taken(file, ::lseek(file, 0, SEEK_CUR), size);
-  return most == 0 ? -1 : ::syscall(SYS_write, file, bytes, most);
-}
-
-ssize_t pwrite(int file, const void* bytes, std::size_t size, off_t offset) {
-  if (sickness_of(file).empty()) return ::syscall(SYS_pwrite64, file, bytes, size, offset);
-  const std::size_t most = taken(file, offset, size);
-  return most == 0 ? -1 : ::syscall(SYS_pwrite64, file, bytes, most, offset);
-}
-
-int fallocate(int file, int mode, off_t offset, off_t size) {
-  const std::string_view sickness = sickness_of(file);
-  if (sickness == "read-only") return refuse(EROFS);
-  if (sickness == "full" && offset + size > std::max(held[static_cast<std::size_t>(file)], ::lseek(file, 0, SEEK_END)))
-    return refuse(ENOSPC);
-  const int result = static_cast<int>(::syscall(SYS_fallocate, file, mode, offset, size));
-  if (result == 0 && file >= 0 && static_cast<std::size_t>(file) < kMostFiles)
-    held[static_cast<std::size_t>(file)] = std::max(held[static_cast<std::size_t>(file)], offset + size);
-  return result;
-}
-
-int fdatasync(int file) {
-  return brought(file, SYS_fdatasync);
-}
-
-int fsync(int file) {
-  return brought(file, SYS_fsync);
-}
-
-int ftruncate(int file, off_t size) noexcept {
-  if (sickness_of(file) == "read-only") return refuse(EROFS);
-  return static_cast<int>(::syscall(SYS_ftruncate, file, size));
 }
 
 FILE* fopen(const char* path, const char* mode) {

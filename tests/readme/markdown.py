@@ -26,6 +26,8 @@ _PROGRAM = (
     r"(?:earshotd?|earshot-[a-z]+|sim/fly|hil/run|hil/bus/with-can|mpirun|cmake|ctest|pip|python3|git"
     r"|tests/run|tests/[a-z0-9]+/run|policy/[a-z]+/(?:run|make)|toolchains/(?:setup|build|format|tidy))"
 )
+_OF_THE_SHELL = re.compile(r"^(?:export|cd|\.|source|\w+=\S*)(?:\s|$)")  # each file has a shell of its own
+_REMARK = re.compile(r"\s+#.*$")
 _COMMAND_LINE = re.compile(rf"^{_PROGRAM}(?:\s|$)")
 _MENTION = re.compile(rf"`({_PROGRAM}\s[^`]+)`")
 
@@ -52,14 +54,27 @@ class Mention:
 
 @dataclass
 class Document:
+    file: Path
     commands: list[Command]
     mentions: list[Mention]
     problems: list[str]  # FILE:LINE: what is wrong
 
 
+def repeated_long_commands(documents: list[Document]) -> set[Command]:
+    """Those that an earlier file has as well, so that what they make is there; but for what only a shell keeps."""
+    found: set[Command] = set()
+    before: set[str] = set()
+    for document in documents:
+        long = [c for c in document.commands if "long" in c.marks and c.language == "sh"]
+        texts = [_REMARK.sub("", c.text) for c in long]
+        found |= {c for c, text in zip(long, texts, strict=True) if text in before and not _OF_THE_SHELL.match(text)}
+        before |= set(texts)
+    return found
+
+
 def read(file: Path, text: str) -> Document:
     """Everything a test needs to know of one Markdown file."""
-    found = Document([], [], [])
+    found = Document(file, [], [], [])
     lines = text.split("\n")
     prose: list[str] = []  # without the blocks, same line numbers
     number = 0

@@ -33,6 +33,15 @@ class Reading(unittest.TestCase):
         (command,) = read("```python\nimport os\n\nos.getcwd()\n```\n").commands
         self.assertEqual((command.language, command.text), ("python", "import os\n\nos.getcwd()"))
 
+    def test_finds_long_commands_that_an_earlier_file_has(self):
+        mark = "<!-- test: long -->\n"
+        text = mark + "```sh\ntests/run    # every test\nexport A=b\n```\n```sh\nshort\n```\n"
+        first = markdown.read(Path("first.md"), text)
+        again = mark + "```sh\ntests/run\ntests/run -R x\nexport A=b\nk=$(tests/run)\n```\n```sh\nshort\n```\n"
+        second = markdown.read(Path("second.md"), again)
+        found = markdown.repeated_long_commands([first, second])
+        self.assertEqual([(str(c.file), c.text) for c in found], [("second.md", "tests/run")])
+
     def test_refuses_fences_that_it_would_not_read(self):
         for text in ["- a\n  ```sh\n  b\n  ```\n", "~~~sh\nb\n~~~\n"]:
             with self.subTest(text=text):

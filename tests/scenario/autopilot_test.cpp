@@ -299,8 +299,7 @@ TEST_F(Autopilot, GivenAMissionWithAKeyThePythonVehicleThatKnowsItStartsTheSearc
   EXPECT_EQ(own->output(), "START: OBEYED\n");
   earshotd_->signal(SIGTERM);
   EXPECT_EQ(earshotd_->wait(20s), program::kInterrupted) << earshotd_->output();
-  EXPECT_NE(earshotd_->output().find("; it ended in ABORT, this program was told to stop, after "), std::string::npos)
-      << earshotd_->output();
+  EXPECT_NE(earshotd_->output().find("; it ended in ABORT, this program was stopped, after "), std::string::npos) << earshotd_->output();
   EXPECT_EQ(earshotd_->output().find("an operator aborted it"), std::string::npos) << earshotd_->output();
 }
 

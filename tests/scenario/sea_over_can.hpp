@@ -27,6 +27,7 @@
 #include "hil/nodes/bus_connection.hpp"
 #include "hil/nodes/emulated_vehicle.hpp"
 #include "hil/nodes/scaled_clock.hpp"
+#include "tests/outage/temporary_folders_on_disk.hpp"
 #include "tests/support/lcm_peer.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/signed_policy.hpp"
@@ -164,6 +165,7 @@ class SeaOverCan : public testing::Test {
     return clock_.now() - still_since_ > Duration::seconds(10);
   }
 
+  const TemporaryFoldersOnDisk on_disk_{};
   support::TemporaryFolder folder_;
   const hil::ScaledClock clock_{kSeaSpeed};
   std::unique_ptr<hil::EmulatedVehicle> vehicle_;

@@ -61,7 +61,7 @@ TEST_F(Talk, GivenATerminalALineTellsHowTheFlightGoesAndIsGoneBeforeTheSummary) 
   EXPECT_EQ(shown.status, 0);
   const std::regex line(R"(\r0 h [0-9]{2} min at sea, step [1-9] of 100, SNR [0-9]+\.[0-9] dB, source believed [0-9]+\.[0-9] km away)");
   EXPECT_TRUE(std::regex_search(shown.text, line)) << shown.text;
-  const std::size_t summary = shown.text.find("source found");
+  const std::size_t summary = shown.text.find("Source found after ");
   ASSERT_NE(summary, std::string::npos) << shown.text;
   const std::string before = without_waiting(shown.text.substr(0, summary));
   EXPECT_EQ(before.substr(before.size() - 4), kErased) << shown.text;
@@ -78,14 +78,14 @@ TEST_F(Talk, GivenATerminalAndQuietNothingIsShown) {
 TEST_F(Talk, GivenNoTerminalThereIsTheSummaryAloneHoweverLongTheFlightTakes) {
   const std::string told_ = told(kWatched);
   EXPECT_EQ(told_.find('\r'), std::string::npos) << told_;
-  EXPECT_EQ(told_.find("source found\n"), 0) << told_;
+  EXPECT_EQ(told_.find("Source found after "), 0) << told_;
 }
 
 TEST_F(Talk, GivenVerboseItAlsoTellsWhatGoesIntoTheFlight) {
   const std::string told_ = told({"--verbose"});
   EXPECT_NE(told_.find("--seed 3\n"), std::string::npos) << told_;
   EXPECT_NE(told_.find("--speed 0 (default)\n"), std::string::npos) << told_;
-  EXPECT_NE(told_.find("source found\n"), std::string::npos) << told_;
+  EXPECT_NE(told_.find("Source found after "), std::string::npos) << told_;
 }
 
 TEST_F(Talk, GivenAPolicyTrainedForAFixedSourceItWarnsBeforeItLooksForAnother) {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/outage/temporary_folders_on_disk.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/signed_policy.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -45,6 +46,13 @@ class WalkAtSea : public testing::Test {
     return mission;
   }
 
+  /// No stall of this computer reaches these: it may be silent for 300 s.
+  [[nodiscard]] static std::string patient(std::string mission) {
+    replace(mission, "navigation_timeout_s = 5.0", "navigation_timeout_s = 300.0");
+    replace(mission, "snr_timeout_s = 5.0", "snr_timeout_s = 300.0");
+    return mission;
+  }
+
   void write_mission(const std::string& mission) const { std::ofstream(folder_ / "mission.toml") << mission; }
 
   void start_earshotd(const std::vector<std::string>& more) {
@@ -54,6 +62,7 @@ class WalkAtSea : public testing::Test {
     earshotd_ = std::make_unique<support::Process>(std::filesystem::path(EARSHOT_BIN_DIR) / "earshotd", a, folder_ / "earshotd.txt");
   }
 
+  const TemporaryFoldersOnDisk on_disk_{};
   support::TemporaryFolder folder_;
   std::unique_ptr<support::Process> earshotd_;
 };

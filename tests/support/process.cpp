@@ -6,6 +6,7 @@
 #include <csignal>
 #include <fstream>
 #include <iterator>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -35,6 +36,9 @@ void Process::start(const std::filesystem::path& program, const std::vector<std:
   std::vector<char*> argv{const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
+  // What a program of before said there is gone before anybody waits for a word of this one.
+  std::error_code error;
+  if (std::filesystem::is_regular_file(surroundings.output, error)) std::filesystem::resize_file(surroundings.output, 0, error);
   id_ = fork();
   if (id_ != 0) return;
   redirect(surroundings.output, 1);

@@ -48,4 +48,8 @@ bool SmallDisk::resize(std::uint64_t bytes) const {
   return ::mount("tmpfs", path_.c_str(), "tmpfs", MS_REMOUNT, size_option(bytes).c_str()) == 0;
 }
 
+bool SmallDisk::set_read_only(bool is_read_only) const {
+  return ::mount("tmpfs", path_.c_str(), "tmpfs", MS_REMOUNT | (is_read_only ? MS_RDONLY : 0), "") == 0;
+}
+
 }  // namespace earshot::support

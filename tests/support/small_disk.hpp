@@ -18,6 +18,8 @@ class SmallDisk {
 
   /// @return whether it has this size now
   [[nodiscard]] bool resize(std::uint64_t bytes) const;
+  /// As a disk that is checked before it is written to, or one that has become sick. @return whether it is so now
+  [[nodiscard]] bool set_read_only(bool is_read_only) const;
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:

@@ -202,6 +202,9 @@ function(earshot_library NAME)
   endif()
 endfunction()
 
+# What the two functions below make, without the tests: cmake --build --preset release --target programs.
+add_custom_target(programs)
+
 # earshot_program(NAME [COMPONENT <package>] SOURCES ... [DEPENDS ...]): an executable in build/<preset>/bin.
 #   COMPONENT  the package that it is installed with: runtime, sil, tools or hil (toolchains/packages); left out, it is not installed
 function(earshot_program NAME)
@@ -211,6 +214,7 @@ function(earshot_program NAME)
   endif()
   add_executable(${NAME} ${ARG_SOURCES})
   target_link_libraries(${NAME} PRIVATE earshot_flags ${ARG_DEPENDS})
+  add_dependencies(programs ${NAME})
   if(ARG_COMPONENT)
     install(TARGETS ${NAME} RUNTIME DESTINATION ${EARSHOT_INSTALL_PROGRAMS} COMPONENT ${ARG_COMPONENT})
     set_property(GLOBAL APPEND_STRING PROPERTY EARSHOT_PROGRAMS "${ARG_COMPONENT} ${NAME}\n")
@@ -222,6 +226,7 @@ function(earshot_plugin NAME)
   cmake_parse_arguments(PARSE_ARGV 1 ARG "" "COMPONENT" "SOURCES;DEPENDS")
   add_library(${NAME} MODULE ${ARG_SOURCES})
   target_link_libraries(${NAME} PRIVATE earshot_flags ${ARG_DEPENDS})
+  add_dependencies(programs ${NAME})
   set_target_properties(${NAME} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
   install(TARGETS ${NAME} LIBRARY DESTINATION ${EARSHOT_INSTALL_PLUGINS} COMPONENT ${ARG_COMPONENT})
 endfunction()

@@ -231,7 +231,9 @@ def bill_of(debs: list[Path], version: str, seconds: int, sysroot: Path | None) 
             relations.append(relation(element["SPDXID"], "DEPENDS_ON", other))
         for name, licence_of_it in included.items():
             if name not in libraries:
-                raise SystemExit(f"bill_of_materials.py: {deb.name} says it contains {name}, which is not installed")
+                raise SystemExit(
+                    f"bill_of_materials.py: {deb.name} is recorded as holding {name}, which is not installed"
+                )
             other = debians(name, libraries[name])
             debian[other]["licenseConcluded"] = debian[other]["licenseDeclared"] = licence_of_it
             relations.append(relation(element["SPDXID"], "STATIC_LINK", other))

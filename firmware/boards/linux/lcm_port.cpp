@@ -188,7 +188,7 @@ std::string LcmPort::remark() const {
   add(lcm.datagrams.incomplete,
       " messages lost on their way in, because one of their datagrams never came: send messages of less than 64 kB, or mend the network");
   add(report_.unsent,
-      " messages could not be sent, because their link was down or its buffer full: look at the interface's errors (ip -s link)");
+      " messages could not be sent, because their link was down or its buffer full: check the interface's errors (ip -s link)");
   add(lcm.interfaces_unheard, " interfaces or addresses are not heard: it listens on " + endpoint_.interfaces());
   return text.empty() ? text : label() + ": " + text;
 }

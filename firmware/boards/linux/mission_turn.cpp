@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <variant>
 
 #include "firmware/boards/linux/turn_records.hpp"
@@ -24,6 +25,17 @@ using host::Weight;
 Weight weight_of(std::uint8_t port, const InputSink::Value& value, messages::CommandOutcome outcome) {
   if (std::holds_alternative<messages::OperatorCommand>(value)) return messages::was_obeyed(outcome) ? Weight::kOrder : Weight::kStream;
   return port == kOwnPort ? Weight::kSteering : Weight::kStream;
+}
+
+/// An order that was not acknowledged comes again.
+messages::CommandOutcome outcome_of(const messages::Input& input, const runtime::Acknowledgements* acknowledgements) {
+  const auto* const order = std::get_if<messages::OperatorCommand>(&input.value);
+  if (order == nullptr || acknowledgements == nullptr) return messages::CommandOutcome::kObeyed;
+  const auto known = std::ranges::find_if(*acknowledgements, [&](const messages::CommandAcknowledgement& acknowledgement) {
+    return acknowledgement.port == input.port && acknowledgement.issuer == order->issuer && acknowledgement.number == order->number &&
+           acknowledgement.order == order->order;
+  });
+  return known == acknowledgements->end() ? messages::CommandOutcome::kRepeated : known->outcome;
 }
 
 bool calls_for_turn(const InputSink::Value& value) {
@@ -77,10 +89,23 @@ void MissionTurn::take(std::uint8_t port, const Value& value) {
   memory_.note(input);
   const auto* const fix = std::get_if<messages::Navigation>(&value);
   if (safety_ != nullptr && fix != nullptr && messages::is_usable(*fix)) safety_->hear(*fix);
-  const wire::InputRecord record(input);
-  const messages::CommandOutcome outcome = core_.take(input);
-  append(input.arrival, record.channel(), record.data(), weight_of(port, value, outcome));
+  if (const std::optional<messages::CommandOutcome> outcome = core_.take(input)) {
+    append(input, *outcome);
+  } else if (held_.push_back(input) != Status::kOk) {
+    append_held(nullptr);
+    append(input, messages::CommandOutcome::kObeyed);
+  }
   is_called_ = is_called_ || calls_for_turn(value);
+}
+
+void MissionTurn::append(const messages::Input& input, messages::CommandOutcome outcome) {
+  const wire::InputRecord record(input);
+  append(input.arrival, record.channel(), record.data(), weight_of(input.port, input.value, outcome));
+}
+
+void MissionTurn::append_held(const runtime::Acknowledgements* acknowledgements) {
+  for (const messages::Input& input : held_) append(input, outcome_of(input, acknowledgements));
+  held_.clear();
 }
 
 void MissionTurn::tell_stop() {
@@ -135,6 +160,7 @@ runtime::Outputs MissionTurn::operator()() {
   is_called_ = false;
   if (is_part_asked_for_ != nullptr && is_part_asked_for_->exchange(false) && journal_ != nullptr) journal_->begin_part();
   outputs_ = core_.step(turn);
+  append_held(&outputs_.acknowledgements);
   const bool is_new_state = record(turn, outputs_);
   memory_.note(turn, outputs_);
   write_ahead_of(outputs_, is_new_state);
@@ -155,6 +181,10 @@ runtime::Outputs MissionTurn::operator()() {
 
 std::chrono::milliseconds MissionTurn::patience_with_record() const {
   return safety_->record().is_engaged ? patience_ : std::max(patience_, kPatienceBeforeSteering);
+}
+
+void MissionTurn::end() {
+  append_held(nullptr);
 }
 
 runtime::Outputs MissionTurn::say_again() {

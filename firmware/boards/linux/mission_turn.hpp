@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -17,8 +18,10 @@
 #include "firmware/boards/linux/service/service_manager.hpp"
 #include "firmware/boards/linux/turn_memory.hpp"
 #include "firmware/config/mission.hpp"
+#include "firmware/core/fixed_vector.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/host/journal/journal.hpp"
+#include "firmware/messages/input.hpp"
 #include "firmware/runtime/runtime.hpp"
 
 namespace earshot::board {
@@ -87,6 +90,8 @@ class MissionTurn final : public InputSink {
   runtime::Outputs operator()();
   /// Sends what the last turn said: the process that made it may not have come to it.
   runtime::Outputs say_again();
+  /// No turn follows, or the last one failed: what has come since then stands in the journal, too.
+  void end();
 
   /// Of the last turn; of a mission that goes on, before its first, what the process before said last.
   [[nodiscard]] const runtime::Outputs& outputs() const { return outputs_; }
@@ -114,9 +119,15 @@ class MissionTurn final : public InputSink {
   void record_trouble(std::uint8_t port, BusTrouble trouble, bool is_there);
   void write_ahead_of(const runtime::Outputs& outputs, bool is_new_state);
   [[nodiscard]] std::chrono::milliseconds patience_with_record() const;
+  void append(const messages::Input& input, messages::CommandOutcome outcome);
+  /// The inputs of a core that says at its step what became of orders: in the journal they stand before what that step says.
+  /// @param acknowledgements  of that step; null: there was none
+  void append_held(const runtime::Acknowledgements* acknowledgements);
   void append(Time time, std::string_view channel, std::span<const std::uint8_t> data, host::Weight weight);
   /// What the ports are told of a turn that no disk has: the journal, and who plays it back, know what the runtime said.
   [[nodiscard]] const runtime::Outputs& as_told(bool is_durable);
+
+  static constexpr std::size_t kMostHeld = 256;  ///< inputs of a turn; full: journalled as if their orders were obeyed
 
   Core& core_;
   PortSet& ports_;
@@ -124,10 +135,11 @@ class MissionTurn final : public InputSink {
   Clock& clock_;
   TurnMemory memory_;
   OrderGate gate_;
-  bool is_mute_ = false;      ///< the last turn's set-point could not be sent
-  Time journal_up_due_;       ///< not before is it told that the disk takes the journal again
-  runtime::Outputs outputs_;  ///< of the last turn
-  runtime::Outputs told_;     ///< likewise, where it was told otherwise
+  FixedVector<messages::Input, kMostHeld> held_;  ///< for append_held()
+  bool is_mute_ = false;                          ///< the last turn's set-point could not be sent
+  Time journal_up_due_;                           ///< not before is it told that the disk takes the journal again
+  runtime::Outputs outputs_;                      ///< of the last turn
+  runtime::Outputs told_;                         ///< likewise, where it was told otherwise
   bool is_called_ = false;
   bool is_ahead_always_ = false;
   std::chrono::milliseconds patience_{100};

@@ -77,7 +77,7 @@ const char* to_string(SettingsFault fault) {
     case SettingsFault::kThreshold:
       return "the detection threshold must lie from -10 to 60 dB";
     case SettingsFault::kMOfN:
-      return "of the last n estimates, 1 to 32, m must reach the threshold, 1 to n";
+      return "of the last n estimates, 1 to 32, m must be at the threshold or above, 1 to n";
     case SettingsFault::kPause:
       return "the longest pause must lie from 0 to 60 s";
     case SettingsFault::kExpectedNoise:

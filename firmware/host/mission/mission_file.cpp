@@ -285,7 +285,11 @@ void require_named_files(const MissionFile& file) {
 
 MissionFile load_mission(const std::filesystem::path& path) {
   const std::string text = read_text(path, kTomlFile);
-  return read_mission(TomlFile{path, text}, text, nullptr);
+  return load_mission(TomlFile{path, text}, text);
+}
+
+MissionFile load_mission(const TomlFile& file, const std::string& text) {
+  return read_mission(file, text, nullptr);
 }
 
 MissionFile load_mission(const std::filesystem::path& path, const std::string& text, const VehicleTrust& vehicle) {
@@ -331,7 +335,7 @@ void require_hydrophone(const MissionFile& file, const std::filesystem::path& pa
     throw BadInput("--hear: " + path.string() +
                    ": port: no port has the role \"hydrophone\", over which sound would come; hear_tone.toml and "
                    "hear_calls.toml in firmware/boards/linux/missions have one");
-  if (!file.hearing) throw BadInput("--hear: " + path.string() + ": hydrophone: no table [hydrophone] says what is listened for");
+  if (!file.hearing) throw BadInput("--hear: " + path.string() + ": hydrophone: no table [hydrophone] states what is listened for");
 }
 
 std::vector<std::string> addresses_of(const MissionFile& file, PortKind kind) {
@@ -350,7 +354,7 @@ void require_ports_for_sea(const MissionFile& file, const std::filesystem::path&
     if (has_sound && file.hearing) continue;
     if (has_sound)
       throw BadInput(path.string() +
-                     ": port: \"hydrophone\" brings sound, and no table [hydrophone] says how to measure an SNR in it: write " +
+                     ": port: \"hydrophone\" brings sound, and no table [hydrophone] states how to measure an SNR in it: write " +
                      "one, or give a port that brings an SNR the role \"snr\"");
     throw BadInput(path.string() + ": port: no port has the role \"" + kRoleWords[static_cast<std::size_t>(role)] +
                    "\", without which a mission cannot be flown at sea");

@@ -14,6 +14,8 @@
 
 namespace earshot::host {
 
+class TomlFile;
+
 inline constexpr const char* kDefaultCanInterface = "can0";  ///< the bus of a vehicle at sea
 
 /// What makes a turn of the loop at sea.
@@ -45,6 +47,8 @@ struct MissionFile {
 
 /// @throws host::BadInput with everything that is wrong with the file.
 [[nodiscard]] MissionFile load_mission(const std::filesystem::path& path);
+/// Of a file that is parsed already. @param text  that it was read from
+[[nodiscard]] MissionFile load_mission(const TomlFile& file, const std::string& text);
 
 /// What a vehicle that has a configuration says of every mission, whatever that says itself.
 struct VehicleTrust {

@@ -75,7 +75,7 @@ void MissionJudge::judge_signature(const std::string& text) {
     throw BadInput(file.string() + ": is of the key " + to_hex(found.key) + ", which is none of " + setting("mission_keys") + " (" +
                    files_of(vehicle_->mission_keys) + ")");
   if (verdict == ManifestVerdict::kFalseSignature)
-    throw BadInput(file.string() + ": is forged or damaged: the holder of " + signer->file.string() + " did not sign what it says");
+    throw BadInput(file.string() + ": is forged or damaged: the holder of " + signer->file.string() + " did not sign its text");
   if (verdict == ManifestVerdict::kOtherMission)
     throw BadInput(mission_.string() + ": has been changed since " + signer->file.string() + " signed it (" + file.string() + ")");
   manifest_ = found.manifest;
@@ -108,8 +108,8 @@ void MissionJudge::load_tables(const MissionFile& file, SignedSearch& search) co
 
 std::string MissionJudge::raised_before(std::uint64_t counter) const {
   if (counter - 1 > static_cast<std::uint64_t>(kHighestSetCounter)) return {};
-  return ", or, if it is meant, say so on the vehicle: earshot verify --vehicle " + vehicle_->path.string() + " --raise-counter " +
-         std::to_string(counter - 1);
+  return ", or, if it is meant, raise the counter on the vehicle: earshot verify --vehicle " + vehicle_->path.string() +
+         " --raise-counter " + std::to_string(counter - 1);
 }
 
 void MissionJudge::judge_counter(const SignedSearch& search, const std::filesystem::path& policy_path) {

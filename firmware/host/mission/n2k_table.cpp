@@ -61,7 +61,7 @@ n2k::SourceChoice read_source(TableReader sources, const char* key, bool has_ins
     if (!has_instance) table->problem("instance", "only messages of depth (pressure) and battery bear an instance: give the device's name");
   }
   if (!table->has("name") && !table->has("instance"))
-    sources.problem(key, has_instance ? "must say a device's name, an instance, or both" : "must say a device's name");
+    sources.problem(key, has_instance ? "must give a device's name, an instance, or both" : "must give a device's name");
   return choice;
 }
 

@@ -36,7 +36,7 @@ std::string complaint_about(const policy::OceanTables& tables, const policy::Sea
     case policy::Coverage::kAnotherFrequency:
       return complaint("is of a frequency of ", tables.frequency.value, policy::kFrequencyTolerance, sound.frequency.value, " Hz");
     case policy::Coverage::kOutOfReach:
-      return "reaches " + words(policy::reach(tables).value) + " m, but in the mission's area a source may be " +
+      return "extends to " + words(policy::reach(tables).value) + " m, but in the mission's area a source may be " +
              words(sound.furthest.value) + " m from the vehicle";
   }
   return {};

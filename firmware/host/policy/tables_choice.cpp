@@ -58,7 +58,7 @@ std::string complaint(std::span<const TablesFile> files, const policy::SearchedS
   text << std::setprecision(10) << " is listened to at " << sound.frequency.value << " Hz, " << sound.vehicle_depth.value << " m deep, "
        << sound.furthest.value << " m far; none of the tables are of that, but " << all_there_are(files) << " (depths within "
        << 100.0 * policy::kDepthTolerance << " %, frequencies within " << 100.0 * policy::kFrequencyTolerance
-       << " %); earshot tables makes others, and earshot init --depth-m M --frequency-hz F a search that says how";
+       << " %); earshot tables makes others, and earshot init --depth-m M --frequency-hz F a search with a README on how to do it";
   return text.str();
 }
 

@@ -177,8 +177,8 @@ CommandLine::CommandLine(const std::string& name, const std::string& what)
     : own_(std::make_unique<CLI::App>(what, name)), app_(own_.get()) {
   app_->set_version_flag("--version", version_line(name),
                          "Print the version, the commit that it was built from and whether the tree was clean, and exit");
-  const Option quiet = flag("--quiet", &quiet_, "say nothing but what is wrong");
-  flag("--verbose", &verbose_, "also say what goes into the work: settings, files, steps").excludes(quiet);
+  const Option quiet = flag("--quiet", &quiet_, "print nothing but what is wrong");
+  flag("--verbose", &verbose_, "also print what goes into the work: settings, files, steps").excludes(quiet);
 }
 
 CommandLine::CommandLine(CLI::App& verb) : app_(&verb) {}

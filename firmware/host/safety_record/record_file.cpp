@@ -61,22 +61,51 @@ bool is_ours(const struct stat& status) {
 RecordFile::RecordFile(std::filesystem::path path)
     : path_(std::move(path)), folder_(path_.has_parent_path() ? path_.parent_path() : std::filesystem::path(".")) {}
 
-bool RecordFile::open() {
+FileDescriptor RecordFile::opened_to(int access) {
   // Never through a link, which may lead anywhere, nor into a pipe, which may wait.
-  constexpr int kFlags = O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
-  FileDescriptor file(::open(path_.c_str(), O_RDWR | kFlags));
-  if (file.number() < 0) file = FileDescriptor(::open(path_.c_str(), O_RDONLY | kFlags));
+  FileDescriptor file(::open(path_.c_str(), access | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
   out_of_reach_ = file.number() < 0 && (errno == EMFILE || errno == ENFILE || errno == ENOMEM) ? errno : 0;
   struct stat status {};
-  if (file.number() < 0 || ::fstat(file.number(), &status) != 0 || !S_ISREG(status.st_mode)) return false;
+  if (file.number() < 0 || ::fstat(file.number(), &status) != 0 || !S_ISREG(status.st_mode)) return FileDescriptor();
   is_anybodys_ = !is_ours(status);
-  if (is_anybodys_) return false;
+  return is_anybodys_ ? FileDescriptor() : std::move(file);
+}
+
+bool RecordFile::open() {
+  FileDescriptor file = opened_to(O_RDWR);
+  const bool is_writable = file.number() >= 0;
+  if (!is_writable && !is_anybodys_) file = opened_to(O_RDONLY);
+  if (file.number() < 0) return false;
+  let_go();
   file_ = std::move(file);
+  is_writable_ = is_writable;
   return true;
 }
 
+/// A disk that was read-only when the file was opened may be so no longer, but not by that descriptor: then the file is opened anew.
+/// Between the two claims another process may have made its own: then the file is that one's.
+bool RecordFile::is_to_be_written() {
+  if (file_.number() < 0 || is_writable_) return file_.number() >= 0;
+  FileDescriptor file = opened_to(O_RDWR);
+  if (file.number() < 0) return false;
+  const bool was_claimed = is_claimed_;
+  let_go();
+  file_ = std::move(file);
+  is_writable_ = true;
+  if (was_claimed && !claim()) let_go();
+  return file_.number() >= 0;
+}
+
+void RecordFile::let_go() {
+  file_ = FileDescriptor();
+  is_writable_ = false;
+  is_claimed_ = false;
+}
+
 bool RecordFile::claim() {
-  return file_.number() < 0 || ::flock(file_.number(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+  if (file_.number() < 0) return true;
+  is_claimed_ = ::flock(file_.number(), LOCK_EX | LOCK_NB) == 0;
+  return is_claimed_ || errno != EWOULDBLOCK;
 }
 
 bool RecordFile::holder_may_fly() const {
@@ -146,9 +175,9 @@ bool RecordFile::prepare(std::span<const std::uint8_t> kept) {
   if (file_.number() < 0 && !open()) {
     if (is_anybodys_) (void)::unlink(path_.c_str());  // nobody would believe what is written there
     file_ = FileDescriptor(::open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, kMode));
-    if (file_.number() < 0) return false;
+    is_writable_ = file_.number() >= 0;
   }
-  if (!claim() || !hold_space()) return false;
+  if (!is_to_be_written() || !claim() || !hold_space()) return false;
   if (!kept.empty() && holds(kept)) return true;
   std::array<std::uint8_t, 4> size{};
   if (kept.size() > kMostKeptBytes - size.size()) return false;
@@ -164,7 +193,7 @@ bool RecordFile::put(const SafetyRecord& record, std::size_t slot) const {
 }
 
 bool RecordFile::write(const SafetyRecord& record) {
-  if (file_.number() < 0) return false;
+  if (!is_to_be_written()) return false;
   const std::optional<Found> there = newest_slot();
   if (!there) return put(record, 0);
   if (there->record == record) return ::fdatasync(file_.number()) == 0;  // it was not brought to the disk

@@ -22,8 +22,8 @@ inline constexpr std::size_t kRecordFileBytes = 65'536;
 inline constexpr std::size_t kMostKeptBytes = kRecordFileBytes - kRecordSlots * kRecordSlotBytes;
 
 /// One copy of a vehicle's safety record: a file that is made whole once and then written in place, its slots in turn, so that a disk which
-/// is full later still takes it, and a write that the power cuts off costs the record before none of its bytes. A bit that flips costs one
-/// slot at most.
+/// is full later still takes it, and a write that the power cuts off costs the record before none of its bytes, where the
+/// disk writes blocks of a slot's size whole (the pages of eMMC and SD cards are larger). A bit that flips costs one slot at most.
 ///
 /// Of one thread at a time. Nothing allocates but kept(), holder() and the constructor.
 /// Oracle: RecordFile.*
@@ -31,8 +31,9 @@ class RecordFile {
  public:
   explicit RecordFile(std::filesystem::path path);
 
-  /// Opens the file that is there, to be read and, where the disk lets it, written. False: there is none, or it is not of this kind (no
-  /// regular file), or others than root and this program's user own it or may write it: then it is_anybodys().
+  /// Opens the file that is there, to be read and, where the disk lets it, written; where it does not, once it does. False: there is none,
+  /// or it is not of this kind (no regular file), or others than root and this program's user own it or may write it: then it
+  /// is_anybodys().
   bool open();
   [[nodiscard]] bool is_anybodys() const { return is_anybodys_; }
   /// Why open() did not come to see whether there is one, as errno says it (no descriptor is left); 0: it did.
@@ -53,8 +54,9 @@ class RecordFile {
   [[nodiscard]] bool is_overtaken() const { return is_overtaken_; }
   /// Whether the file still bears its name and has its whole length: somebody may have removed it, put another in its place or cut it.
   [[nodiscard]] bool is_in_place() const;
+  [[nodiscard]] bool is_open() const { return file_.number() >= 0; }
   /// As if it had not been opened.
-  void let_go() { file_ = FileDescriptor(); }
+  void let_go();
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// Whether whoever has it may be another process of this program.
@@ -68,6 +70,8 @@ class RecordFile {
     std::size_t slot = 0;
   };
 
+  [[nodiscard]] FileDescriptor opened_to(int access);
+  [[nodiscard]] bool is_to_be_written();
   [[nodiscard]] std::optional<Found> newest_slot() const;
   [[nodiscard]] bool hold_space() const;
   [[nodiscard]] bool holds(std::span<const std::uint8_t> kept) const;
@@ -78,6 +82,8 @@ class RecordFile {
   FileDescriptor file_;
   int out_of_reach_ = 0;
   bool is_anybodys_ = false;
+  bool is_writable_ = false;
+  bool is_claimed_ = false;
   bool is_overtaken_ = false;
 };
 

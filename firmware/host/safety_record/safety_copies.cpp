@@ -26,6 +26,7 @@ struct SafetyCopies::Writers {
     RecordFile file;  ///< of its thread once that runs, but in prepare(), which holds `files`
     bool survives_power_cut;
     bool is_prepared = false;     ///< of its thread, likewise
+    bool is_given_up = false;     ///< likewise
     std::uint64_t written = 0;    ///< sequence of the record that it holds
     std::uint64_t attempted = 0;  ///< likewise, that it was last given: above `written` it was not taken
     std::mutex files;
@@ -140,6 +141,7 @@ struct SafetyCopies::Writers {
 
   [[nodiscard]] bool take(Copy& copy, const SafetyRecord& wanted) {
     const std::lock_guard lock(copy.files);
+    if (copy.is_given_up) return false;
     if (copy.is_prepared && !copy.file.is_in_place()) {
       copy.file.let_go();
       copy.is_prepared = false;
@@ -193,6 +195,22 @@ void SafetyCopies::prepare(std::span<const std::uint8_t> kept) {
   // Of the threads, which look at it once a record is written.
   writers_->kept.assign(kept.begin(), kept.end());
   writers_->makes_files = true;
+}
+
+bool SafetyCopies::give_up_one() {
+  Writers::Copy* last = nullptr;
+  std::size_t open = 0;
+  for (Writers::Copy& copy : writers_->copies) {
+    const std::lock_guard lock(copy.files);
+    if (!copy.file.is_open()) continue;
+    last = &copy;
+    ++open;
+  }
+  if (open < 2) return false;
+  const std::lock_guard lock(last->files);
+  last->file.let_go();
+  last->is_given_up = true;
+  return true;
 }
 
 bool SafetyCopies::write(const SafetyRecord& record, std::chrono::milliseconds patience) {

@@ -59,6 +59,10 @@ class SafetyCopies {
   /// them. A copy that this cannot do for is tried again with every record.
   void prepare(std::span<const std::uint8_t> kept);
 
+  /// Where the program may open no more files, and needs one more than a further copy: gives up the last copy that has one, for good, so
+  /// that it takes no record any more. False: only one has a file.
+  bool give_up_one();
+
   /// Gives the record to all copies. @param record  its sequence is given here
   /// @param patience  with slow disks
   /// @return as is_durable()

@@ -149,6 +149,8 @@ LcmEndpoint::LcmEndpoint(const LcmUrl& url, const std::vector<std::string_view>&
   const bool hears = join();
   if (!hears && is_refused) fail("no interface is up on which the multicast group can be joined");
   const bool sends = open_sender();
+  // That passes no sooner than the program does: a port that never sends is none.
+  if (!sends && (errno == EMFILE || errno == ENFILE)) fail("socket");
   if (!sends && is_refused) fail("no route to the multicast group");
   is_up_ = hears && sends;
 }

@@ -12,7 +12,7 @@
 
 namespace earshot::messages {
 
-// What the runtime is told of the vehicle and its sea.
+// What the runtime receives of the vehicle and its sea.
 
 template <>
 struct Described<Navigation> {
@@ -58,7 +58,7 @@ struct Described<BearingMeasurement> {
           "deviation_rad", {.meaning = "standard deviation of bearing_rad, above 0 and at most pi", .key = "bearing_deviation_rad"}),
       whether_there<&BearingMeasurement::bearing, &Bearing::mirror_axis>(
           "ambiguous",
-          {.meaning = "left and right cannot be told apart: 2 axis_rad - bearing_rad is as likely", .key = "bearing_ambiguous"}),
+          {.meaning = "left and right cannot be distinguished: 2 axis_rad - bearing_rad is as likely", .key = "bearing_ambiguous"}),
       field<&BearingMeasurement::bearing, &Bearing::mirror_axis>(
           "axis_rad", {.meaning = "of the array, when it was measured; looked at only when ambiguous", .key = "bearing_axis_rad"}),
       field<&BearingMeasurement::sender>("sender", {.meaning = "who measured it: a number of its own, where there is more than one array"}),
@@ -72,7 +72,7 @@ struct Described<VehicleStatus> {
   static constexpr std::string_view kMeaning = "How the vehicle is. What it does not measure is NaN, or false.";
   static constexpr std::tuple kFields{
       field<&VehicleStatus::time>("utime", {.key = "valid_time_s"}),
-      field<&VehicleStatus::altitude>("altitude_m", {.meaning = "above the sea floor; NaN: no bottom in reach"}),
+      field<&VehicleStatus::altitude>("altitude_m", {.meaning = "above the sea floor; NaN: no bottom is heard"}),
       field<&VehicleStatus::battery_percent>("battery_percent", {.meaning = "charge that is left; NaN: not known"}),
       field<&VehicleStatus::has_leak>("leak", {.meaning = "water in the hull"}),
       field<&VehicleStatus::has_ground_fault>("ground_fault", {.meaning = "current between battery and hull"}),
@@ -83,7 +83,7 @@ template <>
 struct Described<AutopilotStatus> {
   static constexpr std::string_view kType = "autopilot_status_t";
   static constexpr std::string_view kChannel = "EARSHOT_AUTOPILOT_STATUS";
-  static constexpr std::string_view kMeaning = "What the autopilot says of itself.";
+  static constexpr std::string_view kMeaning = "What the autopilot reports of itself.";
   static constexpr std::tuple kFields{
       field<&AutopilotStatus::time>("utime", {.key = "valid_time_s"}),
       field<&AutopilotStatus::follows_setpoints>("follows_setpoints", {.meaning = "false: a person or another mission steers"}),
@@ -94,7 +94,7 @@ template <>
 struct Described<HydrophoneStatus> {
   static constexpr std::string_view kType = "hydrophone_status_t";
   static constexpr std::string_view kChannel = "EARSHOT_HYDROPHONE_STATUS";
-  static constexpr std::string_view kMeaning = "What a hydrophone says of itself.";
+  static constexpr std::string_view kMeaning = "What a hydrophone reports of itself.";
   static constexpr std::tuple kFields{
       field<&HydrophoneStatus::time>("utime", {.key = "valid_time_s"}),
       field<&HydrophoneStatus::is_deaf>("deaf", {.meaning = "its samples are still, clipped or below the noise of any sea"}),
@@ -106,7 +106,7 @@ struct Described<PortReport> {
   static constexpr std::string_view kType = "port_report_t";
   static constexpr std::string_view kChannel = "EARSHOT_PORT_REPORT";
   static constexpr std::string_view kMeaning =
-      "What one port of the runtime says of itself; counters only grow. In the journal, and in health_t.\n"
+      "What one port of the runtime reports of itself; counters only grow. In the journal, and in health_t.\n"
       "A hydrophone's port counts samples of one channel in `received` and `lost`.";
   static constexpr std::tuple kFields{
       field<&PortReport::port>(

@@ -12,7 +12,7 @@ struct WordsOf<Ending> {
   static constexpr auto kInRecords = &Word<Ending>::name;
   static constexpr auto kTable = std::to_array<Word<Ending>>({
       {Ending::kMissionOver, "mission_over", "mission over", "the mission was over"},
-      {Ending::kStopped, "stopped", "stopped", "the program was told to stop"},
+      {Ending::kStopped, "stopped", "stopped", "the program was stopped"},
       {Ending::kClockLost, "clock_lost", "clock lost", "the simulator was gone"},
   });
 };
@@ -53,7 +53,7 @@ struct Described<JournalPart> {
   static constexpr std::string_view kChannel = "EARSHOT_JOURNAL_PART";
   static constexpr std::string_view kMeaning = "A later part of a journal begins with it; it bears no record's number of its own.";
   static constexpr std::tuple kFields{
-      field<&JournalPart::part>("part", {.meaning = "counted from 1: the second file says 2"}),
+      field<&JournalPart::part>("part", {.meaning = "counted from 1: the second file has 2"}),
       field<&JournalPart::first_record_crc32>(
           "first_record_crc32", {.meaning = "of the journal's first record, as it stands there: which journal this is a part of"}),
   };
@@ -64,7 +64,7 @@ struct Described<JournalResumed> {
   static constexpr std::string_view kType = "journal_resumed_t";
   static constexpr std::string_view kChannel = "EARSHOT_JOURNAL_RESUMED";
   static constexpr std::string_view kMeaning =
-      "Where another process went on with a mission from its journal: what stands before was said by one that was killed or lost its "
+      "Where another process went on with a mission from its journal: what stands before was written by one that was killed or lost its "
       "power.";
   static constexpr std::tuple kFields{
       field<&JournalResumed::time>("utime", {.is_in_files = false}),
@@ -79,7 +79,7 @@ struct Described<ControllerTrouble> {
   static constexpr std::string_view kType = "controller_trouble_t";
   static constexpr std::string_view kChannel = "EARSHOT_CONTROLLER_TROUBLE";
   static constexpr std::string_view kMeaning =
-      "The CAN controller of a port is in trouble from now on, or no longer: its kernel said so. It steers nothing.";
+      "The CAN controller of a port is in trouble from now on, or no longer: its kernel reported it. It steers nothing.";
   static constexpr std::tuple kFields{
       field<&ControllerTrouble::time>("utime", {.meaning = "microseconds on the mission clock", .is_in_files = false}),
       field<&ControllerTrouble::port>("port"),

@@ -171,8 +171,8 @@ struct Described<MissionRecord> {
       detail::of_mission<&Mission::authority, &config::Authority::autopilot_timeout>(
           "autopilot_timeout_us", {.meaning = "0: its status is not waited for", .key = "autopilot_timeout_s"}),
       detail::of_mission<&Mission::listening, &config::ListeningWindow::listening>(
-          "listening", {.meaning = "what an observation hears of the looks on its leg: 0 the newest, 1 the loudest, 2 the mean of those "
-                                   "measured"}),
+          "listening", {.meaning = "what an observation hears of the SNR measurements on its leg: 0 the newest, 1 the loudest, 2 the "
+                                   "mean of those measured"}),
       detail::of_mission<&Mission::listening, &config::ListeningWindow::length>("listening_window_us", {.key = "listening_window_s"}),
       detail::of_mission<&Mission::action_seed>("action_seed"),
       field<&MissionRecord::policy_crc32>("policy_crc32", {.meaning = "of the whole .policy file", .is_checksum = true}),

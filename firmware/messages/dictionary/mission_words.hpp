@@ -32,7 +32,7 @@ struct WordsOf<EndReason> {
       {EndReason::kTimeUsedUp, "time_used_up", "time used up", "its time is used up"},
       {EndReason::kSafetyRule, "safety_rule", "safety rule", "a safety rule ended it"},
       {EndReason::kMemoryFault, "memory_fault", "memory fault", "the computer's memory is at fault"},
-      {EndReason::kFound, "found", "found", "the vehicle says that it has found the source"},
+      {EndReason::kFound, "found", "declared found", "the vehicle declared the source found"},
       {EndReason::kOutage, "outage", "outage", "it could not go on after an outage"},
   });
 };

@@ -11,7 +11,7 @@
 
 namespace earshot::messages {
 
-// What the vehicle is told to do, and what it says of itself.
+// What the vehicle is ordered to do, and what it reports of itself.
 
 template <>
 struct Described<Setpoint> {
@@ -86,14 +86,14 @@ struct Described<Decision> {
       field<&Decision::belief, &BeliefSummary::surprise_bits>(
           "surprise_bits", {.meaning = "how unlikely what was heard is under all that is believed possible"}),
       whether_there<&Decision::found>(
-          "found", {.meaning = "false: it is not said, and the rest is zero", .heading = "That the source is found here, and why."}),
+          "found", {.meaning = "false: it is not declared, and the rest is zero", .heading = "That the source is found here, and why."}),
       field<&Decision::found, &FoundDeclaration::probability>("found_probability",
                                                               {.meaning = "that the source lies within a step length of the vehicle"}),
       field<&Decision::found, &FoundDeclaration::least_snr>("found_least_snr_db",
                                                             {.meaning = "that is expected within a step length of the source"}),
       field<&Decision::found, &FoundDeclaration::closest_approach>("closest_approach_m",
                                                                    {.meaning = "from the likeliest place to the vehicle"}),
-      // The decision says these itself, but for the number of near looks.
+      // The decision holds these itself, but for the number of near SNR measurements.
       untold<At<&Decision::found, &FoundDeclaration::snr>, At<&Decision::found, &FoundDeclaration::likeliest>,
              At<&Decision::found, &FoundDeclaration::look>, At<&Decision::found, &FoundDeclaration::near_looks>>(),
   };
@@ -143,12 +143,12 @@ struct Described<Health> {
       field<&Health::steps_taken>("steps_taken", {.bus = on_bus::any_number("StepsTaken", 96)}),
       field<&Health::surprise_bits>("surprise_bits",
                                     {.meaning = "how unlikely what was heard is under all that is believed possible; 0 without a belief",
-                                     .bus = on_bus::number("Surprise", 472, 16, on_bus::kUnsigned, on_bus::kHundredth, "bit"),
+                                     .bus = on_bus::number("ModelMismatch", 472, 16, on_bus::kUnsigned, on_bus::kHundredth, "bit"),
                                      .is_later_on_bus = true,
                                      .saturates_on_bus = true}),
       field<&Health::is_sweeping>(
           "sweeping", {.meaning = "for that it sweeps the area", .bus = on_bus::number("Sweeping", 414, 2), .is_later_on_bus = true}),
-      field<&Health::is_found>("found", {.meaning = "with its last look the vehicle said that it has found the source",
+      field<&Health::is_found>("found", {.meaning = "with its last SNR measurement the vehicle declared the source found",
                                          .bus = on_bus::number("Found", 464, 2),
                                          .is_later_on_bus = true}),
       field<&Health::counters, &Counters::navigation_refused>("navigation_refused", {.bus = on_bus::counter("NavigationRefused", 128)}),
@@ -181,7 +181,7 @@ struct Described<SoundDetection> {
       field<&SoundDetection::level>("level_db_re_1upa",
                                     {.meaning = "of its loudest integration time: signal and noise in the detector's band"}),
       field<&SoundDetection::snr>("snr_db", {.meaning = "of the same"}),
-      field<&SoundDetection::is_clipped>("clipped", {.meaning = "samples of it were at full scale: it was louder than told"}),
+      field<&SoundDetection::is_clipped>("clipped", {.meaning = "samples of it were at full scale: it was louder than given here"}),
   };
 };
 

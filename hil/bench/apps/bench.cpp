@@ -56,13 +56,15 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--mission", &o.mission, "of the cases that name none; default: the one that ships");
   line.option("--environment", &o.environment, "ocean, source level and noise (TOML); default: munk_flat.toml");
   line.option("--interface", &o.interface, "CAN interface, for the cases over CAN").shows_default();
-  line.option("--seed", &o.seed, "draws which frames a fault befalls").from(0, std::numeric_limits<std::int64_t>::max()).shows_default();
+  line.option("--seed", &o.seed, "draws which frames a fault is injected into")
+      .from(0, std::numeric_limits<std::int64_t>::max())
+      .shows_default();
   line.option("--out", &o.out, "folder for results.json and a folder for every case").shows_default();
   line.option("--random", &o.random,
               "fly so many random combinations of the cases' faults instead, which must break no promise; what fails is made smaller")
       .from(1, 1'000'000);
   line.flag("--disarmed", &o.disarmed, "fly the cases without the rules that must fire in them instead: each must fail");
-  line.flag("--judge", &o.judge, "read the cases and their missions, and say what is wrong with one, but fly none");
+  line.flag("--judge", &o.judge, "read the cases and their missions, and report what is wrong with one, but fly none");
   line.option("--earshotd", &o.earshotd, "the earshotd to be tried; default: the one beside this program");
 }
 
@@ -234,7 +236,7 @@ int main(int argc, char** argv) {
       "earshot bench",
       "Flies missions with the real earshotd on a CAN bus or over LCM, each with the faults of its case, and judges what came of\n"
       "them. hil/run builds it, finds it a bus, and makes a page of its results.\n"
-      "Exit status: 0 every case passed; 1 one did not; 2 bad input; 3 what was to be said could not be; 130 stopped by a signal.");
+      "Exit status: 0 every case passed; 1 one did not; 2 bad input; 3 what was to be printed could not be; 130 stopped by a signal.");
   Options options;
   declare(line, options);
   return program::run(line, argc, argv, [&] { return bench(options); });

@@ -23,7 +23,7 @@ NarrowQueue::~NarrowQueue() {
 
 std::uint64_t NarrowQueue::refused() const {
   const std::optional<NetemCounts> counts = netem_counts(interface_);
-  if (!counts) throw std::system_error(EIO, std::generic_category(), "tc tells no counter of the queue before " + interface_);
+  if (!counts) throw std::system_error(EIO, std::generic_category(), "tc gives no counter of the queue before " + interface_);
   return counts->dropped;
 }
 

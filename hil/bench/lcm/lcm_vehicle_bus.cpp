@@ -70,7 +70,7 @@ void LcmVehicleBus::hear(Time now, const std::function<bool()>& /*is_there*/) {
   LcmMessages heard;
   do {
     std::optional<LcmMessage> message = network_.receive(kPatience_ms);
-    if (!message) throw BusTrouble("of the end of its turn Earshot said nothing on the bus");
+    if (!message) throw BusTrouble("of the end of its turn Earshot sent nothing on the bus");
     ++received_;
     trace(*message, true);
     heard.push_back(std::move(*message));

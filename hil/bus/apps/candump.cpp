@@ -60,7 +60,7 @@ struct Damage {
   void note(std::string_view why) {
     std::ostringstream text;
     if (++damaged <= kMostComplaints) text << host::printable(file) << ':' << line << ": " << why << "; passed over\n";
-    if (damaged == kMostComplaints) text << host::printable(file) << ": of more that is damaged only the number is told\n";
+    if (damaged == kMostComplaints) text << host::printable(file) << ": of more that is damaged only the number is given\n";
     untold += text.str();
   }
   void tell() {
@@ -307,7 +307,7 @@ int work(const Settings& settings) {
 int main(int argc, char** argv) {
   Settings settings;
   program::CommandLine line("earshot candump",
-                            "Says in words what goes over a CAN bus (NMEA 2000), and records it as candump -l does.\n"
+                            "Prints in words what goes over a CAN bus (NMEA 2000), and records it as candump -l does.\n"
                             "Status: 0 done, also after Ctrl-C; 1 lines were damaged, or frames were lost; 2 the input was refused; 3 the\n"
                             "recording, or standard output, could not be written.");
   line.option("INPUT", &settings.input,

@@ -108,7 +108,7 @@ LineOr CanboatReader::read(std::string_view line) {
   if (!priority || !pgn || !source || !destination || !size)
     return "priority, parameter group, source, destination and size are numbers in this order";
   const auto bytes = bytes_of(line, *size);
-  if (!bytes) return "there are fewer or more bytes than it says, or other things";
+  if (!bytes) return "there are fewer or more bytes than it states, or other things";
   if (*pgn >= kBeyondTheBus) return Remark{};
   // A clock that was never set, west of Greenwich.
   if (time->us < 0) time.reset();

@@ -28,7 +28,7 @@ LineOr entry_of(const RecordedFrame& recorded) {
   std::string_view data = recorded.data;
   for (unsigned i = 0; i < *size && i < frame.data.size(); ++i) {
     const auto value = number<std::uint8_t>(take_word(data), recorded.base);
-    if (!value) return "there are fewer bytes than it says, or other things";
+    if (!value) return "there are fewer bytes than it states, or other things";
     frame.data.at(frame.size++) = *value;
   }
   if (recorded.is_extended && *size <= frame.data.size()) entry.frame = frame;

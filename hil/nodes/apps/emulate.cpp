@@ -58,7 +58,7 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--seed", &o.seed, "draws what is not given, and the devices' unique numbers")
       .from(0, std::numeric_limits<std::int64_t>::max())
       .shows_default();
-  line.option("--speed", &o.speed, "seconds of the vehicle's time per second; earshotd must be told the same")
+  line.option("--speed", &o.speed, "seconds of the vehicle's time per second; earshotd must be given the same")
       .between(0.01, 100.0)
       .shows_default();
   line.option("--duration", &o.duration_s, "seconds of the vehicle's time until it ends; default: it goes on until Ctrl-C").positive();
@@ -195,7 +195,7 @@ int main(int argc, char** argv) {
   program::CommandLine line("earshot emulate",
                             "A vehicle's devices on a CAN bus (NMEA 2000), for an earshotd without its vehicle: compass, speed log, depth\n"
                             "sensor, altimeter, inertial navigation, battery, autopilot, a hydrophone that hears a hidden source, and an\n"
-                            "operator who says START, and COMPLETE at the source.");
+                            "operator who sends START, and COMPLETE at the source.");
   Options options;
   declare(line, options);
   return program::run(line, argc, argv, [&] { return emulate(options); });

@@ -139,7 +139,7 @@ void draw_policy_map(const PolicyMapOptions& options) {
     draw_for_source(*policy, options);
   else
     draw_for_flight(*policy, options);
-  program::say() << options.output.string() << ": " << heard_in(options) << "\n";
+  program::say() << "wrote " << options.output.string() << ": " << heard_in(options) << "\n";
 }
 
 }  // namespace earshot::report

@@ -20,23 +20,27 @@ namespace {
 using messages::EndReason;
 using messages::MissionState;
 
-/// By which come the vehicle computer's own orders: the ABORT of a program that is told to stop.
+/// By which come the vehicle computer's own orders: the ABORT of a program that is stopped.
 constexpr std::uint8_t kEarshotItself = 0;
 
 std::optional<SeaFlight> begun_with(const journal::Record& first) {
-  const auto* const said = std::get_if<messages::MissionRecord>(&first.content);
-  if (said == nullptr) return std::nullopt;
+  const auto* const record = std::get_if<messages::MissionRecord>(&first.content);
+  if (record == nullptr) return std::nullopt;
   SeaFlight flight;
   flight.began = first.time;
-  flight.area = said->mission.operating_area;
+  flight.area = record->mission.operating_area;
   if (!is_finite(flight.area.south_west) || !is_finite(flight.area.north_east)) return std::nullopt;
-  flight.threshold = said->mission.detection_threshold;
-  flight.account.max_steps = said->mission.max_steps;
-  flight.build = messages::text_of(said->build);
+  const config::Mission& mission = record->mission;
+  flight.threshold = mission.detection_threshold;
+  flight.depth = mission.search_depth;
+  flight.speed = mission.search_speed;
+  flight.frequency = mission.source_frequency;
+  flight.account.max_steps = mission.max_steps;
+  flight.build = messages::text_of(record->build);
   return flight;
 }
 
-void note_account(const messages::Health& health, SearchAccount& account) {
+void note_account(const messages::Health& health, search::SearchAccount& account) {
   const std::uint32_t step = health.steps_taken;
   account.surprise_bits = double{health.surprise_bits};
   if (health.surprise_bits >= messages::kSurprising_bits && !account.surprised_step) account.surprised_step = step;

@@ -12,7 +12,7 @@
 #include "firmware/host/journal/words/sentences.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/messages/operator_command.hpp"
-#include "policy/report/search_account.hpp"
+#include "sim/search/account/search_account.hpp"
 
 namespace earshot::report {
 
@@ -22,7 +22,10 @@ struct SeaFlight {
   Time began;          ///< when the journal begins, on the mission's clock: at sea UTC
   Rectangle area;      ///< where it was to search
   Decibels threshold;  ///< of a detection
-  std::string build;   ///< version and commit of the program that flew
+  Meters depth;        ///< of the search
+  MetersPerSecond speed;
+  Hertz frequency;    ///< of the source that it searched for
+  std::string build;  ///< version and commit of the program that flew
 
   struct Fix {
     double time_s = 0.0;
@@ -64,7 +67,7 @@ struct SeaFlight {
   journal::AbortedBy aborted_by = journal::AbortedBy::kOperator;
   std::uint32_t steps_taken = 0;
   messages::Counters counters;           ///< the last
-  SearchAccount account;                 ///< of the last search
+  search::SearchAccount account;         ///< of the last search
   std::optional<double> search_began_s;  ///< the first turn of the search
   std::optional<double> search_ended_s;  ///< the first turn after it
 

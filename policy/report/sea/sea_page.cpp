@@ -5,6 +5,7 @@
 #include "firmware/host/journal/words/wording.hpp"
 #include "policy/explain/wording.hpp"
 #include "policy/report/html.hpp"
+#include "sim/search/account/search_account.hpp"
 
 namespace earshot::report {
 namespace {
@@ -24,7 +25,8 @@ std::string ending_to_string(const SeaFlight& flight) {
     case MissionState::kAbort:
       break;
   }
-  const bool is_found = flight.end_reason == messages::EndReason::kCompleted;
+  // Of what the vehicle declared nobody at sea knows better.
+  const bool is_found = flight.end_reason == messages::EndReason::kCompleted || flight.end_reason == messages::EndReason::kFound;
   const std::string what = flight.state == MissionState::kAbort ? "aborted" : "ended";
   return "<h1 class=\"" + std::string(is_found ? "found" : "missed") + "\">Search " + what + " after " + steps + ": " +
          flight.why_it_ended() + (flight.ending_rule ? ": " + escaped(*flight.ending_rule) : "") + "</h1>\n";
@@ -49,6 +51,8 @@ std::string sea_headline(const SeaFlight& flight, const JournalledSearch& journa
   std::string text = ending_to_string(flight) + "<p>";
   if (flight.is_dated())
     text += "The journal begins at <b>" + journal::utc(flight.began) + "</b>; every time on this page is counted from there. ";
+  else
+    text += "The journal's clock begins with the flight: it was a simulation, and no vehicle was at sea. ";
   text += escaped(program_to_string(journal)) + "</p>\n";
   if (journal.is_whole()) text += "<p>The journal is whole: it was ended in order, and no record of it was lost.</p>\n";
   if (flight.safety_record) text += "<p>What stands beside the journal: " + escaped(*flight.safety_record) + "</p>\n";
@@ -61,11 +65,15 @@ std::string sea_facts(const SeaFlight& flight, const JournalledSearch& journal) 
   std::vector<SeaFlight::Measurement> measured = flight.measurements;
   std::erase_if(measured, [](const SeaFlight::Measurement& one) { return one.too_faint; });
   const auto loudest = std::ranges::max_element(measured, is_fainter);
-  std::string text = "<dl>\n" + fact("time in the journal", duration(flight.ended_s));
+  std::string text = "<dl>\n" + fact("frequency searched for", fixed(flight.frequency.value, 1) + " Hz") +
+                     fact("depth of the search", fixed(flight.depth.value, 0) + " m") +
+                     fact("speed of the search", fixed(flight.speed.value, 1) + " m/s") +
+                     fact("time in the journal", duration(flight.ended_s));
   if (flight.search_began_s)
     text += fact("of it searching", duration(flight.search_ended_s.value_or(flight.ended_s) - *flight.search_began_s)) +
             fact("sailed in the search", fixed(flight.distance().value / 1e3, 1) + " km");
-  text += fact("decisions", std::to_string(journal.decisions.size())) + fact("of these, source heard", std::to_string(detections)) +
+  text += fact("decisions", std::to_string(journal.decisions.size())) +
+          fact("detections", std::to_string(detections), search::detection_means(flight.threshold.value)) +
           fact("loudest SNR", loudest == measured.end() ? "-" : fixed(loudest->snr_db, 1) + " dB");
   return text + fact("fixes", std::to_string(flight.fixes.size())) + fact("SNR measurements", std::to_string(flight.measurements.size())) +
          "</dl>\n";

@@ -61,9 +61,9 @@ std::string colours_of(const SpectrogramTable& table) {
 
 std::string measured_plot(Decibels threshold) {
   // The line first, so that the dots lie on it; the legend's marks are larger than those of the picture.
-  return "plot 'looks.dat' using 1:($5==0?$4:1/0) with lines lw 1.2 lc rgb '#c77d2b' title 'modelled', \\\n"
-         " 'looks.dat' using 1:($3==0?$2:1/0) with points pt 7 ps 0.3 lc rgb '#2f6fa5' notitle, \\\n"
-         " 'looks.dat' using 1:($3==1?$2:1/0) with points pt 10 ps 0.35 lc rgb '#7f98a9' notitle, \\\n"
+  return "plot 'measured.dat' using 1:($5==0?$4:1/0) with lines lw 1.2 lc rgb '#c77d2b' title 'modelled', \\\n"
+         " 'measured.dat' using 1:($3==0?$2:1/0) with points pt 7 ps 0.3 lc rgb '#2f6fa5' notitle, \\\n"
+         " 'measured.dat' using 1:($3==1?$2:1/0) with points pt 10 ps 0.35 lc rgb '#7f98a9' notitle, \\\n"
          " keyentry with points pt 7 ps 0.7 lc rgb '#2f6fa5' title 'measured', \\\n"
          " keyentry with points pt 10 ps 0.8 lc rgb '#7f98a9' title 'too faint: below this', \\\n " +
          std::to_string(threshold.value) + " with lines lw 1.6 dt (6,4) lc " + kInk +
@@ -77,7 +77,7 @@ std::string strip_plot(const SpectrogramTable& table) {
   const double top = table.frequency_hz.back() + 3.0;
   text << "set yrange [" << table.frequency_hz.front() << ":" << table.frequency_hz.back() + 5.0
        << "]\nplot 'spectrogram.dat' using 1:2:3 with image notitle, \\\n"
-       << " 'looks.dat' using 1:($6==1?" << top << ":1/0) with points pt 5 ps 0.25 lc rgb '#c2127a' notitle\nunset multiplot\n";
+       << " 'measured.dat' using 1:($6==1?" << top << ":1/0) with points pt 5 ps 0.25 lc rgb '#c2127a' notitle\nunset multiplot\n";
   return text.str();
 }
 
@@ -85,7 +85,7 @@ std::string strip_plot(const SpectrogramTable& table) {
 
 std::string sound_svg(const HeardSound& sound, Decibels threshold, const std::vector<explain::RecordedDecision>& decisions) {
   const PlotFolder scratch;
-  write_looks(scratch / "looks.dat", sound, threshold);
+  write_looks(scratch / "measured.dat", sound, threshold);
   write_decisions(scratch / "decisions.dat", decisions);
   write_spectrogram(scratch / "spectrogram.dat", sound.spectrogram);
   std::ostringstream range;

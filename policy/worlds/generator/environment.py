@@ -134,7 +134,7 @@ def _judge_profile(water: dict[str, Any], floor_m: float) -> None:
     if depths[0] != 0 or not _increase(depths):
         raise ValueError(f"[water] depth_m: {reprlib.repr(depths)}: must begin at 0 and increase")
     if depths[-1] < floor_m:
-        raise ValueError(f"[water] depth_m: ends at {depths[-1]!r}: must reach the sea floor, {floor_m:g}")
+        raise ValueError(f"[water] depth_m: ends at {depths[-1]!r}: must extend to the sea floor, {floor_m:g}")
 
 
 def _increase(values: Iterable[float]) -> bool:

@@ -184,7 +184,7 @@ def options() -> argparse.Namespace:
     if o.variants_of is not None and (o.frequency_hz is not None or o.vehicle_depth_m is not None):
         parser.error("--frequency-hz, --vehicle-depth-m: not of --variants-of, whose frequency is the environment's")
     if o.bank is not None and o.vehicle_depth_m is not None:
-        parser.error("--vehicle-depth-m: of --split train; a bank's are as deep as bank.csv says")
+        parser.error("--vehicle-depth-m: of --split train; a bank's are as deep as bank.csv states")
     if o.frequency_hz is not None and not 1 <= o.frequency_hz <= 100:
         parser.error(f"--frequency-hz: {o.frequency_hz:g}: must be 1 to 100")
     if o.vehicle_depth_m is not None and not 1 <= o.vehicle_depth_m < DEEPEST_M:

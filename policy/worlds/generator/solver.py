@@ -19,7 +19,7 @@ def complaint_of(command: list[str]) -> str | None:
         done = subprocess.run(command, capture_output=True, text=True, check=False)
     except FileNotFoundError:
         raise Refusal(
-            f"{command[0]}: no such program; build it as the README of the tree says, or name its folder with --bin"
+            f"{command[0]}: no such program; build it as the README of the tree shows, or name its folder with --bin"
         ) from None
     except OSError as error:
         raise Refusal(f"{command[0]}: {error.strerror}") from None

@@ -78,7 +78,7 @@ void describe_solver(program::CommandLine& line, FieldArguments& a) {
 void refuse_beside_library(const program::CommandLine& line) {
   for (const std::string& option : line.given()) {
     if (option != "--library" && option != "--output" && option != "--threads" && option != "--force")
-      throw std::invalid_argument(option + ": not with --library, whose file says all of it");
+      throw std::invalid_argument(option + ": not with --library, whose file states all of it");
   }
 }
 
@@ -106,7 +106,7 @@ std::vector<double> receiver_depths(const FieldArguments& arguments, Meters sea_
   std::vector<double> depths = arguments.depth_m;
   if (!depths.empty() && depths.front() == 0.0)
     throw std::invalid_argument(
-        "--depth = 0: at the surface there is no sound, its pressure is released; a hydrophone hangs below it, say at 1 m");
+        "--depth = 0: at the surface there is no sound, its pressure is released; a hydrophone hangs below it, at 1 m for example");
   for (const double depth : depths) {
     if (depth <= sea_floor.value) continue;
     std::ostringstream text;

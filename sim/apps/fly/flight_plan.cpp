@@ -56,7 +56,7 @@ FlightPlan load_flight_plan(const std::filesystem::path& mission, const std::fil
 void require_known_consumption(const config::Mission& mission, const std::filesystem::path& path) {
   if (mission.safety.vehicle.battery_percent_per_km > 0.0) return;
   throw BadInput("--battery-percent: " + path.string() +
-                 ": vehicle.battery_percent_per_km: is not given, and nothing else says what a kilometre takes of the battery; put it "
+                 ": vehicle.battery_percent_per_km: is not given, and nothing else states what a kilometre takes of the battery; put it "
                  "there, or take a mission that has it: earshot init --battery-percent makes one, "
                  "firmware/boards/linux/missions/fenced_search.toml is one");
 }

@@ -24,9 +24,9 @@ struct FlightPlan {
 
 /// Of `--battery-percent` of both programs.
 inline constexpr const char* kBatteryHelp =
-    "simulate the battery, which has so much charge at the start: the vehicle tells it at every tick, and each kilometre takes the "
+    "simulate the battery, which has so much charge at the start: the vehicle reports it at every tick, and each kilometre takes the "
     "mission's "
-    "vehicle.battery_percent_per_km, which it must have (earshot init --battery-percent, fenced_search.toml); default: the vehicle tells "
+    "vehicle.battery_percent_per_km, which it must have (earshot init --battery-percent, fenced_search.toml); default: the vehicle reports "
     "none";
 /// @throws host::BadInput when the mission does not say what a kilometre takes of a battery that is to be simulated
 void require_known_consumption(const config::Mission& mission, const std::filesystem::path& path);

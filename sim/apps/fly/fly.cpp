@@ -31,10 +31,9 @@
 #include "sim/apps/fly/emulated_board.hpp"
 #include "sim/apps/fly/flight_folder.hpp"
 #include "sim/apps/fly/flight_plan.hpp"
-#include "sim/apps/fly/flight_progress.hpp"
+#include "sim/apps/fly/flight_summary.hpp"
 #include "sim/apps/fly/hearing/hear_option.hpp"
 #include "sim/apps/fly/hearing/sound.hpp"
-#include "sim/apps/fly/search_account.hpp"
 #include "sim/apps/fly/speed_option.hpp"
 #include "sim/link/run_slot.hpp"
 #include "sim/search/scenario/scenario_file.hpp"
@@ -110,7 +109,7 @@ void declare(program::CommandLine& line, Options& o) {
               "cells)")
       .one_of({fly::kBoardFull, fly::kBoardSmall});
   line.option("--battery-percent", &o.battery_percent, fly::kBatteryHelp).between(0.0, 100.0);
-  line.flag("--ignore-source", &o.ignore_source, "fly on to the last step even when the source is reached (benchmarks)");
+  line.flag("--ignore-source", &o.ignore_source, "fly on to the last step even when the source is found (benchmarks)");
   line.flag("--no-report", &o.no_report, "do not write report.html");
 }
 
@@ -188,16 +187,7 @@ void wait_for_both(ChildProcess& simulator, ChildProcess& runtime) {
 void print_summary(const fs::path& out) {
   if (program::talk() == program::Talk::kQuiet) return;
   std::ifstream stream(out / "summary.json");
-  const nlohmann::json s = nlohmann::json::parse(stream);
-  const double sim_time_s = s.at("sim_time_s");
-  const Duration at_sea = Duration::milliseconds(std::llround(1e3 * sim_time_s));
-  const double wall_time_s = s.at("wall_time_s");
-  std::printf("%s\n", fly::outcome(s).c_str());
-  std::printf("  reward      %.1f\n  steps       %d\n  detections  %d\n  distance    %.1f km\n", s.at("reward").get<double>(),
-              s.at("steps").get<int>(), s.at("detections").get<int>(), s.at("distance_m").get<double>() / 1e3);
-  std::printf("  time        %s at sea in %.2f s: %.0f times real time\n", fly::hours_and_minutes(at_sea).c_str(), wall_time_s,
-              sim_time_s / std::max(wall_time_s, 1e-9));
-  std::printf("%s", fly::account_lines(s).c_str());
+  std::printf("%s", fly::to_string_of_summary(nlohmann::json::parse(stream)).c_str());
 }
 
 bool writes_report(const fs::path& folder) {
@@ -345,7 +335,7 @@ int fly_search(Options o) {
   warn_of_another_source(o, mission);
   if (mission.hearing && !o.hear && program::talk() != program::Talk::kQuiet)
     std::cerr
-        << "earshot fly: the mission's hydrophone is left out: the simulator tells the SNR (--hear synthetic: the vehicle measures it)\n";
+        << "earshot fly: the mission's hydrophone is left out: the simulator gives the SNR (--hear synthetic: the vehicle measures it)\n";
   const std::vector<host::BusLock> locks = lock_buses(o, mission);
   o.can_interface = chosen_can_interface(o, mission);
   FlightFolder folder(o.out);

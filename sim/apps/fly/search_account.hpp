@@ -11,13 +11,13 @@
 
 namespace earshot::fly {
 
-/// What a vehicle said of its search while it flew: how surprised it was, whether it swept the area, whether it declared the source
-/// found, and whether a rule sent it home.
+/// What a vehicle reported of its search while it flew: its model-mismatch score, whether it swept the area, whether it declared the
+/// source found, and whether a rule sent it home.
 class SearchAccount {
  public:
   /// @param range  from the vehicle to the source, which the vehicle does not know
   void note(const link::Answer& answer, Meters range);
-  /// The keys of summary.json. A surprise is null where the policy holds no belief, a step where it did not come to that; `went_home` is
+  /// The keys of summary.json. A score is null where the policy holds no belief, a step where it did not come to that; `went_home` is
   /// there where a rule sent the vehicle home or up.
   [[nodiscard]] nlohmann::ordered_json to_json() const;
 
@@ -39,11 +39,11 @@ class SearchAccount {
 /// none did.
 [[nodiscard]] nlohmann::ordered_json ending_rule_to_json(const std::optional<messages::SafetyEvent>& rule);
 
-/// How a flight ended, for a person; its summary holds the word, and the rule that ended it.
-[[nodiscard]] std::string outcome(const nlohmann::json& summary);
+/// A line of the console under its label, of at most 100 columns; what is longer goes on below.
+[[nodiscard]] std::string entry(const std::string& label, const std::string& sentence);
 
-/// What the vehicle said of its battery and of its search, and what it heard, in lines of at most 100 columns; a summary of an earlier
-/// version says nothing of it.
+/// What the vehicle reported of its battery and of its search, and what it heard, in such lines; a summary of an earlier version knows
+/// nothing of it.
 [[nodiscard]] std::string account_lines(const nlohmann::json& summary);
 
 }  // namespace earshot::fly

@@ -1,8 +1,10 @@
 // earshot-sim: the ocean, the vehicle and the truth, in lock-step with earshotd.
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdint>
+#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -84,7 +86,7 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--domain", &o.domain, "DDS domain in which earshotd listens")
       .from(link::kLowestDomain, link::kHighestDomain)
       .shows_default();
-  line.option("--run", &o.run, "number that tells this run from others in the domain; default: drawn")
+  line.option("--run", &o.run, "number that distinguishes this run from others in the domain; default: drawn")
       .from(1, std::numeric_limits<std::int64_t>::max());
   line.option(
           "--bus", &o.ports.bus,
@@ -102,7 +104,7 @@ void declare(program::CommandLine& line, Options& o) {
               "ends then")
       .from(0, 86'400)
       .shows_default();
-  line.flag("--ignore-source", &o.ignore_source, "fly on to the last step even when the source is reached (benchmarks)");
+  line.flag("--ignore-source", &o.ignore_source, "fly on to the last step even when the source is found (benchmarks)");
 }
 
 /// The furthest that a source can be heard from within the area, and a little more.
@@ -178,8 +180,26 @@ nlohmann::ordered_json hearing_of(const Options& o, const FlightResult& result) 
           {"blocks_lost", result.sound->lost_blocks()}};
 }
 
-nlohmann::ordered_json summary_of(const Options& o, const config::Mission& mission, const FlightResult& result, const Score& score,
+/// "2026-11-22 15:04:05": when the flight was simulated.
+std::string utc_now() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm parts{};
+  std::array<char, 32> text{};
+  (void)::gmtime_r(&now, &parts);
+  (void)std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M:%S", &parts);
+  return text.data();
+}
+
+/// The mission's origin, where its north-east plane has its zero.
+nlohmann::ordered_json origin_of(const n2k::LocalPlane& plane) {
+  const Result<n2k::Geographic> origin = plane.to_geographic({});
+  if (!origin.ok()) return nullptr;
+  return {{"latitude_deg", origin.value().latitude_deg}, {"longitude_deg", origin.value().longitude_deg}};
+}
+
+nlohmann::ordered_json summary_of(const Options& o, const FlightPlan& plan, const FlightResult& result, const Score& score,
                                   NorthEast source, const vehicle::State& start) {
+  const config::Mission& mission = plan.mission.mission;
   const auto place = [](NorthEast p) { return nlohmann::ordered_json{{"north_m", p.north.value}, {"east_m", p.east.value}}; };
   const Rectangle& area = mission.operating_area;
   nlohmann::ordered_json summary{{"found", result.found},
@@ -189,6 +209,7 @@ nlohmann::ordered_json summary_of(const Options& o, const config::Mission& missi
                                  {"detections", score.detections()},
                                  {"sim_time_s", (result.last_tick - Time{}).to_seconds()},
                                  {"wall_time_s", result.wall_time_s},
+                                 {"flown_utc", utc_now()},
                                  {"seed", o.seed},
                                  {"end_reason", result.end_reason},
                                  {"ended_by", ending_rule_to_json(result.ending_rule)},
@@ -198,7 +219,10 @@ nlohmann::ordered_json summary_of(const Options& o, const config::Mission& missi
                                  {"start", place(start.position)},
                                  {"end", place(result.end.position)},
                                  {"area", {{"south_west", place(area.south_west)}, {"north_east", place(area.north_east)}}},
+                                 {"origin", origin_of(plan.mission.plane)},
+                                 {"source_frequency_hz", plan.scenario.environment.source.frequency.value},
                                  {"depth_m", mission.search_depth.value},
+                                 {"speed_mps", mission.search_speed.value},
                                  {"step_length_m", mission.step_length.value},
                                  {"max_steps", mission.max_steps},
                                  {"detection_threshold_db", mission.detection_threshold.value}};
@@ -264,9 +288,10 @@ int simulate(const Options& o) {
   if (o.hear) hearing.emplace(o, plan);
   program::stop_on_signals();  // up to here nothing is under way that would have to end in order
   link::SimulatorEnd link(o.domain, o.run.value_or(link::new_run()));
-  const board::Waited waited =
-      board::wait_for("earshot-sim", "an earshotd in DDS domain " + std::to_string(o.domain), o.slow_runtime ? kSlowPatience : kPatience,
-                      [&link](std::chrono::milliseconds most) { return link.wait_for_runtime(most); });
+  const board::Waited waited = board::wait_for(
+      "earshot-sim", "an earshotd in DDS domain " + std::to_string(o.domain), o.slow_runtime ? kSlowPatience : kPatience,
+      [&link](std::chrono::milliseconds most) { return link.wait_for_runtime(most); },
+      o.run ? board::Notice::kNone : board::Notice::kGiven);
   if (waited != board::Waited::kCame) return waited == board::Waited::kStopped ? program::kStopped : kLost;
 
   // Only now that both sides have taken their input: a refused policy leaves no half of a flight behind.
@@ -286,8 +311,8 @@ int simulate(const Options& o) {
     track->finish();
     if (result.sound) result.sound->record().write(o.out);
   });
-  const bool has_summary = succeeds(
-      [&] { host::write_whole(o.out / "summary.json", summary_of(o, file.mission, result, score, source, start).dump(2) + "\n"); });
+  const bool has_summary =
+      succeeds([&] { host::write_whole(o.out / "summary.json", summary_of(o, plan, result, score, source, start).dump(2) + "\n"); });
   if (link.strangers() > 0)
     std::cerr << "earshot-sim: " << link.strangers() << " answers of another earshotd in DDS domain " << o.domain << " were ignored\n";
   if (result.failure.empty()) return has_track && has_summary ? 0 : kLost;

@@ -45,7 +45,7 @@ Chain chain_of_recorders(const recording::Sequence& sequence, std::string& remar
   const bool agree = std::ranges::all_of(sequence.parts(), [&](const recording::Part& part) {
     return part.notes.sensitivity == first.sensitivity && part.notes.full_scale_volts == first.full_scale_volts;
   });
-  if (!agree) remark = "the files' headers tell different calibrations: none is taken; --calibration gives one";
+  if (!agree) remark = "the files' headers give different calibrations: none is taken; --calibration gives one";
   if (!agree || !first.sensitivity || !first.full_scale_volts) return {};
   detector::Calibration calibration;
   calibration.sensitivity = *first.sensitivity;

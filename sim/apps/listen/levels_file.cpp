@@ -49,7 +49,7 @@ void write_time(Writer& file, const recording::Sequence& sequence, std::span<con
     attributes.emplace_back("standard_name", "time");
     attributes.emplace_back("calendar", "standard");
   } else {
-    attributes.emplace_back("comment", "from the start of the file sequence: the recorder told no date");
+    attributes.emplace_back("comment", "from the start of the file sequence: the recorder gave no date");
   }
   write_axis(file, "time", time_s, attributes);
 }

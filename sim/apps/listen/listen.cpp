@@ -29,7 +29,7 @@ int warn(const listen::Plan& plan, const listen::Heard& heard) {
   for (const std::string& remark : plan.remarks) std::cerr << "earshot listen: " << host::printable(remark) << '\n';
   if (heard.missing_frames > 0)
     std::cerr << "earshot listen: " << heard.missing_frames
-              << " samples that the headers tell of could not be read: a file is cut short or damaged\n";
+              << " samples that the headers announce could not be read: a file is cut short or damaged\n";
   return is_incomplete ? program::kIncomplete : program::kDone;
 }
 
@@ -56,8 +56,8 @@ int main(int argc, char** argv) {
       "Hears calls in recordings with the detector that flies on the vehicle, and prints each with its time, level and SNR.\n"
       "Without any option it listens from 15 to 30 Hz for pulses of a second, which finds fin whales, and most that is loud there longer.\n"
       "Exit status: 0 listened to all, 1 listened to what there is of files that are cut short, unreadable or of a length that their "
-      "header does not "
-      "tell right, 2 something cannot be listened to.");
+      "header does not give "
+      "right, 2 something cannot be listened to.");
   describe(line, arguments);
   return program::run(line, argc, argv, [&] {
     arguments.history = program::as_typed(argc, argv);

@@ -90,7 +90,7 @@ void print_recording(std::ostream& out, const Result& result) {
   if (first.notes.start)
     out << "begins:      " << recording::to_iso(*first.notes.start) << ", from " << first.notes.start_from << '\n';
   else
-    out << "begins:      not known: neither the header nor the name tells (--begin, --time-format)\n";
+    out << "begins:      not known: neither the header nor the name gives it (--begin, --time-format)\n";
 }
 
 void print_levels(std::ostream& out, const Result& result, const Arguments& arguments) {

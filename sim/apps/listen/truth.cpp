@@ -74,7 +74,7 @@ class Placing {
     const bool fits_sequence = !is_of_more_files && is_in_named_files(selections);
     if (fits_files && fits_sequence && in_files != in_sequence)
       throw host::BadInput(
-          name_ + ": its times may count from the start of each file or from that of the first: a column \"File Offset (s)\" tells");
+          name_ + ": its times may count from the start of each file or from that of the first: a column \"File Offset (s)\" decides");
     if (fits_files) return in_files;
     if (fits_sequence) return in_sequence;
     refuse(selections, names_files);

@@ -120,7 +120,7 @@ void require_no_stray_node(const Bathymetry& chart, const std::string& variable)
     std::ostringstream text;
     text << chart.file << ": " << variable << ": holds " << chart.elevation_m[i] << " at latitude " << chart.axes.latitude_deg[i / columns]
          << ", longitude " << chart.axes.longitude_deg[i % columns]
-         << ", which cannot be beside its neighbours: where there is no elevation, the file must say so (_FillValue, missing_value, "
+         << ", which cannot be beside its neighbours: where there is no elevation, the file must mark it (_FillValue, missing_value, "
             "valid_range)";
     throw BadInput(text.str());
   }

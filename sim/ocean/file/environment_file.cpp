@@ -93,7 +93,7 @@ void check_against_data(const std::filesystem::path& path, const Environment& en
   const auto check = [&](const SoundSpeedProfile& profile) {
     const auto* table = std::get_if<TabulatedProfile>(&profile);
     if (table != nullptr && table->depth_m.back() < needed_m) {
-      fail("the last depth_m of the sound-speed profile", table->depth_m.back(), "must reach the deepest sea floor", needed_m);
+      fail("the last depth_m of the sound-speed profile", table->depth_m.back(), "must extend to the deepest sea floor", needed_m);
     }
   };
   check(environment.water);

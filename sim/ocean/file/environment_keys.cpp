@@ -45,7 +45,7 @@ void check_reach(TableReader& water, const EnvironmentKeys& keys) {
   };
   const auto& stations = keys.water.stations;
   if (is_short(keys.water.profile) || std::any_of(stations.begin(), stations.end(), [&](const auto& s) { return is_short(s.profile); })) {
-    water.problem("depth_m", "must reach from 0 to seabed.depth_m");
+    water.problem("depth_m", "must extend from 0 to seabed.depth_m");
   }
 }
 

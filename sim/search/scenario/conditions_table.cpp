@@ -69,7 +69,9 @@ Conditions read_conditions(TableReader table) {
   if (const auto calls = table.optional_table("calls")) c.calls = read_calls(*calls);
   if (const auto sound = table.optional_table("sound")) c.sound = read_sound(*sound);
   if (c.calls && !table.has("floor_db")) {
-    table.problem("calls", "need floor_db, the least SNR that can be measured: all that a silent look says is that it was below");
+    table.problem("calls",
+                  "need floor_db, the least SNR that can be measured: all that is known of an SNR measurement that is too faint is that it "
+                  "was below");
   }
   return c;
 }

@@ -2,8 +2,6 @@
 
 #include <string_view>
 
-#include "firmware/host/toml/table_reader.hpp"
-
 namespace earshot::search {
 namespace {
 
@@ -23,20 +21,21 @@ std::string_view to_string(FileKind kind) {
 
 }  // namespace
 
-FileKind kind_of(const std::filesystem::path& path) try {
-  const host::TomlFile file(path);
+FileKind kind_of(const host::TomlFile& file) {
   const host::TableReader root = file.root();
   if (root.has("search") && root.has("area")) return FileKind::kMission;
   if (root.has("environment") && root.has("name") && root.has("what")) return FileKind::kWorld;
   return root.has("source") && root.has("seabed") ? FileKind::kEnvironment : FileKind::kOther;
-} catch (const host::BadInput&) {
+}
+
+FileKind kind_of(const std::filesystem::path& path) try { return kind_of(host::TomlFile(path)); } catch (const host::BadInput&) {
   return FileKind::kOther;
 }
 
-void require_kind(const std::string& option, const std::filesystem::path& path, FileKind wanted) {
-  const FileKind kind = kind_of(path);
+void require_kind(const std::string& option, const host::TomlFile& file, FileKind wanted) {
+  const FileKind kind = kind_of(file);
   if (kind == wanted || kind == FileKind::kOther) return;
-  throw host::BadInput(option + (option.empty() ? "" : " ") + path.string() + ": is " + std::string(to_string(kind)) + ", not " +
+  throw host::BadInput(option + (option.empty() ? "" : " ") + file.path().string() + ": is " + std::string(to_string(kind)) + ", not " +
                        std::string(to_string(wanted)));
 }
 

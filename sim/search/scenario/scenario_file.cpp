@@ -83,19 +83,19 @@ ScenarioKeys read_scenario_keys(const host::TomlFile& file, TableReader& root, c
   return keys;
 }
 
-FileKeys read_keys(const std::filesystem::path& path) {
+FileKeys read_keys(const host::TomlFile& file) {
   FileKeys keys;
-  const auto further = [&keys](const host::TomlFile& file, TableReader& root, const ocean::EnvironmentKeys& environment) {
-    keys.scenario = read_scenario_keys(file, root, environment);
+  const auto further = [&keys](const host::TomlFile& read, TableReader& root, const ocean::EnvironmentKeys& environment) {
+    keys.scenario = read_scenario_keys(read, root, environment);
   };
-  keys.environment = ocean::read_environment_keys(host::TomlFile(path), further);
+  keys.environment = ocean::read_environment_keys(file, further);
   return keys;
 }
 
 /// What is wrong with it is wrong with the file that names it, too.
 ocean::Environment load_other_ocean(const OtherOcean& other) {
   try {
-    const FileKeys keys = read_keys(other.file);
+    const FileKeys keys = read_keys(host::TomlFile(other.file));
     if (!keys.scenario.is_one_ocean()) throw BadInput(other.file.string() + ": must be one ocean without conditions");
     return ocean::environment_of(other.file, keys.environment);
   } catch (const BadInput& bad) {
@@ -105,9 +105,10 @@ ocean::Environment load_other_ocean(const OtherOcean& other) {
 
 }  // namespace
 
-Scenario load_scenario(const std::filesystem::path& path) {
-  require_kind("", path, FileKind::kEnvironment);
-  const FileKeys keys = read_keys(path);
+Scenario load_scenario(const std::filesystem::path& path, const std::string& option) {
+  const host::TomlFile file(path);
+  require_kind(option, file, FileKind::kEnvironment);
+  const FileKeys keys = read_keys(file);
   Scenario scenario{.environment = ocean::environment_of(path, keys.environment),
                     .field_library = keys.scenario.field_library,
                     .conditions = keys.scenario.conditions};

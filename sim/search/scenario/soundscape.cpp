@@ -91,7 +91,7 @@ std::vector<SnrFan> fans_of(const Scenario& scenario, Meters vehicle_depth, Mete
   if (depth == depth_m.end()) throw refused("has no fields at the vehicle's depth, " + std::to_string(vehicle_depth.value) + " m");
   std::vector<SnrFan> fans;
   for (const sonar::Fan& fan : library.fans()) {
-    if (fan.max_range() < furthest) throw refused("must reach " + std::to_string(furthest.value) + " m");
+    if (fan.max_range() < furthest) throw refused("must extend to " + std::to_string(furthest.value) + " m");
     fans.push_back({.fan = fan_of_one_depth(fan, static_cast<std::size_t>(depth - depth_m.begin())),
                     .source_level = source.level,
                     .noise_level = environment.noise_level});

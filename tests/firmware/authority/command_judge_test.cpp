@@ -65,6 +65,19 @@ TEST(CommandJudge, HearsAnOperatorInWhatIsSaidNowByWhomeverItKnowsToBeOne) {
   EXPECT_TRUE(is_from_now(verified));
 }
 
+// An operator's program without a number of its own, numbered by its clock.
+TEST(CommandJudge, ObeysTheVehiclesOwnOrderWhateverNumberSomebodyUsedAndLeavesHimHis) {
+  Court court;
+  ASSERT_EQ(court.hear(start(1'795'000'000, kNow, 0)), CommandOutcome::kObeyed);
+  const CommandJudge::Verdict own = court.judge.judge(kNow, start(37, kNow, 0), CommandJudge::Sender::kVehicle);
+  EXPECT_EQ(own.outcome, CommandOutcome::kObeyed);
+  EXPECT_FALSE(own.is_repetition);
+  EXPECT_FALSE(own.is_from_now) << "that is no operator";
+  EXPECT_EQ(court.hear(start(1'795'000'001, kNow, 0)), CommandOutcome::kObeyed);
+  EXPECT_EQ(court.judge.judge(kNow, start(38, kNow + Duration::seconds(-31), 0), CommandJudge::Sender::kVehicle).outcome,
+            CommandOutcome::kTooOld);
+}
+
 TEST(CommandJudge, AnswersARepeatedCommandAsItDidTheFirstTime) {
   Court court;
   EXPECT_EQ(court.hear(start(3), kNow, CommandOutcome::kNotInThisState), CommandOutcome::kNotInThisState);

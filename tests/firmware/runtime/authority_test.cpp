@@ -124,6 +124,24 @@ TEST(Paused, HoldsItsPlaceForAsLongAsItMayAndGoesOnFromThere) {
   EXPECT_EQ(rig.outputs.setpoint->speed.value, 2.0);
 }
 
+// An operator's program that says no issuer and numbers by its clock; then an outage, and the safety record's PAUSE.
+TEST(Paused, ByTheVehiclesOwnSafetyRecordWhateverNumbersAnOperatorUsed) {
+  Rig rig = under_way();
+  const auto give = [&rig](std::uint8_t port, Order order, std::uint32_t number) {
+    messages::OperatorCommand command = command_of(order, rig.now, number);
+    command.issuer = 0;
+    rig.runtime->take({.arrival = rig.now, .port = port, .sequence = rig.sequence++, .value = command});
+    rig.sail();
+    return outcome_of(rig.outputs);
+  };
+  EXPECT_EQ(give(1, Order::kPause, 1'795'000'000), CommandOutcome::kObeyed);
+  EXPECT_EQ(give(1, Order::kResume, 1'795'000'001), CommandOutcome::kObeyed);
+  EXPECT_EQ(give(messages::kOwnPort, Order::kPause, 37), CommandOutcome::kObeyed);
+  EXPECT_TRUE(rig.outputs.health.is_paused);
+  EXPECT_EQ(give(1, Order::kResume, 1'795'000'002), CommandOutcome::kObeyed) << "his own numbers stay his";
+  EXPECT_FALSE(rig.outputs.health.is_paused);
+}
+
 TEST(Paused, IsStillWatched) {
   Rig rig = under_way();
   rig.sail(Order::kPause);

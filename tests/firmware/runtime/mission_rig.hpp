@@ -170,7 +170,7 @@ struct Rig {
 
   template <class Value>
   void take(const Value& value) {
-    runtime->take({.arrival = now, .port = 0, .sequence = sequence++, .value = value});
+    runtime->take({.arrival = now, .port = 1, .sequence = sequence++, .value = value});
   }
 
   /// A new command of the one ground station.

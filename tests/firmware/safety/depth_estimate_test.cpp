@@ -22,13 +22,11 @@ class Depths : public testing::Test {
   void seconds(int count, double told_m, double says_m, double speed_mps = 2.0) {
     for (int i = 0; i < count; ++i) second(told_m, says_m, speed_mps);
   }
-  /// Comes up from 300 m at 0.5 m/s, or says that it does, and then says 0 m. @return the seconds until it counts as up
-  int seconds_to_come_up(double says_after_m = 0.0) {
-    for (int s = 0; s < 10'000; ++s) {
-      if (estimate_.is_up(vehicle_)) return s;
-      second(0.0, std::max(300.0 - 0.5 * s, says_after_m), 1.0);
-    }
-    return -1;
+  /// Is told to come up, and says that it does at 0.5 m/s. @return the seconds until it counts as up, 10,000 at most
+  int seconds_to_come_up(double from_m = 300.0, double says_after_m = 0.0) {
+    int s = 0;
+    for (; s < 10'000 && !estimate_.is_up(vehicle_); ++s) second(0.0, std::max(from_m - 0.5 * s, says_after_m), 1.0);
+    return s;
   }
   [[nodiscard]] static config::VehicleLimits torpedo() {
     config::VehicleLimits vehicle;
@@ -54,16 +52,14 @@ TEST_F(Depths, CallsAVehicleUpWhenItSaysSoAndHadTheTime) {
 TEST_F(Depths, CallsNobodyUpWhoSaysZeroAllTheTime) {
   seconds(200, 300, 0);
   EXPECT_EQ(estimate_.deepest(), Meters{300}) << "it was told so for long enough";
-  int s = 0;
-  for (; s < 10'000 && !estimate_.is_up(vehicle_); ++s) second(0, 0, 1);
+  const int s = seconds_to_come_up(0);
   EXPECT_GE(s, 710) << "the time that it takes from 325 m";
   EXPECT_LE(s, 712);
 }
 
 TEST_F(Depths, GoesByTheTimeAloneWhereTheDepthIsStuckBelow) {
   seconds(200, 300, 300);
-  int s = 0;
-  for (; s < 10'000 && !estimate_.is_up(vehicle_); ++s) second(0, 300, 1);
+  const int s = seconds_to_come_up(300, 300);
   EXPECT_GE(s, 3310) << "325 m at 0.1 m/s";
   EXPECT_LE(s, 3312);
 }
@@ -92,8 +88,7 @@ TEST_F(Depths, CallsAVehicleUpThatWasNeverDeepAfterAMoment) {
 TEST_F(Depths, TakesAVehicleToBeNoDeeperThanItCanHaveSunk) {
   seconds(11, 300, 0);
   EXPECT_EQ(estimate_.deepest(), Meters{30});
-  int s = 0;
-  for (; s < 10'000 && !estimate_.is_up(vehicle_); ++s) second(0, 0, 1);
+  const int s = seconds_to_come_up(0);
   EXPECT_GE(s, 132);
   EXPECT_LE(s, 135);
 }
@@ -107,8 +102,7 @@ TEST_F(Depths, BeginsAnewWithADepthThatRisesAgain) {
   EXPECT_TRUE(estimate_.is_up(vehicle_)) << "one fix may be wrong";
   second(0, 30, 0);
   EXPECT_FALSE(estimate_.is_up(vehicle_));
-  int s = 0;
-  for (; s < 10'000 && !estimate_.is_up(vehicle_); ++s) second(0, std::max(30 - 0.5 * s, 0.0), 1);
+  const int s = seconds_to_come_up(30);
   EXPECT_LE(s, 122);
 }
 
@@ -224,7 +218,9 @@ TEST_F(Depths, BeginsWithADepthThatIsToldInPlaceOfOneThatIsMeasured) {
 TEST_F(Depths, IsAtTheSurfaceWhereTheVehicleSaysThatItsAntennaIsOut) {
   vehicle_.surface_depth = Meters{0.5};
   seconds(200, 300, 300);
-  EXPECT_GT(seconds_to_come_up(0.6), 3200) << "by the time alone";
+  const int s = seconds_to_come_up(300, 0.6);
+  EXPECT_GT(s, 3200) << "by the time alone";
+  EXPECT_LT(s, 10'000);
 }
 
 TEST_F(Depths, CountsADepthThatIsDeeperThanWasTold) {

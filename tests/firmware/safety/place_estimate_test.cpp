@@ -79,6 +79,19 @@ TEST_F(Places, ExplainsAVehicleThatNobodyHeardOfForAWhile) {
   }
 }
 
+// The second such silence within ten minutes explains nothing: 2 m/s by orders, of which 0.4 and a current of 0.4 may lack, and 50 m.
+TEST_F(Places, HoldsFixesThatComeRarelyToTheOrders) {
+  PlaceEstimate estimate;
+  estimate.begin(fix(0, at(0, 0), 2.0));
+  int s = 0;
+  while (s < 3600 && !(estimate.unexplained(vehicle_) > Meters{0})) {
+    s += 6;
+    estimate.take(fix(s, at(0, 0), 2.0), order(0.0), vehicle_);
+  }
+  EXPECT_GT(s, 42) << "on each second";
+  EXPECT_LT(s, 180);
+}
+
 // 1 m/s off: 0.2 m/s more than is explained, 50 m in 251 s.
 TEST_F(Places, FindsASlowDriftOverTenMinutes) {
   EXPECT_EQ(told_after(2.0, 1.0), 251);

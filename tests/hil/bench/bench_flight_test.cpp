@@ -50,10 +50,12 @@ TEST_F(BenchFlightTest, SaysWhyItCannotBeFlownAtAll) {
 TEST_F(BenchFlightTest, RemovesAnEarlierFlightAndNothingElse) {
   fs::create_directories(out_);
   const auto is_left = [&](const char* name) { return fs::exists(out_ / name); };
-  for (const char* const name : {"journal.lcmlog", "journal-2.part3.lcmlog", "journal.policy", "journal_of_2025.txt", "journals"})
+  for (const char* const name : {"journal.lcmlog", "journal-2.part3.lcmlog", "journal.policy", "journal.safety", "journal.copy.safety",
+                                 "journal_of_2025.txt", "journals"})
     std::ofstream(out_ / name) << "earlier";
   (void)fly("exit 0", out_);
   EXPECT_FALSE(is_left("journal.lcmlog") || is_left("journal-2.part3.lcmlog") || is_left("journal.policy"));
+  EXPECT_FALSE(is_left("journal.safety") || is_left("journal.copy.safety"));
   EXPECT_TRUE(is_left("journal_of_2025.txt") && is_left("journals"));
 }
 

@@ -180,7 +180,7 @@ TEST_F(VerdictTest, WantsTheEndOfTheCase) {
 
 TEST_F(VerdictTest, WantsOneEndInTheJournalAndInTheLastAnswer) {
   journal_.end = messages::EndReason::kSafetyRule;
-  EXPECT_EQ(unmet(), Words{"the journal says another end than earshotd's last answer"});
+  EXPECT_EQ(unmet(), Words{"the journal has another end than earshotd's last answer"});
   case_.faults = {{.fault = Fault::kFullDisk, .from = at_s(0), .amount = 50'000}};
   EXPECT_EQ(unmet(), Words{}) << "a full disk took no more of it";
 }
@@ -197,7 +197,7 @@ TEST_F(VerdictTest, TakesASearchUnderWayThatWasToldToStopWhenItsTimeWasUp) {
   journal_.end = messages::EndReason::kOperatorAbort;
   EXPECT_EQ(unmet(), Words{});
   journal_.end = messages::EndReason::kSafetyRule;
-  EXPECT_EQ(unmet(), Words{"the journal says another end than earshotd's last answer"});
+  EXPECT_EQ(unmet(), Words{"the journal has another end than earshotd's last answer"});
 }
 
 TEST_F(VerdictTest, WantsEveryRuleOfTheCaseToFireAfterItsFirstFault) {
@@ -326,8 +326,8 @@ TEST_F(VerdictTest, WantsNothingLostOnItsWayInWhereTheCaseSaysSo) {
 TEST_F(VerdictTest, WantsTheJournalToSayWhenTheControllersTroubleBeganAndWhenItEnded) {
   case_.faults = {{.fault = Fault::kErrorPassive, .from = at_s(20), .until = at_s(80)}};
   EXPECT_EQ(unmet_expectations(case_, flight_, journal_),
-            (Words{"the journal does not say that it began: error passive from 20 s for 60 s",
-                   "the journal does not say that it ended: error passive from 20 s for 60 s"}));
+            (Words{"the journal does not report that it began: error passive from 20 s for 60 s",
+                   "the journal does not report that it ended: error passive from 20 s for 60 s"}));
   journal_.troubles = {trouble(ControllerState::kBusOff, true), trouble(ControllerState::kBusOff, false)};
   EXPECT_EQ(unmet_expectations(case_, flight_, journal_).size(), 2U) << "another trouble";
   journal_.troubles = {trouble(ControllerState::kErrorPassive, true), trouble(ControllerState::kErrorPassive, false)};
@@ -341,7 +341,7 @@ TEST_F(VerdictTest, WantsTheJournalToSayThatSamplesWereLost) {
   case_.sound_port = 2;
   case_.faults = {{.fault = Fault::kSoundDropout, .from = at_s(20), .until = at_s(40)}};
   journal_.lost.at(1) = 7;
-  EXPECT_EQ(unmet_expectations(case_, flight_, journal_), Words{"the journal does not say that samples were lost"}) << "messages were";
+  EXPECT_EQ(unmet_expectations(case_, flight_, journal_), Words{"the journal does not report that samples were lost"}) << "messages were";
   journal_.lost.at(2) = 9'000;
   EXPECT_EQ(unmet_expectations(case_, flight_, journal_), Words{});
 }

@@ -71,9 +71,9 @@ class DecodesWithCantools(unittest.TestCase):
         data = b"".join(bytes.fromhex(frame.partition("#")[2])[1:] for frame in frames)
         size, data = data[0], data[1:]
         said = cantools.database.load_file(DBC).decode_message(0x19FF8640, data[:size])
-        self.assertEqual([str(said[name]) for name in ("State", "EndReason", "Authority")], ["ABORT", "found", "ABORT"])
+        self.assertEqual([str(said[name]) for name in ("State", "EndReason", "Authority")], ["ABORT", "declared found", "ABORT"])
         self.assertEqual([str(said[name]) for name in ("Found", "Sweeping", "Response")], ["Yes", "Yes", "release"])
-        self.assertEqual(said["Surprise"], 13.5)
+        self.assertEqual(said["ModelMismatch"], 13.5)
 
     def test_messages_that_share_a_group_are_told_apart_by_their_kind(self):
         database = cantools.database.load_file(DBC)

@@ -73,7 +73,7 @@ class ProgramsFor(unittest.TestCase):
             programs_for(self.root, earshotd)
 
     def test_say_no_version_when_they_are_no_programs_or_never_end(self):
-        unknown = "an earshotd that does not say its version"
+        unknown = "an earshotd that does not give its version"
         self.assertEqual(Programs(Path("bench"), self.write(self.root / "text", "no program")).version(), unknown)
         self.assertEqual(Programs(Path("bench"), self.write(self.root / "silent", "#!/bin/sh\n")).version(), unknown)
         programs._MOST_S_TO_SAY_A_VERSION = 0.2

@@ -81,7 +81,11 @@ class Page(unittest.TestCase):
 
     def test_says_to_a_stranger_what_a_case_a_rule_and_a_source_that_is_reached_are(self):
         before_the_cases = " ".join(self.tags.text.split("at sea (s)")[0].split())
-        for words in ("Each case is a search", "A rule is a limit", "The source is reached where the operator says so"):
+        for words in (
+            "Each case is a search",
+            "A rule is a limit",
+            "The source is reached where the operator sends COMPLETE",
+        ):
             self.assertIn(words, before_the_cases)
 
     def test_says_first_how_many_failed(self):

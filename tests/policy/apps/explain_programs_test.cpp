@@ -37,9 +37,9 @@ TEST_F(ExplainPrograms, ExplainWritesAReportInEachFormatAndTheReportOfTheFlight)
 
 TEST_F(ExplainPrograms, SayWhichFileTheyWrote) {
   ASSERT_EQ(run("explain decision flight --step 2 -o decision.html"), 0) << content("err");
-  EXPECT_NE(content("out").find("\ndecision.html: step 2 of flight/journal.lcmlog\n"), std::string::npos) << content("out");
+  EXPECT_NE(content("out").find("\nwrote decision.html: step 2 of flight/journal.lcmlog\n"), std::string::npos) << content("out");
   ASSERT_EQ(run("report flight"), 0) << content("err");
-  EXPECT_TRUE(content("out").starts_with("flight/report.html: 4 steps, 4 decisions\n")) << content("out");
+  EXPECT_TRUE(content("out").starts_with("wrote flight/report.html: 4 steps, 4 decisions\n")) << content("out");
 }
 
 TEST_F(ExplainPrograms, ExplainReplacesNoFileThatItReads) {

@@ -18,7 +18,7 @@ TEST_F(Programs, FreezeAgainRefusesASearchAndADamagedPolicy) {
   const std::string old = kFixedSource;
   std::string bytes = content(old);
   std::ofstream(folder / "search.json") << "{}";
-  refuses("freeze " + old + " -o a.policy --key a.key --search search.json", {"--search", "says itself"});
+  refuses("freeze " + old + " -o a.policy --key a.key --search search.json", {"--search", "states itself"});
   bytes[9'000] = static_cast<char>(bytes[9'000] ^ 1);
   std::ofstream(folder / "damaged.policy", std::ios::binary) << bytes;
   refuses("freeze damaged.policy -o a.policy --key a.key", {"damaged.policy: is damaged: its CRC-32 is wrong"});

@@ -72,7 +72,7 @@ TEST_F(Task, SaysThatAFixedSourceStandsElsewhere) {
 }
 
 TEST_F(Task, SaysThatAFileDoesNotNameItsSource) {
-  EXPECT_EQ(of(""), (std::vector<std::string>{"p does not say which source it was trained with and is tested with a fixed one"}));
+  EXPECT_EQ(of(""), (std::vector<std::string>{"p does not state which source it was trained with and is tested with a fixed one"}));
 }
 
 TEST_F(Task, KnowsTheStartsOfAPolicyTrainedInPython) {

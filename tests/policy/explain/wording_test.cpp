@@ -73,5 +73,13 @@ TEST(Fixed, NeverWritesMinusZero) {
   EXPECT_EQ(fixed(-10.0, 0), "-10");
 }
 
+TEST(CompassPoint, IsTheNearestOfTheSixteen) {
+  EXPECT_EQ(compass_point(205.0), "SSW");
+  EXPECT_EQ(compass_point(359.0), "N");
+  EXPECT_EQ(compass_point(-45.0), "NW");
+  EXPECT_EQ(compass_point(33.7), "NNE");
+  EXPECT_EQ(compass_point(33.8), "NE");
+}
+
 }  // namespace
 }  // namespace earshot::explain

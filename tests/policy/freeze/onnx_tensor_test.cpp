@@ -91,15 +91,15 @@ TEST_F(OnnxTensorFiles, AreAskedForByNameWhereTheyAreMissing) {
 
 TEST_F(OnnxTensorFiles, AreNotReadBeyondTheirEnd) {
   expect_refused({{"location", "w.data"}, {"offset", "12"}, {"length", "24"}},
-                 "offset = 12, length = 24: reaches beyond the 32 bytes of w.data");
-  expect_refused({{"location", "w.data"}, {"offset", "33"}}, "reaches beyond the 32 bytes");
-  expect_refused({{"location", "w.data"}, {"offset", "18446744073709551608"}, {"length", "24"}}, "reaches beyond");  // their sum is 16
-  expect_refused({{"location", "w.data"}, {"offset", "8"}, {"length", "18446744073709551615"}}, "reaches beyond");
+                 "offset = 12, length = 24: extends beyond the 32 bytes of w.data");
+  expect_refused({{"location", "w.data"}, {"offset", "33"}}, "extends beyond the 32 bytes");
+  expect_refused({{"location", "w.data"}, {"offset", "18446744073709551608"}, {"length", "24"}}, "extends beyond");  // their sum is 16
+  expect_refused({{"location", "w.data"}, {"offset", "8"}, {"length", "18446744073709551615"}}, "extends beyond");
 }
 
 TEST_F(OnnxTensorFiles, AreRefusedWhereTheirEntriesAreNotAsTheyMustBe) {
-  expect_refused({{"location", "w.data"}, {"length", "20"}}, "length = 20: not as many numbers as its shape says");
-  expect_refused({{"location", "w.data"}, {"length", "32"}}, "length = 32: not as many numbers as its shape says");
+  expect_refused({{"location", "w.data"}, {"length", "20"}}, "length = 20: not as many numbers as its shape states");
+  expect_refused({{"location", "w.data"}, {"length", "32"}}, "length = 32: not as many numbers as its shape states");
   expect_refused({{"location", "w.data"}}, "length = 32: not as many");
   expect_refused({{"offset", "8"}}, "location: is missing");
   expect_refused({{"location", ""}}, "location: is missing");

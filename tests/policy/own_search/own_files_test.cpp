@@ -115,7 +115,8 @@ TEST_F(OwnFiles, ReadmeFliesWithTheBatteryThatItsMissionHasRulesAboutOrSaysWhatI
       readme_text({.hears = true, .battery_percent = 25.0, .battery_percent_per_km = 0.6}, FliesBy::kWhatShips, "/own");
   EXPECT_NE(simulated.find(" --hear synthetic --battery-percent 100\n```\n"), std::string::npos) << simulated;
   EXPECT_NE(simulated.find("The search ends when the battery is below 25.0 %."), std::string::npos) << simulated;
-  EXPECT_NE(simulated.find("without that option no battery is told, and the rule about `vehicle_status_age_s` warns"), std::string::npos);
+  EXPECT_NE(simulated.find("without that option no battery is reported, and the rule about `vehicle_status_age_s` warns"),
+            std::string::npos);
   const std::string open = readme_text({.battery_percent = 25.0}, FliesBy::kWhatShips, "/own");
   EXPECT_EQ(open.find("/flight --battery-percent"), std::string::npos) << open;
   EXPECT_NE(open.find("put there what a kilometre takes of your vehicle's (`battery_percent_per_km`)"), std::string::npos) << open;
@@ -143,8 +144,7 @@ TEST_F(OwnFiles, PutAnOceanThereThatFitsDepthAndFrequency) {
   const std::string deep = ocean_text({});
   EXPECT_NE(deep.find("deep-sea mud"), std::string::npos);
   EXPECT_NE(deep.find("level_db_re_1upa = 90.0 "), std::string::npos);
-  EXPECT_NE(ocean_text({.noise_db = 71.0}).find("level_db_re_1upa = 71.0  # in the detector's band, as --noise-db said"),
-            std::string::npos);
+  EXPECT_NE(ocean_text({.noise_db = 71.0}).find("level_db_re_1upa = 71.0  # in the detector's band, from --noise-db"), std::string::npos);
 }
 
 TEST_F(OwnFiles, ReadmeMakesTablesFirstWhereNoneThatShipAreOfTheSearch) {

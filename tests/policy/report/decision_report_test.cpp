@@ -37,7 +37,7 @@ TEST_F(DecisionReportTest, SaysTheSameInEveryFormat) {
 TEST_F(DecisionReportTest, TellsALookTooFaintToMeasureFromAMeasuredOne) {
   const RecordedFlight flight = open_recording(folder_, {});
   const std::string first = as_html(make_decision_report(flight, 0, explain::Baseline::kCentre));
-  EXPECT_EQ(count(first, "It heard nothing that could be measured: the signal lies under 31.0 dB."), 1U);
+  EXPECT_EQ(count(first, "The signal was too faint to measure: the SNR is below 31.0 dB."), 1U);
   EXPECT_EQ(count(first, "under 31.0 dB</td>"), 1U);
   EXPECT_EQ(count(as_html(make_decision_report(flight, 2, explain::Baseline::kCentre)), "a detection (threshold 10 dB)."), 1U);
 }
@@ -49,7 +49,9 @@ TEST_F(DecisionReportTest, SaysWhyTheVehicleSweptInPlaceOfWhatThePolicyWouldHave
   report.account.decision.surprise_bits = 9.25F;
   report.account.decision.was_surprised = true;
   const std::string html = as_html(report);
-  EXPECT_EQ(count(html, "What it heard fits no ocean of its tables (surprise 9.2 bits): it sweeps the area, and went "), 1U);
+  EXPECT_EQ(count(html, "It sweeps the whole area in parallel tracks, not by the policy, and went "), 1U);
+  EXPECT_EQ(count(html, "the SNR that it measured fits no ocean of its tables (model-mismatch score 9.2 bits)."), 1U);
+  EXPECT_EQ(count(html, ": a sweep, going "), 2U) << "title and heading";
   EXPECT_EQ(count(html, "It chose "), 0U);
   EXPECT_EQ(nlohmann::json::parse(as_json(report))["sweeping"], true);
 }
@@ -59,7 +61,7 @@ TEST_F(DecisionReportTest, SaysThatTheVehicleSweptBecauseItHadHeardNothingWhereN
   DecisionReport report = make_decision_report(flight, 2, explain::Baseline::kCentre);
   report.account.decision.sweeping = true;
   const std::string html = as_html(report);
-  EXPECT_EQ(count(html, "It has heard nothing for long, where its tables say that it should: it sweeps the area, and went "), 1U);
+  EXPECT_EQ(count(html, "it had detected nothing for long, where its tables predict detections."), 1U);
   EXPECT_EQ(count(html, "fits no ocean"), 0U);
 }
 
@@ -69,7 +71,7 @@ TEST_F(DecisionReportTest, SaysThatTheVehicleDeclaredTheSourceFound) {
   EXPECT_EQ(count(as_html(report), "found: with"), 0U);
   EXPECT_EQ(nlohmann::json::parse(as_json(report))["found_probability"], nullptr);
   report.account.decision.found_probability = 0.93F;
-  EXPECT_EQ(count(as_html(report), "It says that the source is found: with 93 % it lies within a step of here."), 1U);
+  EXPECT_EQ(count(as_html(report), "It declared the source found: with 93 % the source lies within a step of here."), 1U);
 }
 
 }  // namespace

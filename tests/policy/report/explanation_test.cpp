@@ -16,18 +16,45 @@ TEST(Explanation, WritesAFactorInDigitsAsFarAsTheyCanBeReadAndInPowersOfTenBeyon
   EXPECT_EQ(factor_to_string(std::log(3.2e-12)), "\u00D7 3.2\u00B710\u207B\u00B9\u00B2");
 }
 
-TEST(Explanation, OfAnAdvisedChoiceComparesItsWorthWithThatOfTheNextBest) {
+/// At the area's south-west corner, the likeliest place 3.2 km NE of it.
+explain::DecisionAccount account_of_three() {
   explain::DecisionAccount account;
-  account.actions = {{.name = "S", .end = {}, .hear = {}, .approach = {}, .worth = 0.76},
-                     {.name = "W", .end = {}, .hear = {}, .approach = {}, .worth = 1.0},
-                     {.name = "SW", .end = {}, .hear = {}, .approach = {}, .worth = 0.931}};
+  account.place.likeliest = {Meters{2'263.0}, Meters{2'263.0}};
+  account.actions = {{.name = "E", .end = {}, .hear = {}, .detected = 0.75, .found_soon = 0.12, .approach = Meters{500.0}, .worth = 0.76},
+                     {.name = "NE", .end = {}, .hear = {}, .detected = 0.8, .found_soon = 0.41, .approach = Meters{900.0}, .worth = 1.0},
+                     {.name = "N", .end = {}, .hear = {}, .detected = 0.7, .found_soon = 0.1, .approach = Meters{400.0}, .worth = 0.5}};
   account.decision.action = 1;
+  return account;
+}
+
+TEST(Explanation, GivesInPhysicalWordsWhyThisDirectionAndNotTheNextBest) {
+  EXPECT_EQ(
+      why_this_direction(account_of_three()),
+      "Why NE and not E, the next best: the likeliest place is 3.2 km NE; NE promises to find the source within three steps with 41 %, "
+      "E with 12 %.");
+}
+
+TEST(Explanation, ComparesApproachAndDetectionWhereBothFindTheSourceAlikeOrNotSoon) {
+  explain::DecisionAccount account = account_of_three();
+  account.actions[0].found_soon = 0.408;
+  EXPECT_EQ(why_this_direction(account),
+            "Why NE and not E, the next best: the likeliest place is 3.2 km NE; NE promises to find the source within three steps with 41 "
+            "%, E as "
+            "much; on average over the belief NE comes 0.90 km nearer and detects it with 80 %, E 0.50 km and 75 %.");
+  for (explain::ActionAccount& action : account.actions) action.found_soon = 0.002;
+  EXPECT_EQ(why_this_direction(account),
+            "Why NE and not E, the next best: the likeliest place is 3.2 km NE; neither finds it within three steps; on average over the "
+            "belief NE "
+            "comes 0.90 km nearer and detects it with 80 %, E 0.50 km and 75 %.");
+}
+
+TEST(Explanation, RatesAnAdvisedChoiceAndTheNextBest) {
+  explain::DecisionAccount account = account_of_three();
   EXPECT_EQ(because(account),
-            "By its belief's advice W was worth the most, 1.00 (of 1 for the best and 0 for the worst); next came SW with 0.93 and S with "
-            "0.76.");
-  account.decision.action = 2;
+            "All costs of the search together, the belief rates NE 1.00 and E 0.76 (1: the best direction, 0: the worst).");
+  account.decision.action = 0;
   EXPECT_EQ(because(account),
-            "By its belief's advice SW was worth 0.93 (of 1 for the best and 0 for the worst); beside it W with 1.00 and S with 0.76.");
+            "All costs of the search together, the belief rates E 0.76 and NE 1.00 (1: the best direction, 0: the worst).");
 }
 
 TEST(Explanation, TellsALookTooFaintToMeasureFromAMeasuredOne) {

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "firmware/host/file/bad_input.hpp"
 #include "tests/policy/explain/flown_policy.hpp"
 #include "tests/policy/report/flight_folder.hpp"
 #include "tests/policy/report/occurrences.hpp"
@@ -35,6 +36,7 @@ TEST_F(PageTest, UnfoldsTheReasonsOfEveryDecision) {
   ASSERT_EQ(explanation.why_not, "");
   const std::string text = page(read_flight(folder_), {.map = "<svg>map</svg>", .history = ""}, explanation);
   EXPECT_EQ(count(text, "<details><summary>why "), 3U);
+  EXPECT_EQ(count(text, "the next best: the likeliest place is "), 3U);
   EXPECT_EQ(count(text, "complete within 0.001"), 3U);
   EXPECT_EQ(count(text, "<svg"), 4U) << "the map and a chart for each decision";
   EXPECT_EQ(count(text, "The safety layer moved the way-point"), 1U);
@@ -52,7 +54,8 @@ TEST_F(PageTest, CountsStepsOnceAndSaysThatTheSourceCutTheLastOneShort) {
   flight.summary["steps"] = 16;
   flight.summary["whole_steps"] = 15;
   const std::string text = page(flight, {}, {});
-  EXPECT_EQ(count(text, "Source found after 16 steps</h1>\n<p>The last step was cut short by the source.</p>"), 1U);
+  EXPECT_EQ(count(text, "Source found after 16 steps: the vehicle came within one step length of it</h1>"), 1U);
+  EXPECT_EQ(count(text, "<p>The last step was cut short by the source.</p>"), 1U);
   EXPECT_EQ(count(text, "15 steps"), 0U);
   flight.summary["whole_steps"] = 16;
   EXPECT_EQ(count(page(flight, {}, {}), "cut short"), 0U);
@@ -65,28 +68,90 @@ TEST_F(PageTest, SaysThatTheMissionEndedWithinTheStepOfTheLastDecision) {
   EXPECT_EQ(count(page(flight, {}, {}), "<p>The mission ended within the step of the last of 3 decisions, which does not count.</p>"), 1U);
 }
 
-TEST_F(PageTest, SaysInItsHeadHowSurprisedTheVehicleWasThatItSweptAndThatItDeclaredWrongly) {
+TEST_F(PageTest, GivesInItsHeadTheModelMismatchTheSweepAndTheWrongDeclaration) {
   Flight flight = read_flight(folder_);
-  EXPECT_EQ(count(page(flight, {}, {}), "urprise"), 0U) << "a summary of an earlier version";
+  EXPECT_EQ(count(page(flight, {}, {}), "mismatch"), 0U) << "a summary of an earlier version";
   flight.summary["surprise_bits"] = 13.25;
   flight.summary["surprised_from_step"] = 9;
   flight.summary["swept_from_step"] = 11;
   flight.summary["max_steps"] = 100;
   const std::string swept = page(flight, {}, {});
-  EXPECT_EQ(count(swept, "<p>The mission ended because: a test</p>"), 1U);
-  EXPECT_EQ(
-      count(swept,
-            "<p>From step 9 on what it heard was unlikely in every ocean of its tables (surprise 13.2 bits at the end, which counts from "
-            "6.75 on). Swept from step 11 of 100 on: what it heard fitted no ocean of its tables.</p>"),
-      1U);
+  EXPECT_EQ(count(swept, "<h1 class=\"missed\">Source not found in 3 steps: a test</h1>"), 1U);
+  EXPECT_EQ(count(swept, "(model-mismatch score 13.2 bits at the end; from 6.75 on it is a mismatch). From step 11 of 100 on it swept"),
+            1U);
   flight.summary["end_reason"] = "found";
   flight.summary["step_length_m"] = 1'000.0;
   flight.summary["declared_found"] = {{"step", 3}, {"range_m", 1'020.6}};
   const std::string declared = page(flight, {}, {});
-  EXPECT_EQ(count(declared, "<h1 class=\"missed\">After 3 steps declared found, wrongly: 1021 m from the source</h1>"), 1U);
-  EXPECT_EQ(count(declared, "The mission ended because"), 0U);
+  EXPECT_EQ(
+      count(declared,
+            "<h1 class=\"missed\">Source not found in 3 steps: the vehicle declared it found at step 3, wrongly, 1021 m from it</h1>"),
+      1U);
+  EXPECT_EQ(count(declared, "Source found"), 0U);
   flight.summary["end_reason"] = "declared_found";
-  EXPECT_EQ(page(flight, {}, {}), declared) << "of a summary that was written before";
+  EXPECT_EQ(page(flight, {}, {}), declared) << "a summary of an earlier version";
+}
+
+TEST_F(PageTest, NeverDeniesASourceThatTheVehicleRightlyDeclaredFound) {
+  Flight flight = read_flight(folder_);
+  flight.summary["step_length_m"] = 1'000.0;
+  flight.summary["declared_found"] = {{"step", 2}, {"range_m", 640.0}};
+  const std::string text = page(flight, {}, {});
+  EXPECT_EQ(count(text, "<h1 class=\"found\">Source found: the vehicle declared it found at step 2, 640 m from it</h1>"), 1U);
+  EXPECT_EQ(count(text, "not found"), 0U);
+  EXPECT_EQ(count(text, "class=\"missed\""), 0U);
+  EXPECT_EQ(count(text, "<dt>found</dt><dd>yes</dd>"), 1U);
+}
+
+TEST_F(PageTest, StatesThatItIsASimulationAndThatTheColouredFieldIsTheTruthThatTheVehicleNeverSaw) {
+  const std::string text = page(read_flight(folder_), {.map = "<svg>map</svg>", .history = ""}, {});
+  EXPECT_EQ(count(text, "This flight is a simulation."), 1U);
+  EXPECT_EQ(
+      count(text,
+            "The coloured field is the truth, the SNR at the vehicle's depth as the simulation computes it. The vehicle never saw it."),
+      1U);
+}
+
+TEST_F(PageTest, GivesFrequencyDepthSpeedPlaceAndDateAndWhatEachResultMeans) {
+  Flight flight = read_flight(folder_);
+  EXPECT_EQ(count(page(flight, {}, {}), "<dt>frequency of the source</dt>"), 0U) << "a summary of an earlier version";
+  flight.summary["source_frequency_hz"] = 20.0;
+  flight.summary["depth_m"] = 300.0;
+  flight.summary["speed_mps"] = 2.0;
+  flight.summary["origin"] = {{"latitude_deg", 38.5}, {"longitude_deg", -28.0}};
+  flight.summary["flown_utc"] = "2026-11-29 18:38:46";
+  const std::string text = page(flight, {}, {});
+  EXPECT_EQ(count(text, "<dt>frequency of the source</dt><dd>20.0 Hz</dd>"), 1U);
+  EXPECT_EQ(count(text, "<dt>depth of the vehicle</dt><dd>300 m</dd>"), 1U);
+  EXPECT_EQ(count(text, "<dt>speed of the vehicle</dt><dd>2.0 m/s</dd>"), 1U);
+  EXPECT_EQ(count(text, "its origin lies at 38.500\u00B0 N, 28.000\u00B0 W"), 1U);
+  EXPECT_EQ(count(text, "<dt>simulated on</dt><dd>2026-11-29 18:38:46 UTC</dd>"), 1U);
+  for (const char* meaning : {"0 for each step that ends with a detection", "a step that ends with an SNR of 10 dB or more",
+                              "the vehicle came within one step length of the source", "the vehicle's own rule reports"})
+    EXPECT_EQ(count(text, std::string("<dd class=\"meaning\">") + meaning), 1U) << meaning;
+}
+
+TEST_F(PageTest, RefusesASummaryWhoseOriginIsNoPlace) {
+  nlohmann::json summary = read_flight(folder_).summary;
+  summary["origin"] = {{"latitude_deg", "north"}, {"longitude_deg", 3.0}};
+  std::ofstream(folder_ / "summary.json") << summary;
+  try {
+    (void)read_flight(folder_);
+    FAIL() << "was taken";
+  } catch (const host::BadInput& e) {
+    EXPECT_EQ(e.what(), fs::path(folder_ / "summary.json").string() + ": origin: must be latitude_deg, longitude_deg");
+  }
+}
+
+TEST_F(PageTest, CallsASweepASweepAndNotAChoiceOfThePolicy) {
+  Flight flight = read_flight(folder_);
+  flight.journal.decisions[2].sweeping = true;
+  FlightExplanation explanation = explain_flight(folder_);
+  explanation.accounts[2].decision.sweeping = true;
+  const std::string text = page(flight, {}, explanation);
+  EXPECT_EQ(count(text, "<details><summary>why "), 2U);
+  EXPECT_EQ(count(text, "<details><summary>sweep, going "), 1U);
+  EXPECT_EQ(count(text, "<td>sweep</td></tr>"), 1U);
 }
 
 TEST_F(PageTest, SaysWhichRuleEndedASimulatedFlightWhatHappenedBeforeAndWhatIsLeftOfTheBattery) {
@@ -110,7 +175,7 @@ TEST_F(PageTest, SaysWhichRuleEndedASimulatedFlightWhatHappenedBeforeAndWhatIsLe
   EXPECT_EQ(count(page(flight, {}, {}), "battery left"), 0U);
   flight.summary["battery_percent"] = 29.998;
   const std::string text = page(flight, {}, {});
-  EXPECT_EQ(count(text, "<p>The mission ended because: safety rule: rule 10, battery_percent: 29.998, below 30.000: abort</p>"), 1U);
+  EXPECT_EQ(count(text, "Source not found in 3 steps: safety rule 10, battery_percent: 29.998, below 30.000: abort</h1>"), 1U);
   EXPECT_EQ(count(text, "<h2>What happened</h2>"), 1U);
   EXPECT_EQ(count(text, "<td>10 min</td><td class=\"left\">rule 10, battery_percent: 29.998, below 30.000: abort</td>"), 1U);
   EXPECT_EQ(count(text, "<td class=\"left\">order START, number 1 of issuer 1: obeyed</td>"), 1U);

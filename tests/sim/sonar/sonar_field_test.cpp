@@ -58,7 +58,7 @@ TEST(SonarField, HasNoCurveWhereTheOceanDiffersFromBearingToBearing) {
     (void)compute_snr_curve(tests::charted_ocean(), Meters{300.0}, Meters{1'000.0});
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "charted: its ocean differs from bearing to bearing; one curve of SNR against range does not tell it");
+    EXPECT_STREQ(error.what(), "charted: its ocean differs from bearing to bearing; one curve of SNR against range does not describe it");
   }
 }
 

@@ -101,6 +101,9 @@ int fly_at_sea(const Options& o, const HostClock& host, const std::function<int(
   }
   for (const std::string& copy : safety->left_out())
     std::cerr << "earshotd: warning: safety record " << host::printable(copy) << ": it does not count\n";
+  const SafetyFolders folders = SafetyFolders::of_this_process();
+  for (const std::string& doubt : doubts_about(safety_places(o.out, o.safety_copies, folders), folders))
+    std::cerr << "earshotd: warning: " << host::printable(doubt) << "\n";
   if (o.resume && !safety->found() && safety->is_damaged()) {
     if (const std::optional<host::SafetyRecord> record = record_by_journal(o.out / "journal.lcmlog"); record) {
       (void)safety->write(*record, kPatience);

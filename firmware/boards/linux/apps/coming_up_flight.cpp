@@ -2,10 +2,12 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <exception>
 #include <iostream>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "firmware/boards/linux/apps/end_report.hpp"
@@ -58,18 +60,33 @@ host::MissionFile over_default_lcm() {
   return file;
 }
 
+bool is_for_want_of_descriptors(const std::exception& e) {
+  const auto* const error = dynamic_cast<const std::system_error*>(&e);
+  return error != nullptr && (error->code().value() == EMFILE || error->code().value() == ENFILE);
+}
+
+/// A port is worth more than a further copy of the record, which is read again at the next start.
+bool opens(const host::MissionFile& one, const HostClock& host, host::SafetyCopies& copies, PortSet& ports) {
+  for (;;) {
+    try {
+      open_ports(one, host, host::IfMissing::kKeepTrying, WakesFor::kLooks, ports);
+      return true;
+    } catch (const std::exception& e) {
+      if (is_for_want_of_descriptors(e) && copies.give_up_one()) continue;
+      std::cerr << "earshotd: port " << host::printable(one.ports.front().name)
+                << " does not open, and nothing is sent or heard there: " << host::printable(e.what()) << "\n";
+      return false;
+    }
+  }
+}
+
 /// One by one: whichever opens will do. @return whether any does
-bool open_what_opens(const host::MissionFile& vehicle, const HostClock& host, PortSet& ports) {
+bool open_what_opens(const host::MissionFile& vehicle, const HostClock& host, host::SafetyCopies& copies, PortSet& ports) {
   bool is_any_open = false;
   for (const host::PortSettings& settings : vehicle.ports) {
     host::MissionFile one = vehicle;
     one.ports = {settings};
-    try {
-      open_ports(one, host, host::IfMissing::kKeepTrying, WakesFor::kLooks, ports);
-      is_any_open = true;
-    } catch (const std::exception& e) {
-      std::cerr << "earshotd: port " << host::printable(settings.name) << ": " << host::printable(e.what()) << "\n";
-    }
+    is_any_open = opens(one, host, copies, ports) || is_any_open;
   }
   return is_any_open;
 }
@@ -77,24 +94,29 @@ bool open_what_opens(const host::MissionFile& vehicle, const HostClock& host, Po
 }  // namespace
 
 int come_up(const Options& o, host::SafetyCopies& copies, const HostClock& host, const std::string& why) {
-  std::cerr
-      << "earshotd: " << host::printable_lines(why)
-      << "\nearshotd: the mission that was under way cannot go on: the vehicle is told to stop and come up until this program is stopped\n";
+  std::cerr << "earshotd: " << host::printable_lines(why)
+            << "\nearshotd: the mission that was under way cannot go on: the vehicle is ordered to stop and come up until this program is "
+               "stopped\n";
   program::outlive_accidents();
   program::stop_on_signals();
   const host::SafetyRecord record = copies.newest().value();
   const host::MissionFile vehicle = board::vehicle(o, copies);
+  // What needs a descriptor but for a moment, or for the service manager, comes before the ports, which may take the last.
+  SafetyLog safety(copies, host, record);
+  const Outage outage = outage_since(record, host);
+  ServiceManager manager = service_manager(o);
   PortSet ports;
-  if (!open_what_opens(vehicle, host, ports)) {
+  if (!open_what_opens(vehicle, host, copies, ports)) {
     std::cerr << "earshotd: no port of it opens: LCM's default address is tried\n";
-    if (!open_what_opens(over_default_lcm(), host, ports)) return program::kLost;  // and the service begins again
+    if (!open_what_opens(over_default_lcm(), host, copies, ports)) {
+      std::cerr << "earshotd: no port opens: nobody commands the vehicle; it is tried again when this program is started again\n";
+      return program::kLost;  // and the service begins again
+    }
   }
   ports.settle(std::chrono::seconds(1));
   HostMissionClock clock(host, o.speed);
-  clock.go_on_since(record.mission_time, outage_since(record, host).passed);
+  clock.go_on_since(record.mission_time, outage.passed);
   ComingUp core(vehicle.mission, record);
-  SafetyLog safety(copies, host, record);
-  ServiceManager manager = service_manager(o);
   MissionTurn turn(core, ports, clock);
   turn.write_ahead(kPatience);
   turn.keep_safe(safety);
@@ -108,7 +130,7 @@ int come_up(const Options& o, host::SafetyCopies& copies, const HostClock& host,
       turn.tell(*news);
     }
   } catch (const std::exception& e) {  // no thread, no descriptor: the vehicle is told, a person is not
-    std::cerr << "earshotd: " << host::printable(e.what()) << ": nothing more is said here\n";
+    std::cerr << "earshotd: " << host::printable(e.what()) << ": nothing more is reported here\n";
   }
   settle_memory(o);
   const Duration period = vehicle.step_period > Duration{} ? vehicle.step_period : Duration::seconds(1);

@@ -44,19 +44,19 @@ struct Description {
 
 /// Of the verbs that are ours, by the package that brings them; another program that somebody put beside them has none.
 constexpr std::array kDescriptions{
-    Description{"earshot", "journal", "says what happened on a mission, and writes its journal for other programs"},
+    Description{"earshot", "journal", "prints what happened on a mission, and writes its journal for other programs"},
     Description{"earshot", "key", "makes a pair of keys, with which missions and policies are signed"},
     Description{"earshot", "sign", "signs a mission for vehicles that fly signed ones alone"},
-    Description{"earshot", "verify", "says whether a vehicle would fly a mission or a policy, who signed it, and which counter it bears"},
+    Description{"earshot", "verify", "checks whether a vehicle would fly a mission or a policy, who signed it, and which counter it bears"},
     Description{"earshot-sil", "fly", "flies one search, from start to report"},
     Description{"earshot-sil", "init", "makes a folder with a mission and an ocean of your own"},
     Description{"earshot-sil", "replay", "gives a journal to the vehicle's core again, also with another policy or mission"},
     Description{"earshot-sil", "report", "writes the page about a flight again"},
     Description{"earshot-sil", "sim", "the ocean and the vehicle of a flight; earshot fly starts it"},
-    Description{"earshot-tools", "candump", "says in words what goes over a CAN bus, and records it"},
+    Description{"earshot-tools", "candump", "prints in words what goes over a CAN bus, and records it"},
     Description{"earshot-tools", "dbc", "prints the CAN messages as a DBC file"},
-    Description{"earshot-tools", "evaluate", "flies many searches with policies and baselines, and says how they did"},
-    Description{"earshot-tools", "explain", "draws what a policy does, and says why it took one decision of a flight"},
+    Description{"earshot-tools", "evaluate", "flies many searches with policies and baselines, and reports how they did"},
+    Description{"earshot-tools", "explain", "draws what a policy does, and explains why it took one decision of a flight"},
     Description{"earshot-tools", "field", "computes how loud a source is at every range and depth (NetCDF)"},
     Description{"earshot-tools", "freeze", "freezes and signs a trained policy for the vehicle"},
     Description{"earshot-tools", "lcm", "prints the LCM messages as .lcm files"},
@@ -65,7 +65,7 @@ constexpr std::array kDescriptions{
     Description{"earshot-tools", "train", "trains a policy"},
     Description{"earshot-hil", "bench", "flies cases of the bench on a bus; earshot hil starts it"},
     Description{"earshot-hil", "emulate", "a vehicle's devices on a CAN bus, for an earshotd without its vehicle"},
-    Description{"earshot-hil", "hil", "flies missions with faults on a bench, and says which went as they had to"},
+    Description{"earshot-hil", "hil", "flies missions with faults on a bench, and reports which went as they had to"},
     Description{"earshot-hil", "with-can", "runs a command where SocketCAN works, on any machine"},
 };
 

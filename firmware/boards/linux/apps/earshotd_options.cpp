@@ -105,7 +105,7 @@ void declare(program::CommandLine& line, Options& o) {
   line.option(
           "--speed-since", &o.speed_since,
           "seconds since 1970, UTC, from which --speed counts; default: when this program starts; a rehearsal that goes on with --resume "
-          "is told the same again")
+          "is given the same again")
       .between(0.0, 4e9);
   line.option("--simulation", &o.simulation,
               "fly in lock-step with a simulator in this DDS domain; without it: at sea, on this host's clock")
@@ -118,11 +118,12 @@ void declare(program::CommandLine& line, Options& o) {
       "--board", &o.board,
       "let a microcontroller decide (firmware/boards/cortex_m7), at the other end of this serial line: a device, or the Unix socket "
       "of an emulator");
-  line.flag("--hear", &o.hear,
-            "in simulation: measure the SNR in the sound that the simulator puts on the hydrophone's bus, instead of being told it; at sea "
-            "the hydrophone is heard in any case");
+  line.flag(
+      "--hear", &o.hear,
+      "in simulation: measure the SNR in the sound that the simulator puts on the hydrophone's bus, instead of being given it; at sea "
+      "the hydrophone is heard in any case");
   line.flag("--snr-from-bus", &o.snr_from_bus,
-            "in simulation: take the SNR off the vehicle's bus, as at sea, instead of being told it by the simulator");
+            "in simulation: take the SNR off the vehicle's bus, as at sea, instead of being given it by the simulator");
   line.flag("--prove-no-alloc", &o.prove_no_alloc,
             "show that no thread asks for memory from the first turn to the last, and print what memory is spent on; at sea only");
   line.flag("--check", &o.check, "do not fly: judge the mission and all its files, and print the checklist before a dive; opens no bus");

@@ -126,19 +126,20 @@ constexpr std::chrono::milliseconds kBetweenTurns{100};  // a bus wants to be se
 /// Nothing ends a reading that is under way but the program's end; the journal is as if it had crashed.
 [[noreturn]] void stop_meanwhile(SafetyLog& safety, Meanwhile& meanwhile) {
   for (int said = 0; said < kLastSetpoints; ++said) meanwhile.turn();
-  std::cerr << "earshotd: stopped by a signal while it read the journal; the vehicle was told to stop and come up\n";
+  std::cerr << "earshotd: stopped by a signal while it read the journal; the vehicle was ordered to stop and come up\n";
   (void)safety.abort(kAshore);
   if (!safety.close(kAshore)) std::cerr << kStaysUnderWay;
   std::_Exit(program::kInterrupted);
 }
 
-/// Reads the journal again; where that takes long, the vehicle is told to stop and come up meanwhile. @return what find_unfinished() does
+/// Reads the journal again; where that takes long, the vehicle is ordered to stop and come up meanwhile. @return what find_unfinished()
+/// does
 std::optional<Unfinished> read_again(const Flight& f, const std::filesystem::path& wanted, const Flown& flown, SafetyLog& safety,
                                      Meanwhile& meanwhile) {
   const std::uint32_t mark = f.safety->found()->journal_crc32;
   auto reading = std::async(std::launch::async, [&] { return find_unfinished(wanted, flown, GoOnAfter::kLastInput, mark); });
   if (reading.wait_for(kUncommanded) == std::future_status::timeout) {
-    std::cerr << "earshotd: reading the journal takes long; the vehicle is told to stop and come up meanwhile\n";
+    std::cerr << "earshotd: reading the journal takes long; the vehicle is ordered to stop and come up meanwhile\n";
     do {
       meanwhile.turn();
       if (stop_requested) stop_meanwhile(safety, meanwhile);
@@ -192,7 +193,7 @@ void order_what_held(const Flight& f, const runtime::Outputs& last, Core& core, 
     turn.take(kOwnPort, order);
   const bool is_over = record->end_reason != messages::EndReason::kNone;
   if (!is_over && !keeps_limits_of(*record, core.mission()))
-    throw host::BadInput("the limits that an operator made tighter cannot be kept by the mission that its journal tells");
+    throw host::BadInput("the limits that an operator made tighter cannot be kept by the mission in its journal");
 }
 
 /// Begins the mission, or goes on with it. @return how long its first turn waits for its sensors
@@ -212,8 +213,9 @@ Duration begin(const Flight& f, const Resumption* before, const std::filesystem:
   }
   const std::uint32_t mark =
       turn.record_mission(f.file.mission, {.policy = f.search.policy.bytes, .tables = f.search.tables.bytes, .build = build});
-  if (safety != nullptr && !safety->begin(f.clock.now(), f.file.mission, mark, kept_vehicle(f.file), kAshore))
-    std::cerr << "earshotd: warning: no disk takes the safety record (" << host::printable(f.safety->complaints())
+  const bool is_durable = safety == nullptr || safety->begin(f.clock.now(), f.file.mission, mark, kept_vehicle(f.file), kAshore);
+  if (const std::string refused = is_durable ? std::string() : f.safety->complaints(); !refused.empty())
+    std::cerr << "earshotd: warning: no disk takes the safety record (" << host::printable(refused)
               << "): a restart may forget an ABORT; tried again\n";
   if (!f.options.simulation && program::talk() != program::Talk::kQuiet) {
     std::cerr << "earshotd: waiting for navigation, SNR and an operator's START, as long as it takes, on\n"
@@ -280,9 +282,11 @@ int fly(Flight& f) {
   try {
     result = fly_on(f, turn, proof, hold);
   } catch (const std::exception& e) {  // no bad input: the journal has begun, and its destructor keeps it
+    turn.end();
     std::cerr << "earshotd: " << e.what() << "; journal up to then: " << host::printable(journal.path().string()) << "\n";
     return kLost;
   }
+  turn.end();
   if (result.end == LoopEnd::kOvertaken) return report(result, f.clock, f.ports, journal.path());
   if (safety && result.end == LoopEnd::kStopped && !safety->close(kAshore) && f.options.resume) std::cerr << kStaysUnderWay;
   journal.conclude(closing_record_of(result));

@@ -37,7 +37,7 @@ host::MissionJudge judge_of(const std::optional<std::filesystem::path>& vehicle,
 
 void require_as_signed(const host::MissionJudge& judge, const SaidInstead& said, Venture venture) {
   const auto refuse_if = [](bool is_given, const std::string& option) {
-    if (is_given) throw host::BadInput(option + ": not with a vehicle's configuration, which says what is flown as it was signed");
+    if (is_given) throw host::BadInput(option + ": not with a vehicle's configuration, which flies what is signed only as it was signed");
   };
   refuse_if(judge.has_vehicle() && said.public_key, "--public-key");
   if (!judge.requires_signed_mission()) return;

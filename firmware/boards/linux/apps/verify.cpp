@@ -104,8 +104,8 @@ int run(const Options& o) {
 int main(int argc, char** argv) {
   program::CommandLine line(
       "earshot verify",
-      "Says whether a vehicle would fly a mission, a policy or ocean tables, who signed it, and which counter it bears.\n"
-      "Exit status: 0 it would, 1 as far as can be said without the vehicle's counter, 2 it would not.");
+      "Checks whether a vehicle would fly a mission, a policy or ocean tables, who signed it, and which counter it bears.\n"
+      "Exit status: 0 it would, 1 as far as is known without the vehicle's counter, 2 it would not.");
   line.footer("Example: earshot verify --vehicle vehicle.toml search.toml");
   Options options;
   line.option("FILE", &options.file, "mission file (TOML), policy or ocean tables");

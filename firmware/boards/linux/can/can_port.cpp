@@ -317,15 +317,15 @@ std::string CanPort::remark() const {
       " frames lost on their way in, because they came faster than they were read and the socket's or the controller's buffer was full: "
       "lighten the bus, or raise sysctl net.core.rmem_max");
   add(counts.unsent - without_address_,
-      " messages could not be sent, because the interface was down or nobody on the bus took its frames: look at its state (ip -d -s "
+      " messages could not be sent, because the interface was down or nobody on the bus took its frames: check its state (ip -d -s "
       "link)");
   add(without_address_, " messages could not be sent, because there was no address on the bus: devices with more rights had it");
   add(can.controller.bus_off,
-      " times the controller left the bus after too many errors: look at the cables, their two ends and the bit rate");
+      " times the controller left the bus after too many errors: check the cables, their two ends and the bit rate");
   // A few positions come before the first heading and the first pressure on every voyage.
   if ((met_troubles_ & kPartsMissing).any())
     add(receiver_.counters().waiting,
-        " positions made no fix, because heading or pressure was missing or older than oldest_part_s: look at how often their devices "
+        " positions made no fix, because heading or pressure was missing or older than oldest_part_s: check how often their devices "
         "send");
   if (met_troubles_[static_cast<std::size_t>(BusTrouble::kSameName)])
     text += (text.empty() ? "" : "; ") + std::string(begin_of(BusTrouble::kSameName));

@@ -130,7 +130,7 @@ std::string way_up(const config::Mission& mission) {
 
 std::string vehicle(const config::Mission& mission) {
   const config::VehicleLimits& v = mission.safety.vehicle;
-  return "vehicle (as [vehicle] says, or what stands in its place)\n" +
+  return "vehicle (from [vehicle], or what stands in its place)\n" +
          row("speed",
              formatted("at most %.2f m/s through the water, in a current of at most %.2f m/s", v.max_speed.value, v.max_current.value)) +
          row("turns", formatted("within a radius of %.0f m", v.turn_radius.value)) +

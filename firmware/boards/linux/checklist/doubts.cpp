@@ -52,7 +52,7 @@ void doubt_vehicle(const config::VehicleLimits& vehicle, Doubts& doubts) {
   const double speed_mps = vehicle.ascent_speed.value;
   doubt_if(speed_mps > 0.0 && rate_mps > kSteepClimb * speed_mps, doubts,
            formatted("vehicle.ascent_rate_mps, %g m/s, asks for a climb of %.0f degrees all the way: one that rises more slowly, and whose "
-                     "depth sensor fails, is told to stop below the surface",
+                     "depth sensor fails, is ordered to stop below the surface",
                      rate_mps, std::asin(std::min(rate_mps / speed_mps, 1.0)) * 180.0 / std::numbers::pi));
   doubt_if(speed_mps == 0.0 && rate_mps != config::kSlowestAscent.value, doubts,
            "vehicle.ascent_rate_mps is not used: a vehicle with ascent_speed_mps = 0 floats up");
@@ -63,7 +63,7 @@ void doubt_vehicle(const config::VehicleLimits& vehicle, Doubts& doubts) {
 
 void doubt_steps(const config::Mission& mission, Doubts& doubts) {
   doubt_if(mission.max_steps > config::kMaxBeliefLooks, doubts,
-           formatted("search.max_steps, %u: a policy with a belief tries no other oceans and drifts from look %zu on",
+           formatted("search.max_steps, %u: a policy with a belief tries no other oceans and drifts from SNR measurement %zu on",
                      unsigned{mission.max_steps}, config::kMaxBeliefLooks + 1));
 }
 
@@ -150,7 +150,7 @@ void doubt_ports(const host::MissionFile& file, Doubts& doubts) {
   });
   doubt_if(
       !is_deafness_told && has_rule_about(file.mission, config::Condition::kHydrophoneDeaf), doubts,
-      "no port has the role \"snr\", and no hydrophone is listened to: nobody tells of hydrophone_deaf, and the rule about it never acts");
+      "no port has the role \"snr\", and no hydrophone is listened to: nobody reports hydrophone_deaf, and the rule about it never acts");
   for (const host::PortSettings& port : file.ports) {
     std::error_code error;
     const bool is_missing = port.kind == host::PortKind::kCan && !std::filesystem::exists("/sys/class/net/" + port.address, error);
@@ -194,7 +194,7 @@ void doubt_chain(const detector::SoundSettings& hearing, Doubts& doubts) {
   doubt_if(
       room.full_scale < room.least_full_scale + kRoomForLoud, doubts,
       formatted("the hydrophone's chain clips at %.1f dB re 1 uPa, %.1f dB above hydrophone.expected_noise_db_re_1upa: a source that is "
-                "near is no look, with less gain_db it would be",
+                "near gives no SNR measurement, with less gain_db it would",
                 room.full_scale.value, (room.full_scale - hearing.expected_noise).value));
   const Decibels most = hearing.expected_noise - kRoomForQuiet;
   doubt_if(room.adc_noise_at_lowest_rate > most, doubts,
@@ -222,9 +222,11 @@ void doubt_hearing(const host::MissionFile& file, Doubts& doubts) {
       needs_pauses && window.listening == config::Listening::kNewest, doubts,
       "search.listening is \"newest\", and hydrophone.preset is one of calls: a decision that falls into a pause between two calls hears "
       "nothing");
-  doubt_if(window.listening != config::Listening::kNewest && window.length < hearing.integration_time, doubts,
-           formatted("search.listening_window_s, %g s, is shorter than hydrophone.integration_time_s, %g s: its looks are all of one sound",
-                     window.length.to_seconds(), hearing.integration_time.to_seconds()));
+  doubt_if(
+      window.listening != config::Listening::kNewest && window.length < hearing.integration_time, doubts,
+      formatted(
+          "search.listening_window_s, %g s, is shorter than hydrophone.integration_time_s, %g s: its SNR measurements are all of one sound",
+          window.length.to_seconds(), hearing.integration_time.to_seconds()));
   const double leg_s = file.mission.step_length.value / file.mission.search_speed.value;
   doubt_if(leg_s < hearing.integration_time.to_seconds(), doubts,
            formatted(

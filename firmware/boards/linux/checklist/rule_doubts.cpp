@@ -129,7 +129,7 @@ std::vector<std::string> doubts_about_rules(const config::Mission& mission) {
   for (const Witness& witness : kWitnesses) {
     const std::string rules = rules_by(mission, witness);
     if (!rules.empty() && !is_watched(mission, witness.silence))
-      doubts.push_back("no rule watches " + key_of(witness.silence) + ": when nobody tells " + witness.name + " (any more), " + rules +
+      doubts.push_back("no rule watches " + key_of(witness.silence) + ": when nobody reports " + witness.name + " (any more), " + rules +
                        " must go by the last word, or by none");
   }
   return doubts;

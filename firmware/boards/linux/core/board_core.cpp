@@ -23,7 +23,7 @@ template <class Message>
 Message read(const wire::FramedRecord& record) {
   Message message{};
   if (wire::decode(record.data, message) != Status::kOk)
-    throw std::runtime_error("the board said something that this build does not know, on " + host::printable(record.channel));
+    throw std::runtime_error("the board sent something that this build does not know, on " + host::printable(record.channel));
   return message;
 }
 
@@ -61,11 +61,11 @@ BoardCore::BoardCore(host::SerialLine line, const config::Mission& mission, std:
   throw host::BadInput(name + ": no board answers");
 }
 
-messages::CommandOutcome BoardCore::take(const messages::Input& input) {
+std::optional<messages::CommandOutcome> BoardCore::take(const messages::Input& input) {
   const wire::InputRecord record(input);
   send(input.arrival, record.channel(), record.data());
   ++inputs_;
-  return messages::CommandOutcome::kObeyed;
+  return std::nullopt;
 }
 
 runtime::Outputs BoardCore::step(Time now) {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,8 +31,8 @@ class BoardCore final : public Core {
   BoardCore(host::SerialLine line, const config::Mission& mission, std::span<const std::uint8_t> policy,
             std::span<const std::uint8_t> tables, std::chrono::milliseconds patience);
 
-  /// @return kObeyed: what becomes of an order only the board knows
-  messages::CommandOutcome take(const messages::Input& input) override;
+  /// @return nothing: what becomes of an order only the board knows
+  std::optional<messages::CommandOutcome> take(const messages::Input& input) override;
   /// @throws std::runtime_error when the board does not answer, has begun anew, or has lost an input
   [[nodiscard]] runtime::Outputs step(Time now) override;
   /// As it was given to the board: what an operator has tightened since, the board alone knows.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "firmware/config/mission.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/messages/input.hpp"
@@ -15,8 +17,8 @@ class Core {
   Core(const Core&) = delete;
   Core& operator=(const Core&) = delete;
 
-  /// As runtime::Runtime's.
-  virtual messages::CommandOutcome take(const messages::Input& input) = 0;
+  /// As runtime::Runtime's. @return nothing: what becomes of an order the next step's acknowledgements say
+  virtual std::optional<messages::CommandOutcome> take(const messages::Input& input) = 0;
   [[nodiscard]] virtual runtime::Outputs step(Time now) = 0;
   [[nodiscard]] virtual const config::Mission& mission() const = 0;
 };
@@ -27,7 +29,7 @@ class OwnCore final : public Core {
   /// @param runtime  must outlive it
   explicit OwnCore(runtime::Runtime& runtime) : runtime_(runtime) {}
 
-  messages::CommandOutcome take(const messages::Input& input) override { return runtime_.take(input); }
+  std::optional<messages::CommandOutcome> take(const messages::Input& input) override { return runtime_.take(input); }
   [[nodiscard]] runtime::Outputs step(Time now) override { return runtime_.step(now); }
   [[nodiscard]] const config::Mission& mission() const override { return runtime_.mission(); }
 

@@ -20,7 +20,7 @@ parser.add_argument("url")
 parser.add_argument("snr", type=pathlib.Path, help="snr.csv of a flight: SNR against range at the mission's depth")
 parser.add_argument("north_m", type=float, help="of the source")
 parser.add_argument("east_m", type=float)
-parser.add_argument("--floor-db", type=float, default=-math.inf, help="what is fainter is told as too faint")
+parser.add_argument("--floor-db", type=float, default=-math.inf, help="what is fainter is reported as too faint")
 said = parser.parse_args()
 
 with said.snr.open(newline="", encoding="utf-8") as table:

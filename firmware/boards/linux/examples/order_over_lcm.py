@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Gives Earshot one order over LCM, and says what came of it. How to run it: ../connect_your_autopilot.md
+"""Gives Earshot one order over LCM, and prints what came of it. How to run it: ../connect_your_autopilot.md
 
 usage: order_over_lcm.py LCM_URL ORDER [--max-depth M] [--max-speed M_PER_S] [--max-time S]
     [--key-file FILE] [--vehicle-id NAME] [--mission FILE]

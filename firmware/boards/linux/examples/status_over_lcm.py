@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Says once a second over LCM how a vehicle, its autopilot and its hydrophone are, to try a mission's rules about them.
+"""Reports once a second over LCM how a vehicle, its autopilot and its hydrophone are, to try a mission's rules.
 
 How to run it: ../connect_your_autopilot.md
 usage: status_over_lcm.py LCM_URL [--altitude M] [--battery PERCENT] [--leak] [--ground-fault] [--disengaged] [--deaf]
-What is not said is well: the bottom is not in reach, the battery is full.
+What is not given is well: the bottom is not heard, the battery is full.
 """
 
 import argparse
@@ -14,7 +14,7 @@ import time
 import lcm
 from earshot import autopilot_status_t, hydrophone_status_t, vehicle_status_t
 
-parser = argparse.ArgumentParser(description="Says over LCM how a vehicle, its autopilot and its hydrophone are.")
+parser = argparse.ArgumentParser(description="Reports over LCM how a vehicle, its autopilot and its hydrophone are.")
 parser.add_argument("url")
 parser.add_argument("--altitude", type=float, default=math.nan, help="above the sea floor, in metres")
 parser.add_argument("--battery", type=float, default=100.0, help="charge that is left, in per cent")

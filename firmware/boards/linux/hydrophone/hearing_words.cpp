@@ -28,11 +28,11 @@ const char* remedy_of(Hearing hearing) {
     case Hearing::kDropout:
       return "see where samples were lost";
     case Hearing::kOpen:
-      return "look at hydrophone and cable, or give more gain";
+      return "check hydrophone and cable, or give more gain";
     case Hearing::kStuck:
-      return "look for a short circuit, or an ADC that stands still";
+      return "check for a short circuit, or an ADC that stands still";
     case Hearing::kSaturated:
-      return "much less gain, or look at the amplifier";
+      return "much less gain, or check the amplifier";
     case Hearing::kNotANumber:
       return "mend the driver that sends them";
     case Hearing::kImpossible:
@@ -58,7 +58,7 @@ Duration sum_of(const Ear::Account& account) {
 std::string to_string(const Ear::Account& account) {
   const auto of = [&account](Hearing hearing) { return account.sound.at(static_cast<std::size_t>(hearing)); };
   std::string text = "it heard " + seconds(of(Hearing::kHears)) + " of " + seconds(sum_of(account)) +
-                     " of sound: " + std::to_string(account.looks) + " looks, " + std::to_string(account.too_faint) +
+                     " of sound: " + std::to_string(account.looks) + " SNR measurements, " + std::to_string(account.too_faint) +
                      " of them too faint to measure, and " + std::to_string(account.detections) + " detections";
   if (account.left_out > 0) text += ", of which " + std::to_string(account.left_out) + " came faster than they were taken";
   const char* before = "; not heard: ";

@@ -111,7 +111,7 @@ void Timeline::note_content(const Unreadable& unreadable, const Record& record) 
   if (!unreadable_.is_news(unreadable_.seen + 1)) return;
   tell_lack("record " + std::to_string(record.number) + " on " + host::printable(record.channel) + " cannot be read: " +
             (unreadable.is_known_channel ? "its message is of another version of Earshot" : "this program knows no such channel") +
-            "; of more like it nothing is told");
+            "; of more like it nothing is printed");
 }
 
 void Timeline::note_content(const messages::MissionRecord& mission, const Record& /*record*/) {
@@ -173,7 +173,7 @@ void Timeline::note_content(const messages::Health& health, const Record& /*reco
   if (const std::string state = to_string(health, is_surprise_told_ || is_surprised, aborted_by_); state_.changes_to(state))
     tell(is_abort ? Severity::kWarning : Severity::kInformation, state);
   if (is_surprised && !std::exchange(is_surprise_told_, true))
-    warn(std::string(messages::kIsSurprised) + " (surprise " + decimal(double{health.surprise_bits}, 1) + " bits)");
+    warn(std::string(messages::kIsSurprised) + " (model-mismatch score " + decimal(double{health.surprise_bits}, 1) + " bits)");
   is_over_ = health.end_reason != messages::EndReason::kNone;
   note_refused(health);
 }

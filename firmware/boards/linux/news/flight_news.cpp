@@ -13,7 +13,8 @@
 namespace earshot::board {
 namespace {
 
-/// "hears 15.0 to 30.0 Hz of 8 channels at 96000.0 Hz: full scale 180.0, the ADC's own noise 8.4 dB re 1 uPa; looks lag by 0.24 s"
+/// "hears 15.0 to 30.0 Hz of 8 channels at 96000.0 Hz: full scale 180.0, the ADC's own noise 8.4 dB re 1 uPa; SNR measurements lag by 0.24
+/// s"
 void write_chain(TextInto& line, const HeardChain& chain) {
   if (chain.heard == HeardChain::Heard::kImpossibleChain) {
     line << "hears nothing: " << detector::to_string(chain.fault);
@@ -30,7 +31,7 @@ void write_chain(TextInto& line, const HeardChain& chain) {
   line.decimal(chain.band.high.value, 1) << " Hz of " << chain.channels << (chain.channels == 1 ? " channel" : " channels") << " at ";
   line.decimal(chain.sample_rate.value, 1) << " Hz: full scale ";
   line.decimal(chain.full_scale_level.value, 1) << ", the ADC's own noise ";
-  line.decimal(chain.adc_noise_level.value, 1) << " dB re 1 uPa; looks lag by ";
+  line.decimal(chain.adc_noise_level.value, 1) << " dB re 1 uPa; SNR measurements lag by ";
   line.decimal(chain.delay_s, 2) << " s";
 }
 
@@ -102,7 +103,7 @@ void FlightNews::tell(Time now, std::uint8_t port, const messages::SoundDetectio
   line.decimal(detection.level.value, 1) << " dB re 1 uPa, SNR ";
   line.decimal(detection.snr.value, 1) << " dB";
   if (detection.is_clipped) line << ", clipped";
-  if (sound.detections > 1) line << "; " << sound.detections << " detections since it was last told of one";
+  if (sound.detections > 1) line << "; " << sound.detections << " detections since it was last reported";
   say({.severity = Severity::kInfo, .event = "heard", .time = now, .port = port, .message = line.text()});
   sound.detections = 0;
   sound.detection_due = now + kBetweenDetectionLines;
@@ -127,7 +128,7 @@ void FlightNews::tell_rule(Time now, RuleNews& rule) {
   } else {
     line << ": no longer";
   }
-  if (rule.changes > 1) line << "; it changed " << rule.changes << " times since it was last told of";
+  if (rule.changes > 1) line << "; it changed " << rule.changes << " times since it was last reported";
   if (ends_mission) rule.ended_by = event.response;
   say({.severity = ends_mission ? Severity::kError : Severity::kWarning,
        .event = "rule",
@@ -204,7 +205,7 @@ void FlightNews::tell_orders(Time now, std::size_t port) {
     if (bad.count == 0 || now < bad.due) continue;
     TextLine line;
     line << links_.at(port).label << ": " << to_string(static_cast<OrderTrouble>(i));
-    if (bad.count > 1) line << "; " << bad.count << " such since it was last told of";
+    if (bad.count > 1) line << "; " << bad.count << " such since it was last reported";
     say({.severity = Severity::kWarning, .event = "order", .time = now, .port = static_cast<std::uint8_t>(port), .message = line.text()});
     bad = {.count = 0, .due = now + kBetweenLinkLines};
   }
@@ -255,7 +256,7 @@ void FlightNews::tell_refused(Time now, std::string_view sensor, std::uint64_t c
   refused = {.told = count, .is_told_in_state = true};
   TextLine line;
   line << sensor << ": " << count << (count == 1 ? " message" : " messages")
-       << " refused so far, for their date, their order or what is in them; look at their sender's clock "
+       << " refused so far, for their date, their order or what is in them; check their sender's clock "
           "(of CAN messages, which bear no date: at two ports that bring the same)";
   say({.severity = Severity::kWarning, .event = "refused", .time = now, .message = line.text()});
 }
@@ -278,9 +279,8 @@ void FlightNews::tell_journal(Time now, const messages::PortReport& report) {
   if (is_journal_up_) {
     line << "journal: the disk takes it again; " << report.lost << " records are lost";
   } else {
-    line
-        << "journal: the disk does not take it in time (full, read-only, broken or slow): the flight goes on; once the buffer is full only "
-           "orders, changes of state and some set-points are kept";
+    line << "journal: the disk does not take it in time (full, read-only, broken, slow, or in memory alone): the flight goes on; once the "
+            "buffer is full only orders, changes of state and some set-points are kept";
   }
   say({.severity = is_journal_up_ ? Severity::kNotice : Severity::kError, .event = "journal", .time = now, .message = line.text()});
 }
@@ -293,7 +293,7 @@ void FlightNews::tell_link(Time now, const messages::PortReport& report) {
   if (link.changes == 0 || link.due - now > kMostAhead) return;
   TextLine line;
   line << link.label << ": its link is " << (link.is_up ? "up again" : "down; tried again once a second");
-  if (link.changes > 1) line << "; it changed " << link.changes << " times since it was last told of";
+  if (link.changes > 1) line << "; it changed " << link.changes << " times since it was last reported";
   say({.severity = link.is_up ? Severity::kNotice : Severity::kWarning,
        .event = "link",
        .time = now,

@@ -32,12 +32,12 @@ namespace earshot::board {
 ///     earshotd: 2026-11-22 15:04:07 UTC: navigation: 31 messages refused so far, for their date, their order or what is in them; look at
 ///     their sender's clock (of CAN messages, which bear no date: at two ports that bring the same)
 ///     earshotd: 2026-11-22 15:01:12 UTC: port 2, ears, hydrophone, LCM udpm://...: hears 15.0 to 30.0 Hz of 1 channel at 96000.0 Hz: full
-///     scale 180.0, the ADC's own noise 8.4 dB re 1 uPa; looks lag by 0.24 s
+///     scale 180.0, the ADC's own noise 8.4 dB re 1 uPa; SNR measurements lag by 0.24 s
 ///     earshotd: 2026-11-22 15:03:40 UTC: heard for 1.2 s from 2026-11-22 15:03:38 UTC: level 104.2 dB re 1 uPa, SNR 14.1 dB
 ///     earshotd: 2026-11-22 15:03:59 UTC: rule 11, battery_percent: 14.9, below 15.0: return
 ///     earshotd: 2026-11-22 15:04:09 UTC: port 1, vehicle, CAN can0: its link is down; tried again once a second
 ///     earshotd: 2026-11-22 15:04:10 UTC: journal: the disk takes it again; 0 records are lost
-///     earshotd: 2026-11-22 15:04:12 UTC: port 1, vehicle, CAN can0: headings are magnetic, and nobody says the variation (127258)
+///     earshotd: 2026-11-22 15:04:12 UTC: port 1, vehicle, CAN can0: headings are magnetic, and nobody gives the variation (127258)
 class FlightNews {
  public:
   /// A link may have kLinkLinesAtOnce lines at once and after them one every kBetweenLinkLines, which counts the changes since the last: a

@@ -7,7 +7,7 @@
 namespace earshot::board {
 
 /// Why a mission was aborted when nobody gave the order but the signal that ends this program.
-inline constexpr const char* kToldToStop = "this program was told to stop";
+inline constexpr const char* kToldToStop = "this program was stopped";
 
 /// "DONE, completed, the source is reached, after 37 steps"; "SEARCH, after 3 steps"
 [[nodiscard]] std::string to_string(const messages::Health& health);

@@ -54,7 +54,7 @@ bool LineWriter::is_writable(const std::stop_token& stop) const {
 }
 
 void LineWriter::write(const std::stop_token& stop) {
-  (void)::pthread_setname_np(::pthread_self(), "news");  // for who looks at the threads of a flight
+  (void)::pthread_setname_np(::pthread_self(), "event-log");  // for who lists the threads of a flight
   leave_out_broken_pipes();
   const std::stop_callback waking(stop, [this] { bell_.ring(); });
   for (bool is_last = false; !is_last;) {

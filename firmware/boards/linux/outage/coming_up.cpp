@@ -54,7 +54,7 @@ ComingUp::ComingUp(const config::Mission& mission, const host::SafetyRecord& rec
   health_.end_reason = was_over ? record.end_reason : messages::EndReason::kOutage;
 }
 
-CommandOutcome ComingUp::take(const messages::Input& input) {
+std::optional<CommandOutcome> ComingUp::take(const messages::Input& input) {
   CommandOutcome outcome = CommandOutcome::kObeyed;
   if (const auto* fix = std::get_if<messages::Navigation>(&input.value); fix != nullptr && messages::is_usable(*fix)) {
     fix_ = *fix;
@@ -62,8 +62,9 @@ CommandOutcome ComingUp::take(const messages::Input& input) {
     if (began_) depth_.take(*fix_);
   }
   const auto* status = std::get_if<messages::VehicleStatus>(&input.value);
-  if (status != nullptr && !status->has_leak) leaks_since_.reset();
-  if (status != nullptr && status->has_leak && !leaks_since_) leaks_since_ = input.arrival;
+  if (status != nullptr) leak_.take(input.arrival, input.port, status->has_leak);
+  if (!leak_.stands()) leaks_since_.reset();
+  if (leak_.stands() && !leaks_since_) leaks_since_ = input.arrival;
   if (const auto* command = std::get_if<messages::OperatorCommand>(&input.value)) outcome = answer(input.arrival, input.port, *command);
   const auto* report = std::get_if<messages::PortReport>(&input.value);
   if (report == nullptr) return outcome;

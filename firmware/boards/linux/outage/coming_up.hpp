@@ -31,7 +31,7 @@ class ComingUp final : public Core {
   /// @param mission  with the limits of the record; what else it says is not looked at, but its vehicle and its rule about a leak
   ComingUp(const config::Mission& mission, const host::SafetyRecord& record);
 
-  messages::CommandOutcome take(const messages::Input& input) override;
+  std::optional<messages::CommandOutcome> take(const messages::Input& input) override;
   [[nodiscard]] runtime::Outputs step(Time now) override;
   [[nodiscard]] const config::Mission& mission() const override { return mission_; }
   /// Whether its time to come up is over, or its depth says that it is up.
@@ -45,6 +45,7 @@ class ComingUp final : public Core {
   Duration long_enough_;  ///< to come up from the deepest
   safety::DepthEstimate depth_;
   std::optional<Duration> releases_after_leak_;  ///< of so long
+  safety::StandingAlarm leak_;
   std::optional<Time> leaks_since_;
   bool is_engaged_;
   bool is_released_;

@@ -50,15 +50,32 @@ SafetyFolders SafetyFolders::of_this_process() {
   return {.state = folder_in("STATE_DIRECTORY"), .runtime = folder_in("RUNTIME_DIRECTORY")};
 }
 
-std::vector<host::SafetyCopy> safety_places(const fs::path& out, const std::vector<std::string>& asked_for, const SafetyFolders& folders) {
+std::vector<host::SafetyCopy> safety_places(const fs::path& out, const std::vector<std::string>& asked_for, const SafetyFolders& folders,
+                                            TellsMemory is_in_memory) {
   const fs::path folder = lexically_whole(out);
   const std::string name = folder.filename().string() + "-" + host::crc32_text(host::crc32_of(folder.string())) + kEnding;
   std::vector<host::SafetyCopy> places{{.file = folder / (std::string("journal") + kEnding)}};
   for (const std::string& other : asked_for) places.push_back({.file = lexically_whole(other) / name});
   if (asked_for.empty() && folders.state) places.push_back({.file = lexically_whole(*folders.state) / name});
   if (places.size() == 1) places.push_back({.file = folder / (std::string("journal.copy") + kEnding)});
+  for (host::SafetyCopy& copy : places) copy.survives_power_cut = !is_in_memory(copy.file.parent_path());
   if (folders.runtime) places.push_back({.file = lexically_whole(*folders.runtime) / name, .survives_power_cut = false});
   return places;
+}
+
+std::vector<std::string> doubts_about(const std::vector<host::SafetyCopy>& places, const SafetyFolders& folders) {
+  std::vector<std::string> doubts;
+  for (const host::SafetyCopy& copy : places) {
+    const bool is_to_be_in_memory = folders.runtime && copy.file.parent_path() == lexically_whole(*folders.runtime);
+    if (!copy.survives_power_cut && !is_to_be_in_memory)
+      doubts.push_back("safety record " + copy.file.string() + ": it is in memory (tmpfs), and gone with a power cut");
+  }
+  if (std::ranges::none_of(places, &host::SafetyCopy::survives_power_cut))
+    doubts.emplace_back(
+        "no copy of the safety record is on a disk: every order is OBEYED_NOT_DURABLE, and a restart after a power cut knows of no "
+        "mission; "
+        "--safety-copy names a folder on a disk");
+  return doubts;
 }
 
 }  // namespace earshot::board

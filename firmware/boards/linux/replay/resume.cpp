@@ -91,11 +91,11 @@ Ending ending_of(const std::filesystem::path& journal, GoOnAfter after) {
 
 void require_whole(const std::filesystem::path& journal, const Playback& playback, std::uint64_t end) {
   if (playback.difference())
-    throw refusal(journal, "this build does not say again what stands in record " + std::to_string(playback.difference()->record) + " (" +
+    throw refusal(journal, "this build does not give again what stands in record " + std::to_string(playback.difference()->record) + " (" +
                                playback.difference()->channel + ")");
   if (playback.gap())
     throw refusal(journal, "records are missing from number " + std::to_string(*playback.gap()) +
-                               " on (damaged, or the disk was full): how the mission stood cannot be told");
+                               " on (damaged, or the disk was full): how the mission stood is not known");
   if (playback.file().offset() < end) throw refusal(journal, "it ends before its last turn");
 }
 

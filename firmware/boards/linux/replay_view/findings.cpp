@@ -20,7 +20,7 @@ using End = host::JournalReader::End;
 
 std::string what_is_wrong(const Playback::Difference& difference) {
   if (!difference.now) return "no output has its place there, and it is no input that can be read";
-  if (difference.now->channel != difference.channel) return "the runtime says " + std::string(difference.now->channel) + " there now";
+  if (difference.now->channel != difference.channel) return "the runtime gives " + std::string(difference.now->channel) + " there now";
   return to_string(fields_of(difference));
 }
 

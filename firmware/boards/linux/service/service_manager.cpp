@@ -68,7 +68,7 @@ ServiceManager::ServiceManager(const ServiceEnvironment& environment) {
     return;
   }
   socket_ = {};
-  complaint_ = "NOTIFY_SOCKET=" + host::printable(environment.socket) + ": " + why + ": the service manager is told nothing";
+  complaint_ = "NOTIFY_SOCKET=" + host::printable(environment.socket) + ": " + why + ": the service manager is given nothing";
 }
 
 void ServiceManager::say(std::string_view message) const {

@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
   std::string type;
   program::CommandLine line("earshot lcm",
                             "Prints the messages that Earshot sends and takes over LCM, each as an .lcm file for lcm-gen:\n"
-                            "earshot lcm nav_state_t > nav_state_t.lcm. Without a name: which there are.");
+                            "earshot lcm nav_state_t > nav_state_t.lcm. Without a name it lists all.");
   line.option("type", &type, "the message's type");
   return program::run(line, argc, argv, [&type] {
     const std::vector<definitions::LcmDefinition> all = definitions::lcm_definitions();
@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
       return program::kDone;
     }
     const auto found = std::ranges::find(all, type, &definitions::LcmDefinition::type);
-    if (found == all.end()) throw host::BadInput("there is no message " + host::printable(type) + "; earshot lcm says which there are");
+    if (found == all.end()) throw host::BadInput("there is no message " + host::printable(type) + "; earshot lcm lists all");
     std::cout << found->text;
     return program::kDone;
   });

@@ -46,17 +46,17 @@ std::optional<MeasureWords> words_of_measure(config::Condition condition) {
     case config::Condition::kNavigationDisputed:
       return MeasureWords{.before = "late fixes lie ",
                           .behind = " m from those believed of their time",
-                          .look_at = "two senders tell places (earshot journal --jsonl has the ports)"};
+                          .look_at = "two senders give places (earshot journal --jsonl has the ports)"};
     case config::Condition::kPlaceUnexplained:
       return MeasureWords{.before = "the place went ",
                           .behind = " m further than speed, heading, current and their errors explain",
-                          .look_at = "look at navigation, log and compass"};
+                          .look_at = "check navigation, log and compass"};
     case config::Condition::kDepthUnexplained:
       return MeasureWords{.before = "the depth is ",
                           .behind = " m further from its set-points than it may be",
-                          .look_at = "look at the depth sensor and whether the autopilot obeys"};
+                          .look_at = "check the depth sensor and whether the autopilot obeys"};
     case config::Condition::kSetpointsUnsent:
-      return MeasureWords{.before = "no set-point could be sent for ", .behind = " s", .look_at = "look at the port's bus and its address"};
+      return MeasureWords{.before = "no set-point could be sent for ", .behind = " s", .look_at = "check the port's bus and its address"};
     default:
       return std::nullopt;
   }

@@ -25,7 +25,7 @@ struct MeasureWords {
 [[nodiscard]] bool names_limit(const messages::SafetyEvent& event);
 
 /// A rule with its evidence: "rule 11, battery_percent: 14.9, below 15.0: return"; "rule 11, battery_percent: no longer";
-/// "rule 14, setpoints_unsent_s: no set-point could be sent for 10.2 s, above 10.0: abort; look at the port's bus and its address"
+/// "rule 14, setpoints_unsent_s: no set-point could be sent for 10.2 s, above 10.0: abort; check the port's bus and its address"
 [[nodiscard]] std::string to_string(const messages::SafetyEvent& event);
 
 }  // namespace earshot::journal

@@ -49,7 +49,7 @@ std::string to_string(const messages::MissionRecord& record) {
 
 std::string to_string(const messages::OperatorCommand& command, std::uint8_t port) {
   // Port 0 is the program's own.
-  const std::string by = port == 0 ? ", by the program, which is told to stop" : ", by port " + std::to_string(port);
+  const std::string by = port == 0 ? ", by the program, which is being stopped" : ", by port " + std::to_string(port);
   return command_name(command.order, command.number, command.issuer) + limits_in(command.limits) + by;
 }
 
@@ -80,7 +80,7 @@ std::string to_string(const messages::Decision& m) {
     text += "; the source is likeliest at " + to_string(m.belief->likeliest) + ", the belief spread over " +
             decimal(m.belief->spread.value, 0) + " m";
   if (m.found)
-    text += "; says that the source is found: within a step with a probability of " + decimal(m.found->probability, 2) + ", at least " +
+    text += "; declares the source found: within a step with a probability of " + decimal(m.found->probability, 2) + ", at least " +
             decimal(m.found->least_snr.value, 1) + " dB expected there, the likeliest place " +
             decimal(m.found->closest_approach.value, 0) + " m away";
   return text;
@@ -88,7 +88,7 @@ std::string to_string(const messages::Decision& m) {
 
 const char* why_it_ended(EndReason reason, AbortedBy by) {
   const bool is_stopped = reason == EndReason::kOperatorAbort && by == AbortedBy::kProgram;
-  return is_stopped ? "its program was told to stop" : messages::to_string(reason);
+  return is_stopped ? "its program was stopped" : messages::to_string(reason);
 }
 
 std::string to_string(MissionState state, EndReason reason, std::uint32_t steps, AbortedBy by) {

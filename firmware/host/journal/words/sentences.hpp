@@ -8,7 +8,7 @@
 
 namespace earshot::journal {
 
-// The words for what a journal holds: `earshot journal`, `replay` and `report` say it with these. One entry is one line, and whatever
+// The words for what a journal holds: `earshot journal`, `replay` and `report` print it with these. One entry is one line, and whatever
 // another wrote into the journal is spelled out (host::printable). Rules that act: rule_event_words.hpp.
 
 /// "mission begins: area of 25.0 km x 25.0 km, at 300 m depth and 2.0 m/s, up to 100 steps of 1000 m in 60000 s; ..."
@@ -21,14 +21,14 @@ namespace earshot::journal {
 [[nodiscard]] std::string to_string(const messages::CommandAcknowledgement& acknowledgement);
 
 /// "step 3: SNR 12.3 dB, heard; from 100 m north, 200 m east 1000 m towards 090 deg, to ..."
-/// "47 deg, give or take 10 deg"; "47 deg or 313 deg, give or take 10 deg" where left and right cannot be told apart.
+/// "47 deg, give or take 10 deg"; "47 deg or 313 deg, give or take 10 deg" where left and right cannot be distinguished.
 [[nodiscard]] std::string to_string(const messages::Bearing& bearing);
 [[nodiscard]] std::string to_string(const messages::Decision& decision);
 
-/// Whose order an ABORT was that no rule gave: a program that is told to stop gives one, too.
+/// Whose order an ABORT was that no rule gave: a program that is stopped gives one, too.
 enum class AbortedBy : std::uint8_t { kOperator, kProgram };
 
-/// "navigation went silent"; "its program was told to stop"
+/// "navigation went silent"; "its program was stopped"
 [[nodiscard]] const char* why_it_ended(messages::EndReason reason, AbortedBy by);
 
 /// "ABORT: navigation went silent, after 12 steps"

@@ -48,7 +48,7 @@ void read_old_marks(TableReader& table, const VehicleTrust* vehicle, MissionFile
   if (!table.has(kAcceptOldMarks)) return;
   file.accepts_old_marks = table.boolean_or(kAcceptOldMarks, false);
   if (file.accepts_old_marks && vehicle != nullptr && vehicle->command_key)
-    table.problem(kAcceptOldMarks, "is for the vehicle to say, whose key it is: trust.accept_old_marks in " + vehicle->said_in);
+    table.problem(kAcceptOldMarks, "is the vehicle's to give, whose key it is: trust.accept_old_marks in " + vehicle->said_in);
 }
 
 void take_vehicles_key(const VehicleTrust& vehicle, MissionFile& file) {

@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -17,6 +19,7 @@
 #include <vector>
 
 #include "earshot/controller_trouble_t.hpp"
+#include "earshot/operator_command_t.hpp"
 #include "earshot/unsent_setpoints_t.hpp"
 #include "firmware/boards/linux/news/flight_news.hpp"
 #include "firmware/boards/linux/news/line_writer.hpp"
@@ -55,6 +58,26 @@ class ToldPort final : public Port {
   std::uint64_t refused = 0;
   runtime::Acknowledgements acknowledgements;
   bool can_send = true;
+};
+
+/// Says at its step what became of orders, as a board does, or nothing any more.
+class LateCore final : public Core {
+ public:
+  explicit LateCore(Core& core) : core_(core) {}
+  std::optional<messages::CommandOutcome> take(const messages::Input& input) override {
+    (void)core_.take(input);
+    return std::nullopt;
+  }
+  [[nodiscard]] runtime::Outputs step(Time now) override {
+    if (is_gone) throw std::runtime_error("the board does not answer");
+    return core_.step(now);
+  }
+  [[nodiscard]] const config::Mission& mission() const override { return core_.mission(); }
+
+  bool is_gone = false;
+
+ private:
+  Core& core_;
 };
 
 /// A vehicle that lies in the middle of its area; what it says of its speed is the test's.
@@ -233,6 +256,70 @@ TEST_F(MissionTurnTest, AFloodOfRefusedOrdersFillsNoDiskIsCountedAndHoldsUpNoAbo
   turn_.take(1, runtime::command_of(messages::Order::kAbort, clock_.time, 1));
   (void)told_after(1.25);
   EXPECT_EQ(port_->state, messages::MissionState::kAbort);
+}
+
+// 60,000 orders of some 250 bytes with what is said of them; the buffer holds 8 MiB.
+TEST_F(MissionTurnTest, OrdersThatABoardRefusesHaveNoClaimOnTheRoomOfThoseThatAreObeyed) {
+  LateCore late(core_);
+  MissionTurn turn(late, ports_, journal_, clock_);
+  const support::FileSizeLimit full(1);
+  for (std::uint32_t i = 0; i < 60'000; ++i) {
+    messages::OperatorCommand old = runtime::command_of(messages::Order::kPause, Time{1}, i);
+    old.issuer = i;
+    turn.take(1, old);
+    if (i % 30 != 0) continue;
+    clock_.time = clock_.time + Duration::seconds(2);
+    (void)turn();
+  }
+  const host::PerWeight lost = journal_.counters().lost;
+  EXPECT_GT(of(lost, host::Weight::kStream), 1000U);
+  EXPECT_EQ(of(lost, host::Weight::kOrder), 0U);
+}
+
+TEST_F(MissionTurnTest, TheJournalOfABoardIsThatOfARuntimeInThisProcess) {
+  const auto journal_of = [this](bool is_late) {
+    const std::filesystem::path path = folder_ / (is_late ? "late" : "own");
+    auto runtime = std::make_unique<runtime::Runtime>();
+    EXPECT_EQ(runtime->configure(runtime::paper_mission(), *runtime::frozen(*runtime::policy_that_goes(runtime::kNorthward)), {}),
+              Status::kOk);
+    OwnCore own(*runtime);
+    LateCore late(own);
+    host::Journal journal(path, {.existing = host::ExistingJournal::kReplace});
+    PortSet ports;
+    ports.add(std::make_unique<ToldPort>(ports.next_index()));
+    SetClock clock;
+    MissionTurn turn(is_late ? static_cast<Core&>(late) : own, ports, journal, clock);
+    for (std::uint32_t s = 1; s <= 20; ++s) {
+      clock.time = clock.time + Duration::seconds(1);
+      turn.take(1, messages::SnrMeasurement{.time = clock.time, .snr = Decibels{12}});
+      turn.take(1, runtime::command_of(s == 3 ? messages::Order::kStart : messages::Order::kPause, clock.time, s));
+      turn.take(1, messages::Navigation{.time = clock.time,
+                                        .position = at(7000 + s, 12000),
+                                        .depth = Meters{300},
+                                        .heading = Radians{0},
+                                        .speed = MetersPerSecond{1.25}});
+      (void)turn();
+    }
+    turn.take(1, messages::SnrMeasurement{.time = clock.time, .snr = Decibels{13}});  // what comes after the last turn
+    turn.end();
+    EXPECT_EQ(journal.close(), Status::kOk);
+    return support::read_text(path);
+  };
+  const std::string own = journal_of(false);
+  EXPECT_GT(own.size(), 5000U);
+  EXPECT_TRUE(journal_of(true) == own);
+}
+
+TEST_F(MissionTurnTest, WhatCameBeforeABoardFellSilentStandsInTheJournal) {
+  LateCore late(core_);
+  MissionTurn turn(late, ports_, journal_, clock_);
+  turn.take(1, runtime::command_of(messages::Order::kAbort, clock_.time, 7));
+  late.is_gone = true;
+  EXPECT_THROW((void)turn(), std::runtime_error);
+  turn.end();
+  const auto orders = journalled<operator_command_t>("EARSHOT_OPERATOR_COMMAND.1");
+  ASSERT_EQ(orders.size(), 1U);
+  EXPECT_EQ(orders.front().number, 7);
 }
 
 TEST_F(MissionTurnTest, AnOrderThatNoDiskHasIsAcknowledgedAsNotDurableAndHealthAndAPersonAreTold) {

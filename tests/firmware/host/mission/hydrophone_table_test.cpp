@@ -171,7 +171,7 @@ TEST(HydrophoneTable, RefusesEachValueThatCannotBeWithWhatIsAllowed) {
            Refused{"integration_time_s = 0.1", "the integration time must lie from 0.1 to 60 s, and hold two periods of the band's width"},
            Refused{"floor_window_s = 15.0", "the noise floor's window must hold 16 to 512 integration times"},
            Refused{"longest_pause_s = 61.0", "must be a finite number of at least 0 and at most 60"},
-           Refused{"detection_m = 2", "of the last n estimates, 1 to 32, m must reach the threshold, 1 to n"},
+           Refused{"detection_m = 2", "of the last n estimates, 1 to 32, m must be at the threshold or above, 1 to n"},
            Refused{"detection_n = 33", "from 1 to 32"},
            Refused{"expected_noise_db_re_1upa = 301.0", "must be a finite number of at least -100 and at most 300"},
            Refused{"self_noise_speed_mps = 0.0", "must be a finite number above 0 and at most 20"},

@@ -324,7 +324,7 @@ TEST(MissionFile, GivesAHydrophoneTheAddressThatACommandLineNamesForItAloneAndRe
 
 TEST(MissionFile, WithoutAHydrophonesPortHasNothingToHearASimulationsSoundWith) {
   MissionFile counting = mission_with_hydrophone();
-  EXPECT_THROW(require_hydrophone(counting, "FILE"), BadInput) << "no table says what is listened for";
+  EXPECT_THROW(require_hydrophone(counting, "FILE"), BadInput) << "no table states what is listened for";
   counting.hearing.emplace();
   EXPECT_NO_THROW(require_hydrophone(counting, "FILE"));
   try {
@@ -355,7 +355,7 @@ TEST(MissionFile, WithAHydrophoneAndNoSnrSaysAtSeaThatNoTableSaysHowToMeasureOne
   } catch (const BadInput& e) {
     EXPECT_STREQ(
         e.what(),
-        "FILE: port: \"hydrophone\" brings sound, and no table [hydrophone] says how to measure an SNR in it: write one, or give a "
+        "FILE: port: \"hydrophone\" brings sound, and no table [hydrophone] states how to measure an SNR in it: write one, or give a "
         "port that brings an SNR the role \"snr\"");
   }
 }

@@ -196,7 +196,7 @@ TEST_F(MissionJudged, DoesNotMakeOldMarksCountWithTheVehiclesKey) {
   mission_.write_vehicle("command_key_file = \"vehicle.key\"\n");
   mission_.write(text_ + "\n[authority]\naccept_old_marks = true\n");
   mission_.sign(7);
-  expect_refused("authority.accept_old_marks = true: is for the vehicle to say, whose key it is: trust.accept_old_marks in");
+  expect_refused("authority.accept_old_marks = true: is the vehicle's to give, whose key it is: trust.accept_old_marks in");
   mission_.write(text_);
   mission_.sign(7);
   ASSERT_EQ(complaint(), "");

@@ -143,9 +143,9 @@ TEST(N2kTable, RefusesASourceThatNamesNoDevice) {
     EXPECT_EQ(complaint("[port.n2k.sources]\nheading = { name = \"" + name + "\" }"),
               "FILE:36: port 1: n2k.sources.heading.name = '" + name + "': " + rule);
   }
-  EXPECT_EQ(complaint("[port.n2k.sources]\nheading = {}"), "FILE:36: port 1: n2k.sources.heading: must say a device's name");
+  EXPECT_EQ(complaint("[port.n2k.sources]\nheading = {}"), "FILE:36: port 1: n2k.sources.heading: must give a device's name");
   EXPECT_EQ(complaint("[port.n2k.sources]\ndepth = {}"),
-            "FILE:36: port 1: n2k.sources.depth: must say a device's name, an instance, or both");
+            "FILE:36: port 1: n2k.sources.depth: must give a device's name, an instance, or both");
   EXPECT_EQ(complaint("[port.n2k.sources]\nheading = { instance = 1 }"),
             "FILE:36: port 1: n2k.sources.heading.instance = 1: only messages of depth (pressure) and battery bear an instance: give the "
             "device's name");
@@ -153,7 +153,7 @@ TEST(N2kTable, RefusesASourceThatNamesNoDevice) {
 
 TEST(N2kTable, RefusesUnknownKeysOnEveryLevelAndATableOfAnLcmPort) {
   EXPECT_EQ(complaint("[port.n2k]\nadress = 3\n[port.n2k.sources]\nwind = { name = \"0x1\" }\ndepth = { serial = 1 }"),
-            "FILE:39: port 1: n2k.sources.depth: must say a device's name, an instance, or both\n"
+            "FILE:39: port 1: n2k.sources.depth: must give a device's name, an instance, or both\n"
             "FILE:36: port 1: n2k.adress: unknown key\n"
             "FILE:38: port 1: n2k.sources.wind: unknown key\n"
             "FILE:39: port 1: n2k.sources.depth.serial: unknown key");

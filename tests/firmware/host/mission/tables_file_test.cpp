@@ -112,7 +112,7 @@ TEST(RequireCoverage, NamesWhatTheTablesAreOfAndWhatTheMissionAsks) {
   EXPECT_EQ(uncovered(100.0, 20.0, 200.0), "a.tables: is of a vehicle's depth of 300 m (270 to 330 m): the mission's is 100 m");
   EXPECT_EQ(uncovered(300.0, 40.0, 200.0), "a.tables: is of a frequency of 20 Hz (19 to 21 Hz): the mission's is 40 Hz");
   EXPECT_EQ(uncovered(300.0, 20.0, 35'355.5),
-            "a.tables: reaches 200 m, but in the mission's area a source may be 35355.5 m from the vehicle");
+            "a.tables: extends to 200 m, but in the mission's area a source may be 35355.5 m from the vehicle");
 }
 
 }  // namespace

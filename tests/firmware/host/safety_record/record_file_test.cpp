@@ -130,6 +130,31 @@ TEST_F(RecordFileTest, IsWrittenThoughTheDiskHasBecomeFull) {
   EXPECT_EQ(file.newest(), some_record(4));
 }
 
+TEST_F(RecordFileTest, IsWrittenOnceADiskThatWasReadOnlyWhenItWasOpenedIsNoLonger) {
+  const std::unique_ptr<support::SmallDisk> disk = support::SmallDisk::make(256 * 1024);
+  if (!disk) GTEST_SKIP() << "this kernel lets only root mount a file system";
+  const fs::path path = disk->path() / "journal.safety";
+  {
+    RecordFile file(path);
+    ASSERT_TRUE(file.prepare(kKept));
+    ASSERT_TRUE(file.write(some_record(1)));
+  }
+  ASSERT_TRUE(disk->set_read_only(true));
+  RecordFile file(path);
+  ASSERT_TRUE(file.open());
+  ASSERT_TRUE(file.claim());
+  EXPECT_FALSE(file.write(some_record(2)));
+  EXPECT_FALSE(file.prepare(kKept));
+  EXPECT_EQ(file.newest(), some_record(1)) << "it is read meanwhile";
+  ASSERT_TRUE(disk->set_read_only(false));
+  EXPECT_TRUE(file.write(some_record(2)));
+  EXPECT_TRUE(file.prepare(kKept));
+  EXPECT_EQ(file.newest(), some_record(2));
+  RecordFile other(path);
+  ASSERT_TRUE(other.open());
+  EXPECT_FALSE(other.claim()) << "it is still this one's";
+}
+
 TEST_F(RecordFileTest, IsOneProcessesAloneUntilThatHasEnded) {
   RecordFile file(path_);
   ASSERT_TRUE(file.prepare(kKept));

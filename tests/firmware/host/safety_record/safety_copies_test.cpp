@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "firmware/core/crc32.hpp"
 #include "firmware/host/safety_record/record_file.hpp"
 #include "tests/firmware/host/safety_record/some_record.hpp"
+#include "tests/support/small_disk.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::host {
@@ -91,6 +93,38 @@ TEST_F(SafetyCopiesTest, SaysThatItIsNotDurableWhereOnlyMemoryTakesItAndTriesAga
   while (!copies.is_durable() && std::chrono::steady_clock::now() < deadline) std::this_thread::sleep_for(milliseconds(10));
   EXPECT_TRUE(copies.is_durable());
   EXPECT_EQ(turn_in(folder_ / "not yet there" / "one"), 1U);
+}
+
+TEST_F(SafetyCopiesTest, AFlightThatGoesOnIsDurableAgainOnceItsReadOnlyDiskIsWritable) {
+  const std::unique_ptr<support::SmallDisk> disk = support::SmallDisk::make(256 * 1024);
+  if (!disk) GTEST_SKIP() << "this kernel lets only root mount a file system";
+  const fs::path path = disk->path() / "journal.safety";
+  {
+    SafetyCopies copies({{.file = path}});
+    copies.prepare(kKept);
+    ASSERT_TRUE(copies.write(record(1), kPatient));
+  }
+  ASSERT_TRUE(disk->set_read_only(true));
+  SafetyCopies copies({{.file = path}});
+  EXPECT_FALSE(copies.write(record(2), milliseconds(200)));
+  ASSERT_TRUE(disk->set_read_only(false));
+  const auto deadline = std::chrono::steady_clock::now() + kPatient;
+  while (!copies.is_durable() && std::chrono::steady_clock::now() < deadline) std::this_thread::sleep_for(milliseconds(10));
+  EXPECT_TRUE(copies.is_durable());
+  EXPECT_EQ(turn_in(path), 2U);
+}
+
+TEST_F(SafetyCopiesTest, GivesUpItsLastCopiesForWhoNeedsADescriptorButNotTheFirst) {
+  SafetyCopies copies(this->copies());
+  copies.prepare(kKept);
+  ASSERT_TRUE(copies.write(record(1), kPatient));
+  EXPECT_TRUE(copies.give_up_one());
+  EXPECT_TRUE(copies.give_up_one());
+  EXPECT_FALSE(copies.give_up_one());
+  EXPECT_TRUE(copies.write(record(2), kPatient));
+  EXPECT_EQ(turn_in(one_), 2U);
+  EXPECT_EQ(turn_in(two_), 1U);
+  EXPECT_EQ(copies.complaints(), two_.string() + ", " + memory_.string());
 }
 
 TEST_F(SafetyCopiesTest, RefusesToBeASecondOwner) {

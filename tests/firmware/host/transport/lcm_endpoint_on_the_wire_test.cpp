@@ -262,6 +262,24 @@ TEST_F(OnTheWire, NamesTheCallThatFailedWhenTheProgramMayOpenNoMore) {
   EXPECT_EQ(said.substr(0, 11), "LCM: socket");
 }
 
+// A port that hears and never sends would leave a vehicle alone.
+TEST_F(OnTheWire, IsRefusedWithoutADescriptorToSendByThoughItMayWaitForItsNetwork) {
+  rlimit limit{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &limit), 0);
+  const int next = ::dup(STDERR_FILENO);
+  ::close(next);
+  const rlimit two{.rlim_cur = static_cast<rlim_t>(next) + 2, .rlim_max = limit.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &two), 0);
+  int error = 0;
+  try {
+    const LcmEndpoint endpoint(parse_lcm_url(kHere), {}, {}, IfMissing::kKeepTrying);
+  } catch (const std::system_error& e) {
+    error = e.code().value();
+  }
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &limit), 0);
+  EXPECT_EQ(error, EMFILE);
+}
+
 TEST_F(OnTheWire, NamesTheCallThatFailedWhenItsPortIsAnothers) {
   const Udp other;
   other.set(SOL_SOCKET, SO_REUSEADDR, 0);  // and will not share

@@ -85,7 +85,7 @@ TEST(Printer, SaysOfAFlightWhoseVehicleDeclaredItsSourceFoundThatItEndedSo) {
   ASSERT_EQ(taken, Decoder::Taken::kMessage);
   const std::string line = printed(Format::kText, heard);
   for (const char* said :
-       {"State = DONE", "EndReason = found", "Found = Yes", "Sweeping = Yes", "Response = steer back", "Surprise = 7.25 bit"})
+       {"State = DONE", "EndReason = declared found", "Found = Yes", "Sweeping = Yes", "Response = steer back", "ModelMismatch = 7.25 bit"})
     EXPECT_NE(line.find(said), std::string::npos) << said << " in " << line;
 }
 

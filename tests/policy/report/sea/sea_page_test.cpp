@@ -54,6 +54,22 @@ TEST_F(SeaPageTest, SaysHowAndWhyTheSearchEndedAndWhenTheFlightWas) {
   EXPECT_FALSE(has(text, "A flight without its end"));
 }
 
+TEST_F(SeaPageTest, GivesFrequencyDepthAndSpeedOfTheSearchAndWhatADetectionIs) {
+  fly_until(MissionState::kDone, EndReason::kStepsUsedUp);
+  const std::string text = page_of_it();
+  EXPECT_TRUE(has(text, "<dt>frequency searched for</dt><dd>"));
+  EXPECT_TRUE(has(text, "<dt>depth of the search</dt><dd>"));
+  EXPECT_TRUE(has(text, "<dt>speed of the search</dt><dd>"));
+  EXPECT_TRUE(has(text, "<dd class=\"meaning\">a step that ends with an SNR of "));
+}
+
+TEST_F(SeaPageTest, DoesNotDenyASourceThatTheVehicleDeclaredFound) {
+  fly_until(MissionState::kDone, EndReason::kFound);
+  const std::string text = page_of_it();
+  EXPECT_TRUE(has(text, "<h1 class=\"found\">Search ended after 3 steps: the vehicle declared the source found</h1>")) << text;
+  EXPECT_FALSE(has(text, "class=\"missed\""));
+}
+
 TEST_F(SeaPageTest, SaysInItsHeadWhichRuleEndedTheSearchAndNoneOfThoseThatCameAfter) {
   {
     SeaJournal journal(folder_ / kJournalName);
@@ -96,10 +112,12 @@ TEST_F(SeaPageTest, SaysHowSurprisedTheVehicleWasThatItSweptAndThatItDeclared) {
     journal.health(40, 34, 11.5F, true, true);
     journal.end(messages::Ending::kStopped);
   }
+  const std::string text = page_of_it();
   EXPECT_TRUE(
-      has(page_of_it(),
-          "<p>From step 9 on what it heard was unlikely in every ocean of its tables (surprise 11.5 bits at the end, which counts from "
-          "6.75 on). Swept from step 11 of 100 on: what it heard fitted no ocean of its tables. Declared found at step 34.</p>"));
+      has(text,
+          "<p>From step 9 on, the SNR that it measured was unlikely in every ocean of its tables (model-mismatch score 11.5 bits at "
+          "the end; from 6.75 on it is a mismatch). From step 11 of 100 on it swept the whole area in parallel tracks: "));
+  EXPECT_TRUE(has(text, "The vehicle declared the source found at step 34.</p>"));
 }
 
 TEST_F(SeaPageTest, IsOfTheFirstOfSeveralJournalsUnlessAnotherIsNamed) {
@@ -133,8 +151,8 @@ TEST_F(SeaPageTest, OfASearchThatASignalBrokeOffSaysThatNoOperatorAbortedIt) {
   journal.state(600, MissionState::kAbort, EndReason::kOperatorAbort, 3);
   journal.end(messages::Ending::kStopped);
   const std::string text = page_of_it();
-  EXPECT_TRUE(has(text, "Search aborted after 3 steps: its program was told to stop</h1>"));
-  EXPECT_TRUE(has(text, "<td class=\"left\">ABORT: its program was told to stop, after 3 steps</td>"));
+  EXPECT_TRUE(has(text, "Search aborted after 3 steps: its program was stopped</h1>"));
+  EXPECT_TRUE(has(text, "<td class=\"left\">ABORT: its program was stopped, after 3 steps</td>"));
   EXPECT_FALSE(has(text, "an operator aborted it"));
 }
 

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include "tests/support/temporary_folder.hpp"
 
@@ -43,6 +44,13 @@ class FieldProgram : public testing::Test {
     const auto path = folder_ / "ocean.toml";
     std::ofstream(path) << text;
     return path.string();
+  }
+  /// Of the ocean that ships, out to 2 km.
+  void expect_drawn(const std::string& arguments, const std::vector<std::string>& words) {
+    const std::string picture = (folder_ / "out" / "field.svg").string();
+    ASSERT_EQ(run(kMunk + " -o " + output() + " --max-range-km 2 " + arguments + " --plot " + picture), 0) << errors();
+    const std::string svg = read(picture);
+    for (const std::string& word : words) EXPECT_NE(svg.find(word), std::string::npos) << word;
   }
   void expect_refused(const std::string& arguments, const std::string& mentioned) {
     EXPECT_EQ(run(arguments), 2);

@@ -31,19 +31,12 @@ TEST_F(FieldProgram, DrawsAPictureWhenAsked) {
 }
 
 TEST_F(FieldProgram, DrawsCurvesOfLossAndSnrWhereThereIsOneDepth) {
-  const auto picture = folder_ / "out" / "field.svg";
-  ASSERT_EQ(run(kMunk + " -o " + output() + " --max-range-km 2 --depth 300 --plot " + picture.string()), 0) << errors();
-  const std::string svg = read(picture);
-  for (const char* words : {"transmission loss (dB re 1 m)", "SNR (dB)", "hydrophone at 300 m", "detection threshold, 10 dB"})
-    EXPECT_NE(svg.find(words), std::string::npos) << words;
+  expect_drawn("--depth 300", {"transmission loss (dB re 1 m)", "SNR (dB)", "hydrophone at 300 m", "detection threshold, 10 dB"});
 }
 
 TEST_F(FieldProgram, DrawsACurveForEachOfFewDepthsThoughTheyLieUnequallyFarApart) {
-  const auto picture = folder_ / "out" / "field.svg";
-  ASSERT_EQ(run(kMunk + " -o " + output() + " --max-range-km 2 --depth 20 100 2900 --plot " + picture.string()), 0) << errors();
-  const std::string svg = read(picture);
-  for (const char* words : {"transmission loss (dB re 1 m)", "hydrophone at 20 m", "hydrophone at 100 m", "hydrophone at 2900 m"})
-    EXPECT_NE(svg.find(words), std::string::npos) << words;
+  expect_drawn("--depth 20 100 2900",
+               {"transmission loss (dB re 1 m)", "hydrophone at 20 m", "hydrophone at 100 m", "hydrophone at 2900 m"});
 }
 
 TEST_F(FieldProgram, TakesFinerDepthsInShallowWaterAndTenMetresElsewhere) {

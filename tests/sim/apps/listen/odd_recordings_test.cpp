@@ -51,15 +51,15 @@ TEST_F(ListenProgram, SaysThatARateIsTooLowOrTooHighForTheBand) {
 TEST_F(ListenProgram, ListensToWhatThereIsOfAFileThatWasCutShortAndSaysSo) {
   write(folder_ / "a.wav", WavBytes{.sample_rate = 1000, .samples = sixteen_bits(song(60, {30.0})), .told_more = 60'000}.bytes());
   EXPECT_EQ(run((folder_ / "a.wav").string()), 1);
-  EXPECT_NE(errors().find("a.wav: was cut short: its header tells of 30 s more than it holds"), std::string::npos) << errors();
+  EXPECT_NE(errors().find("a.wav: was cut short: its header announces 30 s more than it holds"), std::string::npos) << errors();
   EXPECT_NE(said().find("detections:  1\n"), std::string::npos) << said();
 }
 
 TEST_F(ListenProgram, HearsWhatStandsBehindTheEndThatTheHeaderTellsAndSaysSo) {
   std::string bytes = WavBytes{.sample_rate = 1000, .samples = sixteen_bits(song(60, {12.0, 50.0}))}.bytes();
-  for (const auto& [told, mentioned] : {std::pair{60'000ULL, "holds 30 s of samples behind the end that its header tells"},
-                                        {0ULL, "its header does not tell its length"},
-                                        {0xFFFFFFFFULL, "its header does not tell its length"}}) {
+  for (const auto& [told, mentioned] : {std::pair{60'000ULL, "holds 30 s of samples behind the end that its header gives"},
+                                        {0ULL, "its header does not give its length"},
+                                        {0xFFFFFFFFULL, "its header does not give its length"}}) {
     bytes.replace(40, 4, little_endian(told, 4));
     write(folder_ / "a.wav", bytes);
     EXPECT_EQ(run((folder_ / "a.wav").string()), 1);

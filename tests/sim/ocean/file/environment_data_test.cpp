@@ -164,7 +164,7 @@ TEST_F(EnvironmentData, RefusesAProfileThatEndsAboveTheSeaFloor) {
   seabed = kHalfSpace;
   bathymetry = kGebco;
   write_gebco(6000.0);
-  expect_mentions(complaint(), "the last depth_m of the sound-speed profile = 5000: must reach the deepest sea floor, 6000 m");
+  expect_mentions(complaint(), "the last depth_m of the sound-speed profile = 5000: must extend to the deepest sea floor, 6000 m");
 }
 
 TEST_F(EnvironmentData, NamesADataFileThatIsMissing) {

@@ -155,7 +155,7 @@ TEST_F(EnvironmentFile, RefusesDepthsThatDoNotIncrease) {
 }
 
 TEST_F(EnvironmentFile, RefusesAProfileThatEndsAboveTheSeaFloor) {
-  expect_mentions(complaint("[0.0, 50.0, 100.0]", "[0.0, 50.0, 90.0]"), "must reach from 0 to seabed.depth_m");
+  expect_mentions(complaint("[0.0, 50.0, 100.0]", "[0.0, 50.0, 90.0]"), "must extend from 0 to seabed.depth_m");
 }
 
 TEST_F(EnvironmentFile, RefusesTablesOfUnequalLength) {

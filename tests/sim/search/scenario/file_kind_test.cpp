@@ -21,10 +21,11 @@ TEST(FileKind, IsToldByTheKeysOfAFile) {
 }
 
 TEST(FileKind, IsRefusedInOneLineWhereAnotherIsWantedAndLeftToTheReaderWhereItIsUnknown) {
-  EXPECT_NO_THROW(require_kind("--world", kRoot + "/policy/worlds/rock.toml", FileKind::kWorld));
-  EXPECT_NO_THROW(require_kind("--world", kRoot + "/none.toml", FileKind::kWorld));
+  const host::TomlFile rock(kRoot + "/policy/worlds/rock.toml");
+  EXPECT_NO_THROW(require_kind("--world", rock, FileKind::kWorld));
+  EXPECT_NO_THROW(require_kind("--world", host::TomlFile("none.toml", "a = 1"), FileKind::kWorld));
   try {
-    require_kind("--environment", kRoot + "/policy/worlds/rock.toml", FileKind::kEnvironment);
+    require_kind("--environment", rock, FileKind::kEnvironment);
     FAIL() << "a world is no environment";
   } catch (const host::BadInput& e) {
     EXPECT_EQ(std::string(e.what()),

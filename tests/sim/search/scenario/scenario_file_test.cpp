@@ -314,6 +314,20 @@ TEST_F(ScenarioFile, RefusesAFamilyThatCannotBeDrawn) {
   expect_refused("[field_library]\nfile = \"a.nc\"\n[family]\nmembers = 3\n", "field_library: cannot be there with family or oceans");
 }
 
+TEST_F(ScenarioFile, NamesTheOptionByWhichAWorldWasGivenForAnOcean) {
+  const std::string rock = EARSHOT_SOURCE_DIR "/policy/worlds/rock.toml";
+  const auto complaint_of = [&rock](const std::string& option) {
+    try {
+      (void)load_scenario(rock, option);
+    } catch (const host::BadInput& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(complaint_of("--environment").find("--environment " + rock + ": is a world"), 0U) << complaint_of("--environment");
+  EXPECT_EQ(complaint_of("").find(rock + ": is a world"), 0U) << complaint_of("");
+}
+
 TEST_F(ScenarioFile, RefusesAFamilyOfAnOceanWhoseNumbersCannotBeDrawn) {
   const auto complaint_of = [this](const std::string& from, const std::string& to) {
     std::ifstream munk(kMunk);

@@ -128,7 +128,7 @@ TEST(SoundscapeOf, RefusesALibraryWithoutTheVehiclesDepthOrThatDoesNotReachAsFar
   const std::string depth = complaint_of(scenario, Meters{200.0});
   EXPECT_NE(depth.find("library.nc: has no fields at the vehicle's depth, 200"), std::string::npos) << depth;
   const std::string range = complaint_of(scenario, Meters{300.0}, Meters{201.0});
-  EXPECT_NE(range.find("library.nc: must reach 201"), std::string::npos) << range;
+  EXPECT_NE(range.find("library.nc: must extend to 201"), std::string::npos) << range;
 }
 
 TEST(SoundscapeOf, RefusesALibraryOfASourceAtAnotherDepthOrFrequency) {

@@ -33,7 +33,7 @@ int main(int argc, char** argv) {
       "earshot journal JOURNAL prints what happened on a mission, a line each: orders, states, decisions, rules that act, links "
       "that\ngo down, and what the journal lacks. With --csv, --jsonl or --mcap it writes files for other programs instead.\n"
       "Exit status: 0 all was read, 1 all that can be read was: the journal is damaged, lacks records or its end, which\n"
-      "standard error says, 2 it is no journal or a file was refused, 3 standard output is gone, 130 stopped while it followed.");
+      "standard error reports, 2 it is no journal or a file was refused, 3 standard output is gone, 130 stopped while it followed.");
   journal::ViewOptions options;
   std::optional<std::string> origin;
   bool force = false;
@@ -44,9 +44,9 @@ int main(int argc, char** argv) {
   line.option("--csv", &options.csv, "write a table, a row for every turn").excludes(follow);
   line.option("--jsonl", &options.jsonl, "write every record as a JSON object on a line").excludes(follow);
   line.option("--mcap", &options.mcap, "write an MCAP file, for Foxglove, Lichtblick and others").excludes(follow);
-  line.option(
-      "--origin", &origin,
-      "LATITUDE_DEG,LONGITUDE_DEG of the mission's origin (its file's table [origin]): --csv and --mcap then say latitudes and longitudes");
+  line.option("--origin", &origin,
+              "LATITUDE_DEG,LONGITUDE_DEG of the mission's origin (its file's table [origin]): --csv and --mcap then give latitudes and "
+              "longitudes");
   line.flag("--force", &force, "replace a file that is there already, of whatever kind it is");
   line.footer(
       "Examples:\n"

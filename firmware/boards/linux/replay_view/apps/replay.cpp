@@ -11,11 +11,11 @@ int main(int argc, char** argv) {
   program::CommandLine line(
       "earshot replay",
       "earshot replay JOURNAL gives a flight's inputs to the vehicle's core again and compares every output with the journal, byte for\n"
-      "byte. With --policy, --tables or --mission it says besides what another would have decided on the same inputs, and where the "
+      "byte. With --policy, --tables or --mission it prints besides what another would have decided on the same inputs, and where the "
       "decisions part;\n"
       "behind that the inputs are those of the vehicle that followed the journal, so that it is no forecast.\n"
       "Exit status: 0 the journal is whole and every output the same, 1 an output differs or the journal is not whole, which standard\n"
-      "error says (where another policy or mission parts from it changes nothing in that), 2 bad input,\n"
+      "error reports (where another policy or mission parts from it changes nothing in that), 2 bad input,\n"
       "3 standard output is gone.");
   replay_view::ReplayCommand command;
   bool force = false;

@@ -82,7 +82,7 @@ TEST_F(EndReport, OfAMissionThatWasStoppedGoesByTheStateInWhichTheSignalFoundIt)
   const Reported search = of_loop(clock_);
   EXPECT_EQ(search.status, program::kInterrupted);
   EXPECT_EQ(search.said,
-            "earshotd: stopped by a signal after 90 s, in SEARCH; it ended in ABORT, this program was told to stop, after 2 steps; "
+            "earshotd: stopped by a signal after 90 s, in SEARCH; it ended in ABORT, this program was stopped, after 2 steps; "
             "journal out/journal.lcmlog\n");
   result_.found_in = messages::MissionState::kStandby;
   EXPECT_EQ(of_loop(clock_).status, program::kDone);

@@ -73,7 +73,7 @@ TEST_F(CanPortTroubleTest, RemarksPositionsThatWaitedForAHeadingOnceThatWasTold)
   }
   EXPECT_TRUE(taken_.has(BusTrouble::kNoHeading));
   EXPECT_EQ(port_->remark(),
-            "vehicle, CAN vcan0: 7 positions made no fix, because heading or pressure was missing or older than oldest_part_s: look at how "
+            "vehicle, CAN vcan0: 7 positions made no fix, because heading or pressure was missing or older than oldest_part_s: check how "
             "often their devices send");
 }
 

@@ -36,7 +36,8 @@ TEST(Doubts, DoubtsWhatIsAllowedAndUnwise) {
   file.mission.max_steps = 128;
   EXPECT_FALSE(is_doubted(file, "search.max_steps"));
   file.mission.max_steps = 129;
-  EXPECT_TRUE(is_doubted(file, "search.max_steps, 129: a policy with a belief tries no other oceans and drifts from look 129 on"));
+  EXPECT_TRUE(
+      is_doubted(file, "search.max_steps, 129: a policy with a belief tries no other oceans and drifts from SNR measurement 129 on"));
   file.mission.max_steps = 100;
   file.mission.max_time = Duration::seconds(49'999);
   EXPECT_TRUE(is_doubted(file, "limits.max_time_s is over before all steps are taken"));
@@ -61,7 +62,7 @@ TEST(Doubts, DoubtsAVehicleThatRisesAlmostAsFastAsItMoves) {
   vehicle.ascent_rate = MetersPerSecond{0.8};
   EXPECT_TRUE(is_doubted(file,
                          "vehicle.ascent_rate_mps, 0.8 m/s, asks for a climb of 53 degrees all the way: one that rises more slowly, and "
-                         "whose depth sensor fails, is told to stop below the surface"));
+                         "whose depth sensor fails, is ordered to stop below the surface"));
   vehicle.ascent_speed = MetersPerSecond{0.0};
   EXPECT_TRUE(is_doubted(file, "vehicle.ascent_rate_mps is not used: a vehicle with ascent_speed_mps = 0 floats up"));
   vehicle.ascent_rate = config::kSlowestAscent;
@@ -116,7 +117,7 @@ TEST(Doubts, DoubtsARuleAboutADeafHydrophoneThatNoPortCanTellOf) {
   host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
   EXPECT_FALSE(is_doubted(file, "hydrophone_deaf"));
   file.ports.at(0).roles.remove(host::Role::kSnr);
-  EXPECT_TRUE(is_doubted(file, "no port has the role \"snr\", and no hydrophone is listened to: nobody tells of hydrophone_deaf"));
+  EXPECT_TRUE(is_doubted(file, "no port has the role \"snr\", and no hydrophone is listened to: nobody reports hydrophone_deaf"));
   file.ports.at(0).roles.add(host::Role::kHydrophone);
   EXPECT_TRUE(is_doubted(file, "hydrophone_deaf")) << "its samples are counted only";
   file.hearing = detector::fin_whale();

@@ -87,9 +87,9 @@ TEST(RuleDoubts, NameTheRulesThatGoByTheWordOfWhomNobodyWatches) {
   const config::Rule disengaged = rule(Condition::kAutopilotDisengaged, 0, Response::kAbort);
   EXPECT_EQ(
       doubts_about_rules(mission_with({leak, disengaged, altitude})),
-      (Lines{"no rule watches vehicle_status_age_s: when nobody tells the vehicle's status (any more), rules 15, 17 must go by the last "
+      (Lines{"no rule watches vehicle_status_age_s: when nobody reports the vehicle's status (any more), rules 15, 17 must go by the last "
              "word, or by none",
-             "no rule watches autopilot_age_s: when nobody tells the autopilot's status (any more), rule 16 must go by the last word, "
+             "no rule watches autopilot_age_s: when nobody reports the autopilot's status (any more), rule 16 must go by the last word, "
              "or by none"}));
   const config::Rule status_age = rule(Condition::kVehicleStatusAge, 60, Response::kWarn);
   const config::Rule autopilot_age = rule(Condition::kAutopilotAge, 10, Response::kWarn);

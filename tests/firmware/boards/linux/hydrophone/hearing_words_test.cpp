@@ -17,7 +17,8 @@ TEST(HearingWords, TellWhatWasHeardAndWhatNot) {
   of(account, Hearing::kFillingUp) = Duration::milliseconds(2'500);
   // 118 s and 2.5 s are 120.5 s, written without a digit behind the point, of which the even is taken.
   EXPECT_EQ(to_string(account),
-            "it heard 118 s of 120 s of sound: 112 looks, 3 of them too faint to measure, and 2 detections; not heard: 2.5 s, has just "
+            "it heard 118 s of 120 s of sound: 112 SNR measurements, 3 of them too faint to measure, and 2 detections; not heard: 2.5 s, "
+            "has just "
             "begun");
 }
 
@@ -26,7 +27,7 @@ TEST(HearingWords, SayWhatToDoAboutEachThingInTheWay) {
   of(account, Hearing::kSelfNoise) = Duration::seconds(30);
   of(account, Hearing::kFlowNoise) = Duration::seconds(20);
   const std::string text = to_string(account);
-  EXPECT_NE(text.find("it heard 0.0 s of 50 s of sound: 0 looks"), std::string::npos) << text;
+  EXPECT_NE(text.find("it heard 0.0 s of 50 s of sound: 0 SNR measurements"), std::string::npos) << text;
   EXPECT_NE(text.find("; not heard: 20 s, flow noise (go slower, or shield the hydrophone); 30 s, the vehicle's own noise (go no faster "
                       "than self_noise_speed_mps)"),
             std::string::npos)

@@ -134,7 +134,8 @@ TEST_F(HydrophonePortTest, BringsTheLoopLooksDatedOnTheMissionClockWhenThatTakes
   ASSERT_EQ(sink.chains.size(), 1U);
   EXPECT_LE(sink.looks.back().time, (Time{began_us} + HourAhead::kHour + Duration::seconds(20)));
   EXPECT_GE(sink.looks.back().time, (Time{began_us} + HourAhead::kHour + Duration::seconds(18)));
-  EXPECT_NE(port.remark().find("of 20 s of sound: " + std::to_string(sink.looks.size()) + " looks"), std::string::npos) << port.remark();
+  EXPECT_NE(port.remark().find("of 20 s of sound: " + std::to_string(sink.looks.size()) + " SNR measurements"), std::string::npos)
+      << port.remark();
 }
 
 TEST_F(HydrophonePortTest, LetsNoFixAndNoAbortOfTheLoopBeLostOrWaitThoughTwoHundredThousandBlocksPass) {

@@ -92,13 +92,14 @@ TEST_F(TimelineTest, TellsOnceInASearchThatItIsSurprisedAndWhenItBeginsToSweep) 
   health.surprise_bits = 6.7F;
   EXPECT_EQ(tell(health), Lines{"SEARCH"});
   health.surprise_bits = 6.75F;
-  EXPECT_EQ(tell(health), Lines{"is surprised: what it hears is unlikely in every ocean of its tables (surprise 6.8 bits)"});
+  EXPECT_EQ(tell(health),
+            Lines{"model mismatch: the measured SNR is unlikely in every ocean of its tables (model-mismatch score 6.8 bits)"});
   health.surprise_bits = 5.0F;
   EXPECT_EQ(tell(health), Lines{});
   health.surprise_bits = 7.0F;
   EXPECT_EQ(tell(health), Lines{});
   health.is_sweeping = true;
-  EXPECT_EQ(tell(health), Lines{"SEARCH, sweeps the area: what it hears fits no ocean of its tables"});
+  EXPECT_EQ(tell(health), Lines{"SEARCH, sweeps the area: the measured SNR fits no ocean of its tables"});
   EXPECT_EQ(tell(health), Lines{});
   health = {};
   (void)tell(health);
@@ -113,7 +114,7 @@ TEST_F(TimelineTest, TellsThatASearchSweepsBecauseItHasHeardNothingWhereNothingH
   health.authority = messages::Authority::kCommand;
   (void)tell(health);
   health.is_sweeping = true;
-  EXPECT_EQ(tell(health), Lines{"SEARCH, sweeps the area: it has heard nothing for long, where its tables say that it should"});
+  EXPECT_EQ(tell(health), Lines{"SEARCH, sweeps the area: nothing was detected for long, where its tables predict detections"});
   health.is_sweeping = false;
   EXPECT_EQ(tell(health), Lines{"SEARCH"}) << "something is heard";
 }
@@ -173,12 +174,11 @@ TEST_F(TimelineTest, TellsAProgramThatWasStoppedFromAnOperatorsAbort) {
   abort_by(1);
   EXPECT_EQ(tell(aborted()), Lines{"ABORT: an operator aborted it, after 2 steps"});
   abort_by(0);  // it was over before
-  EXPECT_EQ(tell(closing), Lines{"end: the program was told to stop; ABORT: an operator aborted it, after 2 steps; no record was lost"});
+  EXPECT_EQ(tell(closing), Lines{"end: the program was stopped; ABORT: an operator aborted it, after 2 steps; no record was lost"});
   timeline_ = Timeline();
   abort_by(0);
-  EXPECT_EQ(tell(aborted()), Lines{"ABORT: its program was told to stop, after 2 steps"});
-  EXPECT_EQ(tell(closing),
-            Lines{"end: the program was told to stop; ABORT: its program was told to stop, after 2 steps; no record was lost"});
+  EXPECT_EQ(tell(aborted()), Lines{"ABORT: its program was stopped, after 2 steps"});
+  EXPECT_EQ(tell(closing), Lines{"end: the program was stopped; ABORT: its program was stopped, after 2 steps; no record was lost"});
 }
 
 TEST_F(TimelineTest, TellsWhatIsRefusedOnceInAState) {
@@ -253,7 +253,7 @@ TEST_F(TimelineTest, TellsTheFirstOfTheRecordsThatItCannotRead) {
       .number = 5, .time = kBegan, .channel = "EARSHOT_HEALTH", .size_bytes = 1, .content = Unreadable{.is_known_channel = true}};
   EXPECT_EQ(tell(Entry(record)),
             Lines{"record 5 on EARSHOT_HEALTH cannot be read: its message is of another version of Earshot; of more like "
-                  "it nothing is told"});
+                  "it nothing is printed"});
   EXPECT_EQ(tell(Entry(record)), Lines{});
 }
 

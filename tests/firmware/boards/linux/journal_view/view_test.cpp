@@ -252,7 +252,7 @@ TEST_F(JournalFollowed, SaysWhatHappensAsItIsWrittenUntilTheMissionEnds) {
   EXPECT_TRUE(hears("1.0 s  SEARCH\n")) << process_.output();
   journal_.close({.time = after(2000), .ending = messages::Ending::kStopped});
   EXPECT_EQ(process_.wait(30s), 0);
-  EXPECT_NE(process_.output().find("end: the program was told to stop"), std::string::npos) << process_.output();
+  EXPECT_NE(process_.output().find("end: the program was stopped"), std::string::npos) << process_.output();
 }
 
 TEST_F(JournalFollowed, EndsOnCtrlC) {

@@ -196,7 +196,7 @@ TEST_F(FlightNewsTest, SaysLastOfARuleThatComesAndGoesWhatItDoes) {
   EXPECT_EQ(all_told(),
             "earshotd: 2026-11-18 11:06:40 UTC: rule 12, depth_m: 310.0, above 300.0: hold\n"
             "earshotd: 2026-11-18 11:06:40 UTC: SEARCH\n"
-            "earshotd: 2026-11-18 11:06:50 UTC: rule 12, depth_m: 310.0, above 300.0: hold; it changed 2 times since it was last told of\n"
+            "earshotd: 2026-11-18 11:06:50 UTC: rule 12, depth_m: 310.0, above 300.0: hold; it changed 2 times since it was last reported\n"
             "earshotd: 2026-11-18 11:07:11 UTC: rule 12, depth_m: no longer\n"
             "earshotd: 2026-11-18 11:07:21 UTC: rule 12, depth_m: 310.0, above 300.0: hold\n");
 }
@@ -261,8 +261,8 @@ TEST_F(FlightNewsTest, TellsOnceThatTheDiskDoesNotTakeTheJournalAndOnceThatItDoe
   news_->tell(kUtc + Duration::seconds(62), h);
   EXPECT_EQ(all_told(),
             "earshotd: 2026-11-18 11:06:40 UTC: STANDBY\n"
-            "earshotd: 2026-11-18 11:06:41 UTC: journal: the disk does not take it in time (full, read-only, broken or slow): the flight "
-            "goes on; once the buffer is full only orders, changes of state and some set-points are kept\n"
+            "earshotd: 2026-11-18 11:06:41 UTC: journal: the disk does not take it in time (full, read-only, broken, slow, or in memory "
+            "alone): the flight goes on; once the buffer is full only orders, changes of state and some set-points are kept\n"
             "earshotd: 2026-11-18 11:07:42 UTC: journal: the disk takes it again; 12 records are lost\n");
 }
 
@@ -281,7 +281,7 @@ TEST_F(FlightNewsTest, TellsInEachStateOnceHowManyMessagesWereRefusedAndWhereToL
   for (const std::uint64_t n : {0, 7, 8})
     tell(16, MissionState::kAbort, {.navigation_refused = 32, .snr_refused = 2, .bearings_refused = n + 1, .bearings_of_others = n});
   const std::string why =
-      " refused so far, for their date, their order or what is in them; look at their sender's clock (of CAN "
+      " refused so far, for their date, their order or what is in them; check their sender's clock (of CAN "
       "messages, which bear no date: at two ports that bring the same)\n";
   EXPECT_EQ(all_told(),
             "earshotd: 2026-11-18 11:06:41 UTC: STANDBY\nearshotd: 2026-11-18 11:06:41 UTC: SNR: 1 message" + why +
@@ -303,11 +303,11 @@ TEST_F(FlightNewsTest, TellsALinkThatComesAndGoesFourTimesAndThenOnceInTenSecond
                             "earshotd: 2026-11-18 11:06:40 UTC: STANDBY\n" + "earshotd: 2026-11-18 11:06:41 UTC: " + link + "up again\n" +
                             "earshotd: 2026-11-18 11:06:42 UTC: " + link + "down; tried again once a second\n" +
                             "earshotd: 2026-11-18 11:06:43 UTC: " + link + "up again\n" + "earshotd: 2026-11-18 11:06:50 UTC: " + link +
-                            "down; tried again once a second; it changed 7 times since it was last told of\n" +
+                            "down; tried again once a second; it changed 7 times since it was last reported\n" +
                             "earshotd: 2026-11-18 11:07:00 UTC: " + link +
-                            "down; tried again once a second; it changed 10 times since it was last told of\n" +
+                            "down; tried again once a second; it changed 10 times since it was last reported\n" +
                             "earshotd: 2026-11-18 11:07:40 UTC: " + link +
-                            "down; tried again once a second; it changed 4 times since it was last told of\n" +
+                            "down; tried again once a second; it changed 4 times since it was last reported\n" +
                             "earshotd: 2026-11-18 11:07:41 UTC: " + link + "up again\n");
 }
 
@@ -322,7 +322,7 @@ TEST_F(FlightNewsTest, TellsASoundThatWasHeardAndThenOnceAMinuteHowManySince) {
       all_told(),
       "earshotd: 2026-11-18 11:06:43 UTC: heard for 1.2 s from 2026-11-18 11:06:40 UTC: level 104.2 dB re 1 uPa, SNR 14.1 dB, clipped\n"
       "earshotd: 2026-11-18 11:07:44 UTC: heard for 1.2 s from 2026-11-18 11:06:40 UTC: level 104.2 dB re 1 uPa, SNR 14.1 dB; 2 "
-      "detections since it was last told of one\n");
+      "detections since it was last reported\n");
 }
 
 TEST_F(FlightNewsTest, TellsAtTheNextTurnWithWhatChainAHydrophoneIsHeardAndNotMoreThanOnceInTenSeconds) {
@@ -351,7 +351,7 @@ TEST_F(FlightNewsTest, TellsAtTheNextTurnWithWhatChainAHydrophoneIsHeardAndNotMo
       all_told(),
       "earshotd: 2026-11-18 11:06:40 UTC: STANDBY\n"
       "earshotd: 2026-11-18 11:06:40 UTC: port 1, vehicle, CAN can0: hears 15.0 to 30.0 Hz of 8 channels at 96000.0 Hz: full scale "
-      "180.0, the ADC's own noise -10.3 dB re 1 uPa; looks lag by 0.24 s\n"
+      "180.0, the ADC's own noise -10.3 dB re 1 uPa; SNR measurements lag by 0.24 s\n"
       "earshotd: 2026-11-18 11:06:50 UTC: port 1, vehicle, CAN can0: hears nothing: a sample rate of 50.0 Hz is too low for a band up to "
       "30.0 Hz\n"
       "earshotd: 2026-11-18 11:07:00 UTC: port 1, vehicle, CAN can0: hears nothing: the ADC must have 8 to 32 bits\n");
@@ -360,7 +360,7 @@ TEST_F(FlightNewsTest, TellsAtTheNextTurnWithWhatChainAHydrophoneIsHeardAndNotMo
 TEST_F(FlightNewsTest, TellsAnAbortOfItsOwnFromAnOperators) {
   news_->tell_stop();
   news_->tell(kUtc, health(MissionState::kAbort, EndReason::kOperatorAbort, 3));
-  EXPECT_EQ(all_told(), "earshotd: 2026-11-18 11:06:40 UTC: ABORT, this program was told to stop, after 3 steps\n");
+  EXPECT_EQ(all_told(), "earshotd: 2026-11-18 11:06:40 UTC: ABORT, this program was stopped, after 3 steps\n");
 }
 
 TEST_F(FlightNewsTest, TellsWhatIsWrongWithACanBusAndWhenItIsOver) {
@@ -373,7 +373,7 @@ TEST_F(FlightNewsTest, TellsWhatIsWrongWithACanBusAndWhenItIsOver) {
   news_->tell(kUtc + Duration::seconds(10), health(MissionState::kStandby));
   EXPECT_EQ(all_told(),
             "earshotd: 2026-11-18 11:06:40 UTC: port 1, vehicle, CAN can0: no position is heard (129025, 129029)\n"
-            "earshotd: 2026-11-18 11:06:40 UTC: port 2, ev\\x1bil: headings are magnetic, and nobody says the variation (127258)\n"
+            "earshotd: 2026-11-18 11:06:40 UTC: port 2, ev\\x1bil: headings are magnetic, and nobody gives the variation (127258)\n"
             "earshotd: 2026-11-18 11:06:40 UTC: STANDBY\n"
             "earshotd: 2026-11-18 11:06:50 UTC: port 1, vehicle, CAN can0: positions are heard\n");
 }

@@ -29,7 +29,7 @@ TEST_F(OrderNews, TellsOfUnreadableOrdersOnceInTenSecondsWithTheirNumberAndTheRe
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + 2) << text;  // STANDBY, and two of orders
   EXPECT_NE(text.find("an order could not be read, and was not obeyed"), std::string::npos) << text;
   EXPECT_NE(text.find("mark = bytes(16)"), std::string::npos) << text;
-  EXPECT_NE(text.find("; 45 such since it was last told of\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("; 45 such since it was last reported\n"), std::string::npos) << text;
 }
 
 TEST_F(OrderNews, TellsEachTroubleOfEachPortApart) {

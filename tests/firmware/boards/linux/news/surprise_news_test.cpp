@@ -32,8 +32,8 @@ TEST_F(SurpriseNews, SaysOnceThatASearchIsSurprisedAndThatItSweeps) {
   tell(12.0F, true);
   EXPECT_EQ(told(),
             "earshotd: 0 s: SEARCH\n"
-            "earshotd: 20 s: SEARCH, is surprised: what it hears is unlikely in every ocean of its tables\n"
-            "earshotd: 60 s: SEARCH, sweeps the area: what it hears fits no ocean of its tables\n");
+            "earshotd: 20 s: SEARCH, model mismatch: the measured SNR is unlikely in every ocean of its tables\n"
+            "earshotd: 60 s: SEARCH, sweeps the area: the measured SNR fits no ocean of its tables\n");
 }
 
 TEST_F(SurpriseNews, SaysThatASearchSweepsBecauseItHasHeardNothingAndWhenThatIsOver) {
@@ -43,7 +43,7 @@ TEST_F(SurpriseNews, SaysThatASearchSweepsBecauseItHasHeardNothingAndWhenThatIsO
   tell(-9.0F, false);
   EXPECT_EQ(told(),
             "earshotd: 0 s: SEARCH\n"
-            "earshotd: 20 s: SEARCH, sweeps the area: it has heard nothing for long, where its tables say that it should\n"
+            "earshotd: 20 s: SEARCH, sweeps the area: nothing was detected for long, where its tables predict detections\n"
             "earshotd: 60 s: SEARCH\n");
 }
 

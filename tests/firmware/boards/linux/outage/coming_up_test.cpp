@@ -44,6 +44,14 @@ messages::Input fix(double s, double heading, double depth = 300.0) {
               .time = after(s), .position = at(1, 2), .depth = Meters{depth}, .heading = Radians{heading}, .speed = MetersPerSecond{1}}};
 }
 
+config::Mission mission_that_releases_on_a_leak(Duration persistence) {
+  config::Mission mission = runtime::paper_mission();
+  EXPECT_EQ(mission.safety.rules.push_back(
+                {.condition = config::Condition::kLeak, .persistence = persistence, .response = config::Response::kRelease}),
+            Status::kOk);
+  return mission;
+}
+
 TEST(ComingUp, TellsStopAndComeUpAndThatAnOutageEndedTheSearch) {
   ComingUp core(runtime::paper_mission(), in_search());
   const runtime::Outputs outputs = core.step(kBegin);
@@ -116,26 +124,19 @@ TEST(ComingUp, KeepsAReleasedWeightReleasedAndTheReasonOfAMissionThatWasOver) {
 }
 
 TEST(ComingUp, ReleasesTheWeightOnALeakWhereTheMissionDoes) {
-  config::Mission mission = runtime::paper_mission();
   const messages::Input leak{
       .arrival = kBegin, .port = 1, .sequence = 0, .value = messages::VehicleStatus{.time = kBegin, .has_leak = true}};
-  ComingUp without(mission, in_search());
+  ComingUp without(runtime::paper_mission(), in_search());
   without.take(leak);
   EXPECT_FALSE(without.step(kBegin).setpoint->release_weight);
-  const config::Rule rule{.condition = config::Condition::kLeak, .persistence = {}, .response = config::Response::kRelease};
-  ASSERT_EQ(mission.safety.rules.push_back(rule), Status::kOk);
-  ComingUp with(mission, in_search());
+  ComingUp with(mission_that_releases_on_a_leak({}), in_search());
   with.take(leak);
   EXPECT_TRUE(with.step(kBegin).setpoint->release_weight);
   EXPECT_TRUE(with.step(after(100)).setpoint->release_weight);
 }
 
 TEST(ComingUp, ReleasesTheWeightNoSoonerThanTheMissionsRuleDoes) {
-  config::Mission mission = runtime::paper_mission();
-  const config::Rule rule{
-      .condition = config::Condition::kLeak, .persistence = Duration::seconds(5), .response = config::Response::kRelease};
-  ASSERT_EQ(mission.safety.rules.push_back(rule), Status::kOk);
-  ComingUp core(mission, in_search());
+  ComingUp core(mission_that_releases_on_a_leak(Duration::seconds(5)), in_search());
   const auto tell = [&](double s, bool has_leak) {
     core.take({.arrival = after(s), .port = 1, .sequence = 0, .value = messages::VehicleStatus{.time = after(s), .has_leak = has_leak}});
   };
@@ -148,6 +149,17 @@ TEST(ComingUp, ReleasesTheWeightNoSoonerThanTheMissionsRuleDoes) {
   EXPECT_TRUE(core.step(after(12)).setpoint->release_weight);
   tell(13, false);
   EXPECT_TRUE(core.step(after(14)).setpoint->release_weight);
+}
+
+TEST(ComingUp, ReleasesTheWeightThoughASecondSenderSaysThatThereIsNoLeak) {
+  ComingUp core(mission_that_releases_on_a_leak(Duration::seconds(2)), in_search());
+  bool is_released = false;
+  for (int s = 0; s < 10; ++s) {
+    for (const bool has_leak : {true, false})
+      core.take({.arrival = after(s), .port = 1, .sequence = 0, .value = messages::VehicleStatus{.time = after(s), .has_leak = has_leak}});
+    is_released = core.step(after(s)).setpoint->release_weight;
+  }
+  EXPECT_TRUE(is_released);
 }
 
 TEST(ComingUp, HasComeUpWhenItsDepthSaysSoOrItsTimeIsOver) {

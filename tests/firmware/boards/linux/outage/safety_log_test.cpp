@@ -7,6 +7,7 @@
 #include <fstream>
 #include <memory>
 #include <optional>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -165,8 +166,12 @@ TEST_F(SafetyLogTest, AReleaseBeforeTheFirstTurnIsDurableAndStampsGoOn) {
   EXPECT_EQ(on_disk().mission_time, kUtc + host_.running);
 }
 
+bool is_under_dev(const fs::path& folder) {
+  return folder.string().starts_with("/dev/");
+}
+
 TEST(SafetyPlaces, AreTwoBesideTheJournalWhereNoneIsElsewhereOnADisk) {
-  const auto places = safety_places("/a/search", {}, {.state = {}, .runtime = "/run/earshot"});
+  const auto places = safety_places("/a/search", {}, {.state = {}, .runtime = "/run/earshot"}, &is_under_dev);
   ASSERT_EQ(places.size(), 3U);
   EXPECT_EQ(places[0].file, "/a/search/journal.safety");
   EXPECT_EQ(places[1].file, "/a/search/journal.copy.safety");
@@ -195,7 +200,7 @@ TEST(RecordOwner, IsThisComputerAndTheFolderOfTheFlights) {
 }
 
 TEST(SafetyPlaces, AreBesideTheJournalInTheServicesStateAndInMemory) {
-  const auto places = safety_places("/var/lib/earshot/search", {}, {.state = "/var/lib/earshot", .runtime = "/run/earshot"});
+  const auto places = safety_places("/var/lib/earshot/search", {}, {.state = "/var/lib/earshot", .runtime = "/run/earshot"}, &is_under_dev);
   ASSERT_EQ(places.size(), 3U);
   EXPECT_EQ(places[0].file, "/var/lib/earshot/search/journal.safety");
   EXPECT_EQ(places[1].file.parent_path(), "/var/lib/earshot");
@@ -213,6 +218,25 @@ TEST(SafetyPlaces, AreWhereAPersonSaysAndDifferForFoldersOfOneName) {
   EXPECT_EQ(here[2].file.parent_path(), "/mnt/other");
   EXPECT_TRUE(here[1].file.filename().string().starts_with("search-"));
   EXPECT_NE(here[1].file, there[1].file);
+}
+
+TEST(SafetyPlaces, InMemoryAloneAreNoDiskWhoeverAskedForThem) {
+  const SafetyFolders folders{.state = "/dev/state", .runtime = "/run/earshot"};
+  const auto places = safety_places("/a/search", {"/dev/shm", "/mnt/card"}, folders, &is_under_dev);
+  ASSERT_EQ(places.size(), 4U);
+  EXPECT_TRUE(places[0].survives_power_cut);
+  EXPECT_FALSE(places[1].survives_power_cut);
+  EXPECT_TRUE(places[2].survives_power_cut);
+  const std::vector<std::string> doubts = doubts_about(places, folders);
+  ASSERT_EQ(doubts.size(), 1U) << "of /run/earshot nobody expects more";
+  EXPECT_NE(doubts[0].find(places[1].file.string() + ": it is in memory"), std::string::npos) << doubts[0];
+
+  const auto none = safety_places("/dev/shm/search", {}, folders, &is_under_dev);
+  ASSERT_EQ(none.size(), 3U);
+  const std::vector<std::string> all = doubts_about(none, folders);
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_NE(all[2].find("OBEYED_NOT_DURABLE"), std::string::npos) << all[2];
+  EXPECT_TRUE(doubts_about(safety_places("/a/search", {}, folders, [](const fs::path&) { return false; }), folders).empty());
 }
 
 }  // namespace

@@ -211,7 +211,7 @@ TEST_F(Resuming, RefusesAJournalThatLacksARecordBeforeItsEnd) {
   Bytes damaged = bytes_;
   damaged[records_[10].end + 9] ^= 1U;  // in the record behind it, number 11
   support::write_bytes(cut_, damaged);
-  EXPECT_NE(refusal().find("records are missing from number 11 on (damaged, or the disk was full): how the mission stood cannot be told"),
+  EXPECT_NE(refusal().find("records are missing from number 11 on (damaged, or the disk was full): how the mission stood is not known"),
             std::string::npos)
       << refusal();
 }
@@ -275,7 +275,7 @@ TEST_F(Resuming, RefusesAJournalWhoseOutputsThisBuildDoesNotGiveAgain) {
       ASSERT_EQ(journal.append(record.time, record.channel, record.data), Status::kOk);
     }
   }
-  EXPECT_NE(refusal().find("this build does not say again what stands in record "), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("this build does not give again what stands in record "), std::string::npos) << refusal();
 }
 
 TEST_F(Resuming, FindsTheNewestJournalAndCutsItToWhatIsKept) {

@@ -50,7 +50,7 @@ TEST(Findings, NameTheFirstDifferenceByRecordTimeChannelAndField) {
   EXPECT_EQ(findings(result),
             Lines{"record 57, EARSHOT_HEALTH at 1.500 s: turn is 7 in the journal, 8 now; what follows was not given again"});
   result.difference->now->channel = wire::kDecisionChannel;
-  EXPECT_EQ(to_string(*result.difference, kBegan), "record 57, EARSHOT_HEALTH at 1.500 s: the runtime says EARSHOT_DECISION there now");
+  EXPECT_EQ(to_string(*result.difference, kBegan), "record 57, EARSHOT_HEALTH at 1.500 s: the runtime gives EARSHOT_DECISION there now");
   result.difference->now.reset();
   EXPECT_EQ(to_string(*result.difference, kBegan),
             "record 57, EARSHOT_HEALTH at 1.500 s: no output has its place there, and it is no input that can be read");

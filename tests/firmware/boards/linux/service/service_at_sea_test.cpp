@@ -30,10 +30,8 @@ class ServiceAtSea : public WalkAtSea {
  protected:
   void SetUp() override {
     ENTER_PRIVATE_NETWORK_OR_SKIP();
-    std::string mission = mission_of_short_steps("search.toml");
+    std::string mission = patient(mission_of_short_steps("search.toml"));
     replace(mission, "max_steps = 100", "max_steps = 5");
-    replace(mission, "navigation_timeout_s = 5.0", "navigation_timeout_s = 300.0");
-    replace(mission, "snr_timeout_s = 5.0", "snr_timeout_s = 300.0");
     write_mission(mission);
   }
 

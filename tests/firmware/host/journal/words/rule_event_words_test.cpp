@@ -48,16 +48,16 @@ messages::SafetyEvent aborts_by(std::uint8_t rule, config::Condition condition, 
 TEST(RuleEventWords, SayWhatAMeasureMeansThatANumberAloneDoesNot) {
   using config::Condition;
   EXPECT_EQ(to_string(aborts_by(9, Condition::kNavigationDisputed, 40.0, 0.0)),
-            "rule 10, navigation_disputed_m: late fixes lie 40.0 m from those believed of their time: abort; two senders tell places "
+            "rule 10, navigation_disputed_m: late fixes lie 40.0 m from those believed of their time: abort; two senders give places "
             "(earshot journal --jsonl has the ports)");
   EXPECT_EQ(to_string(aborts_by(10, Condition::kPlaceUnexplained, 7.5, 0.0)),
             "rule 11, place_unexplained_m: the place went 7.5 m further than speed, heading, current and their errors explain: abort; "
-            "look at navigation, log and compass");
+            "check navigation, log and compass");
   EXPECT_EQ(to_string(aborts_by(11, Condition::kDepthUnexplained, 275.0, 0.0)),
-            "rule 12, depth_unexplained_m: the depth is 275.0 m further from its set-points than it may be: abort; look at the depth "
+            "rule 12, depth_unexplained_m: the depth is 275.0 m further from its set-points than it may be: abort; check the depth "
             "sensor and whether the autopilot obeys");
   EXPECT_EQ(to_string(aborts_by(12, Condition::kSetpointsUnsent, 10.2, 10.0)),
-            "rule 13, setpoints_unsent_s: no set-point could be sent for 10.2 s, above 10.0: abort; look at the port's bus and its "
+            "rule 13, setpoints_unsent_s: no set-point could be sent for 10.2 s, above 10.0: abort; check the port's bus and its "
             "address");
 }
 

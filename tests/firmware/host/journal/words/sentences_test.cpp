@@ -29,7 +29,7 @@ TEST(JournalSentence, SaysATightenWithItsLimits) {
 }
 
 TEST(JournalSentence, TellsAnOrderOfTheProgramItselfFromOneOfAnOperator) {
-  EXPECT_EQ(to_string(command_to(messages::Order::kAbort), 0), "order ABORT, number 0 of issuer 0, by the program, which is told to stop");
+  EXPECT_EQ(to_string(command_to(messages::Order::kAbort), 0), "order ABORT, number 0 of issuer 0, by the program, which is being stopped");
 }
 
 TEST(JournalSentence, SaysWhyAnOrderWasRefused) {
@@ -98,10 +98,10 @@ TEST(JournalSentence, SaysWhoHoldsASearchBack) {
 TEST(JournalSentence, SaysHowAJournalEndsAndWhatItLost) {
   messages::ClosingRecord closing{
       .time = kBegan, .ending = messages::Ending::kStopped, .state = messages::MissionState::kSearch, .steps_taken = 1};
-  EXPECT_EQ(to_string(closing), "end: the program was told to stop; SEARCH, after 1 step; no record was lost");
+  EXPECT_EQ(to_string(closing), "end: the program was stopped; SEARCH, after 1 step; no record was lost");
   closing.lost = {.streams = 5, .steering = 1, .orders = 0};
   EXPECT_EQ(to_string(closing),
-            "end: the program was told to stop; SEARCH, after 1 step; 6 records lost on a full or slow disk: 5 of navigation, SNR and "
+            "end: the program was stopped; SEARCH, after 1 step; 6 records lost on a full or slow disk: 5 of navigation, SNR and "
             "health, 1 set-points and decisions, 0 orders and changes of state");
 }
 
