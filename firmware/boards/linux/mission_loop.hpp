@@ -11,8 +11,8 @@
 #include "firmware/core/time.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/messages/health.hpp"
+#include "firmware/messages/journal_records.hpp"
 #include "firmware/runtime/runtime.hpp"
-#include "firmware/wire/journal/closing_record.hpp"
 
 namespace earshot::board {
 

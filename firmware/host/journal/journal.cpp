@@ -284,7 +284,7 @@ struct Journal::Writer {
   /// True: it is in the file, or there is none.
   bool write_closing_record() {
     if (!closing) return true;
-    closing->lost = {.streams = of(lost, Weight::kStream), .steering = of(lost, Weight::kSteering), .orders = of(lost, Weight::kOrder)};
+    closing->lost = lost_records(lost);
     const wire::Encoded data(*closing);
     const LoneRecord record(next_number, closing->time, wire::kJournalEndChannel, data.bytes());
     return file.write_some(record.bytes(), 0) == record.bytes().size();

@@ -36,6 +36,10 @@ struct JournalOptions {
 
 inline constexpr OutputKind kJournalOutput{"a journal", {kRecordSyncBytes, {}}};  ///< how a journal begins
 
+[[nodiscard]] constexpr messages::LostRecords lost_records(const PerWeight& lost) {
+  return {.streams = of(lost, Weight::kStream), .steering = of(lost, Weight::kSteering), .orders = of(lost, Weight::kOrder)};
+}
+
 /// Counters of a journal; they only grow.
 struct JournalCounters {
   std::uint64_t appended = 0;  ///< records taken into the buffer

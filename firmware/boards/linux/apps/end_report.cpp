@@ -7,6 +7,8 @@
 #include "firmware/boards/linux/news/health_words.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/journal/journal_name.hpp"
+#include "firmware/host/journal/words/sentences.hpp"
+#include "firmware/host/journal/words/wording.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/messages/health_words.hpp"
@@ -83,9 +85,9 @@ int report(const host::Journal& journal, Status closed, const std::filesystem::p
               << host::printable(last) << "\n";
   }
   if (closed == Status::kOk && counters.all_lost() == 0) return program::kDone;
-  std::cerr << "earshotd: the journal is not whole: " << counters.all_lost() << " records lost, of these "
-            << of(counters.lost, host::Weight::kSteering) << " set-points and decisions and " << of(counters.lost, host::Weight::kOrder)
-            << " commands and changes of state; " << counters.write_errors << " writes failed\n";
+  std::cerr << "earshotd: the journal is not whole: " << journal::counted(counters.all_lost(), "record")
+            << " lost: " << journal::to_string(host::lost_records(counters.lost)) << "; "
+            << journal::counted(counters.write_errors, "write") << " failed\n";
   return program::kLost;
 }
 

@@ -3,11 +3,10 @@
 #include <string_view>
 
 #include "firmware/core/crc32.hpp"
-#include "firmware/messages/dictionary/mission_fields.hpp"
+#include "firmware/host/journal/reading/decode_record.hpp"
 #include "firmware/policy/format/policy_format.hpp"
 #include "firmware/policy/tables/tables_format.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/codec.hpp"
 
 namespace earshot::board {
 namespace {
@@ -39,12 +38,12 @@ host::BadInput not_replayable(const std::filesystem::path& journal, const std::s
 
 Beginning read_beginning(host::JournalReader& reader, const std::filesystem::path& journal) {
   host::JournalRecord record;
-  messages::MissionRecord mission;
   if (!reader.next(record)) throw host::BadInput(journal.string() + ": not a journal: no record in it");
-  if (record.number != 0 || record.channel != wire::kMissionChannel || wire::decode(record.data, mission) != Status::kOk)
-    throw not_replayable(journal, "its first record is no mission");
+  const journal::Content first = journal::decode_record(record.channel, record.time, record.data);
+  const auto* const mission = std::get_if<messages::MissionRecord>(&first);
+  if (record.number != 0 || mission == nullptr) throw not_replayable(journal, "its first record is no mission");
   Beginning beginning{.time = record.time,
-                      .flown = {.mission = mission.mission, .policy_crc32 = mission.policy_crc32, .tables_crc32 = mission.tables_crc32},
+                      .flown = {.mission = mission->mission, .policy_crc32 = mission->policy_crc32, .tables_crc32 = mission->tables_crc32},
                       .policy = nullptr,
                       .tables = nullptr};
   require_record(reader, journal, "second", wire::kPolicyChannel, "policy", record);

@@ -6,6 +6,7 @@
 #include "firmware/boards/linux/turn_records.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/journal/reading/decode_record.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 
@@ -18,6 +19,13 @@ constexpr Time kLatest{std::int64_t{1} << 55U};
 /// Between two turns, and neither input nor output.
 bool is_remark(std::string_view channel) {
   return channel == wire::kJournalResumedChannel || channel == wire::kControllerTroubleChannel;
+}
+
+/// Nothing: of another version of Earshot.
+std::optional<messages::ClosingRecord> closing_in(const host::JournalRecord& record) {
+  const journal::Content content = journal::decode_record(record.channel, record.time, record.data);
+  const auto* const closing = std::get_if<messages::ClosingRecord>(&content);
+  return closing != nullptr ? std::optional(*closing) : std::nullopt;
 }
 
 }  // namespace
@@ -56,9 +64,7 @@ std::optional<messages::ClosingRecord> Playback::closing() {
   if (closing_) return closing_;
   while (record_.channel != wire::kJournalEndChannel && file_.next(record_)) {
   }
-  if (messages::ClosingRecord closing;
-      record_.channel == wire::kJournalEndChannel && wire::read_closing_record(record_.data, closing) == Status::kOk)
-    closing_ = closing;
+  if (record_.channel == wire::kJournalEndChannel) closing_ = closing_in(record_);
   return closing_;
 }
 
@@ -117,14 +123,14 @@ bool Playback::is_as_expected(const host::JournalRecord& record) {
 }
 
 void Playback::compare_end(const host::JournalRecord& record) {
-  messages::ClosingRecord told;
-  if (wire::read_closing_record(record.data, told) != Status::kOk) return;
+  const std::optional<messages::ClosingRecord> then = closing_in(record);
+  if (!then) return;
   const messages::Health& health = outputs_.health;
-  messages::ClosingRecord now = told;  // why its program ended, and what the disk did not take, only the journal knows
+  messages::ClosingRecord now = *then;  // why its program ended, and what the disk did not take, only the journal knows
   now.state = health.state;
   now.end_reason = health.end_reason;
   now.steps_taken = health.steps_taken;
-  if (now == told) return;
+  if (now == *then) return;
   difference_ = {
       .record = record.number,
       .channel = record.channel,

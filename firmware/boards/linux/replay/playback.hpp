@@ -15,8 +15,8 @@
 #include "firmware/config/mission.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/host/journal/record_ring.hpp"
+#include "firmware/messages/journal_records.hpp"
 #include "firmware/runtime/runtime.hpp"
-#include "firmware/wire/journal/closing_record.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 
 namespace earshot::board {

@@ -10,7 +10,7 @@
 #include "firmware/boards/linux/replay/playback.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
-#include "firmware/wire/journal/closing_record.hpp"
+#include "firmware/messages/journal_records.hpp"
 
 namespace earshot::board {
 

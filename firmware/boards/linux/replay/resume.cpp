@@ -11,6 +11,7 @@
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/journal/journal_parts.hpp"
+#include "firmware/host/journal/reading/decode_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 
@@ -33,6 +34,15 @@ struct Ending {
   std::uint64_t torn_at = std::numeric_limits<std::uint64_t>::max();  ///< bytes before what a power cut tore; none: it tore nothing
 };
 
+/// An order, a rule that acts, another process that went on: what no mission may forget; and what nobody can read, which may be one of
+/// these.
+bool is_weighty(const journal::Content& content) {
+  if (const auto* const input = std::get_if<messages::Input>(&content))
+    return std::holds_alternative<messages::OperatorCommand>(input->value);
+  return std::holds_alternative<messages::CommandAcknowledgement>(content) || std::holds_alternative<messages::SafetyEvent>(content) ||
+         std::holds_alternative<messages::JournalResumed>(content) || std::holds_alternative<journal::Unreadable>(content);
+}
+
 /// What stands behind the first record that is missing. A disk writes what it was not told to keep in any order: of the journal's last
 /// second, which a power cut may cost, it may lack the beginning and hold the end.
 class Tail {
@@ -40,16 +50,11 @@ class Tail {
   Tail(const Ending& before, std::uint64_t begin, Time began, std::optional<messages::Health> last)
       : before_(before), begin_(begin), began_(began), last_(std::move(last)) {}
 
-  void note(const host::JournalRecord& record) {
-    ended_ = record.time;
-    if (record.channel == wire::kHealthChannel) {
-      messages::Health health;
-      const bool is_same_state = last_ && wire::decode(record.data, health) == Status::kOk && health.state == last_->state;
-      is_light_ = is_light_ && is_same_state;
-    } else if (record.channel.starts_with(wire::kOperatorCommandChannel) || record.channel == wire::kAcknowledgementChannel ||
-               record.channel == wire::kSafetyEventChannel || record.channel == wire::kJournalResumedChannel) {
-      is_light_ = false;
-    }
+  void note(Time time, const journal::Content& content) {
+    ended_ = time;
+    const auto* const health = std::get_if<messages::Health>(&content);
+    const bool is_new_state = health != nullptr && !(last_ && health->state == last_->state);
+    is_light_ = is_light_ && !is_new_state && !is_weighty(content);
   }
 
   /// No order, rule that acts or change of state would be forgotten. @return nothing: it cannot be done without
@@ -79,11 +84,12 @@ Ending ending_of(const std::filesystem::path& journal, GoOnAfter after) {
   for (host::JournalRecord record; reader.next(record); begin = reader.offset(), time = record.time) {
     if (record.number != next_number && !tail) tail.emplace(ending, begin, time, last);
     next_number = record.number + 1;
-    if (tail) tail->note(record);
+    const journal::Content content = journal::decode_record(record.channel, record.time, record.data);
+    if (tail) tail->note(record.time, content);
     ending.is_in_order = record.channel == wire::kJournalEndChannel;
     if (record.channel != wire::kHealthChannel) continue;
     ending.last_turn = reader.offset();
-    if (messages::Health health; wire::decode(record.data, health) == Status::kOk) last = health;
+    if (const auto* const health = std::get_if<messages::Health>(&content)) last = *health;
   }
   if (!tail || ending.is_in_order || after == GoOnAfter::kLastTurn) return ending;
   return tail->without().value_or(ending);

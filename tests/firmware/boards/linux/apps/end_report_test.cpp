@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "firmware/host/journal/words/sentences.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "tests/firmware/boards/linux/set_clock.hpp"
@@ -126,8 +127,7 @@ TEST_F(EndReport, SaysEvenQuietlyThatTheJournalIsNotWhole) {
   const Reported torn = reported([&] { return report(journal, Status::kNotReady, path_, true); }, program::Talk::kQuiet);
   EXPECT_EQ(torn.status, program::kLost);
   EXPECT_EQ(torn.said,
-            "earshotd: the journal is not whole: 0 records lost, of these 0 set-points and decisions and 0 commands and changes of "
-            "state; 0 writes failed\n");
+            "earshotd: the journal is not whole: 0 records lost: " + journal::to_string(messages::LostRecords{}) + "; 0 writes failed\n");
 }
 
 TEST_F(EndReport, NamesTheLastJournalThatWasDeletedForTheBudget) {
