@@ -1,6 +1,8 @@
 # How the sources of a test are compiled, on every machine: earshot_compile_as_test, earshot_test_headers, earshot_sources_of. (earshot_test itself: tests/CMakeLists.txt, and
 # tests/cortex_m7/CMakeLists.txt for a machine without an operating system.)
 
+include(EarshotTiers)
+
 # Tests are compiled as many at a time as the core is, where a preset does not say how many.
 if(NOT DEFINED EARSHOT_TESTS_TOGETHER)
   set(EARSHOT_TESTS_TOGETHER "${EARSHOT_TOGETHER}")
