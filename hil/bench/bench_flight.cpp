@@ -159,7 +159,9 @@ class Flyer {
 
   [[nodiscard]] std::uint8_t order() const {
     if (state_ == messages::MissionState::kStandby) return static_cast<std::uint8_t>(messages::Order::kStart);
-    const bool has_arrived = bus_->range() <= mission_.mission.step_length;
+    // A search that the vehicle is to end itself nobody ends before it.
+    const bool ends_itself = case_.expected.end == messages::EndReason::kFound;
+    const bool has_arrived = !ends_itself && bus_->range() <= mission_.mission.step_length;
     return has_arrived ? static_cast<std::uint8_t>(messages::Order::kComplete) : std::uint8_t{0};
   }
 

@@ -3,12 +3,14 @@
 Expected values are worked out by hand from the frames' bytes (NMEA 2000: little-endian).
 """
 
+import re
 import subprocess
 import sys
 import unittest
 from pathlib import Path
 
 import cantools
+from cantools.database.namedsignalvalue import NamedSignalValue
 
 DBC = Path(__file__).resolve().parents[3] / "hil" / "bus" / "earshot.dbc"
 LINES = {
@@ -27,6 +29,15 @@ def decode(*options: str) -> dict[str, str]:
     command = [sys.executable, "-m", "cantools", "decode", "--single-line", *options, str(DBC)]
     done = subprocess.run(command, input="\n".join(LINES.values()) + "\n", capture_output=True, text=True, check=True)
     return dict(zip(LINES, done.stdout.splitlines(), strict=True))
+
+
+def values_of(enum: str) -> list[int]:
+    """The values of an enum of the firmware, by its declaration."""
+    for header in (DBC.parents[2] / "firmware").glob("[cm]*/*.hpp"):
+        found = re.search(rf"enum class {enum} : [^{{]*{{(.*?)}};", header.read_text(encoding="utf-8"), re.DOTALL)
+        if found:
+            return [int(value) for value in re.findall(r"\bk[A-Z]\w* = (\d+)", found[1])]
+    raise AssertionError(f"there is no enum {enum}")
 
 
 class DecodesWithCantools(unittest.TestCase):
@@ -74,6 +85,28 @@ class DecodesWithCantools(unittest.TestCase):
         self.assertEqual([str(said[name]) for name in ("State", "EndReason", "Authority")], ["ABORT", "declared found", "ABORT"])
         self.assertEqual([str(said[name]) for name in ("Found", "Sweeping", "Response")], ["Yes", "Yes", "release"])
         self.assertEqual(said["ModelMismatch"], 13.5)
+
+    def test_every_value_of_every_enum_that_earshot_sends_has_its_name(self):
+        database = cantools.database.load_file(DBC)
+        enums = {
+            ("EarshotHealth", "State"): "MissionState",
+            ("EarshotHealth", "EndReason"): "EndReason",
+            ("EarshotHealth", "Authority"): "Authority",
+            ("EarshotHealth", "Response"): "Response",
+            ("EarshotCommandAcknowledgement", "Order"): "Order",
+            ("EarshotCommandAcknowledgement", "Outcome"): "CommandOutcome",
+        }
+        # The kind of an acknowledgement is 2.
+        for (message, signal), enum in enums.items():
+            described = database.get_message_by_name(message)
+            values = values_of(enum)
+            self.assertGreater(len(values), 3, enum)
+            for value in values:
+                raw = {one.name: 2 if one.is_multiplexer else 0 for one in described.signals} | {signal: value}
+                data = described.encode(raw, scaling=False, strict=False)
+                name = described.decode(data)[signal]
+                self.assertIsInstance(name, NamedSignalValue, f"{enum} {value} has no name")
+                self.assertEqual((name.value, name.name in ("", "reserved")), (value, False))
 
     def test_messages_that_share_a_group_are_told_apart_by_their_kind(self):
         database = cantools.database.load_file(DBC)

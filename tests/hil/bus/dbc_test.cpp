@@ -5,9 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "firmware/messages/dictionary/command_words.hpp"
-#include "firmware/messages/dictionary/mission_words.hpp"
-#include "firmware/messages/dictionary/safety_words.hpp"
+#include "firmware/messages/dictionary/every_message.hpp"
 
 namespace earshot::hil {
 namespace {
@@ -24,7 +22,8 @@ TEST(Dbc, DescribesVesselHeadingAsTheStandardDoes) {
 
 /// Some line names the values of a signal of that name, all that there are.
 template <class Enum>
-void expect_all_named(const std::string& dbc, const std::string& signal) {
+void expect_all_named(const std::string& dbc, std::string_view name) {
+  const std::string signal(name);
   std::istringstream lines(dbc);
   for (std::string line; std::getline(lines, line);) {
     const bool names_all = std::ranges::all_of(messages::WordsOf<Enum>::kTable, [&line](const messages::Word<Enum>& word) {
@@ -40,12 +39,21 @@ TEST(Dbc, NamesEveryValueThatEarshotSends) {
   std::ostringstream out;
   print_dbc(out);
   const std::string dbc = out.str();
-  expect_all_named<messages::MissionState>(dbc, "State");
-  expect_all_named<messages::EndReason>(dbc, "EndReason");
-  expect_all_named<messages::Authority>(dbc, "Authority");
-  expect_all_named<config::Response>(dbc, "Response");
-  expect_all_named<messages::Order>(dbc, "Order");
-  expect_all_named<messages::CommandOutcome>(dbc, "Outcome");
+  std::size_t enums = 0;
+  const auto expect_line_named = [&]<class Line>(const Line& line) {
+    if constexpr (requires { typename Line::Value; }) {
+      if constexpr (messages::HasWords<typename Line::Value>) {
+        if (line.told.bus.key == 0) return;
+        expect_all_named<typename Line::Value>(dbc, line.told.bus.name);
+        ++enums;
+      }
+    }
+  };
+  [&]<class... Messages>(messages::Types<Messages...>) {
+    (messages::for_each_line<Messages>(expect_line_named), ...);
+  }(messages::EveryMessage{});
+  // Order, twice; outcome; state, reason of the end, authority, response.
+  EXPECT_EQ(enums, 7U);
 }
 
 }  // namespace
