@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "firmware/host/journal/journal_reader.hpp"
-#include "firmware/wire/journal/closing_record.hpp"
+#include "firmware/messages/journal_records.hpp"
 #include "policy/explain/recorded_decision.hpp"
 #include "policy/report/sea/sea_flight.hpp"
 #include "policy/report/sound/heard_sound.hpp"

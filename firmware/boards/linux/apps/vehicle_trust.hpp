@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "firmware/boards/linux/checklist/checklist.hpp"
+#include "firmware/desk/checklist/checklist.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/mission/mission_judge.hpp"
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "firmware/boards/linux/journal_view/export/fields.hpp"
-#include "firmware/boards/linux/journal_view/export/foxglove.hpp"
-#include "firmware/boards/linux/journal_view/export/turn_table.hpp"
+#include "firmware/desk/journal_view/export/fields.hpp"
+#include "firmware/desk/journal_view/export/foxglove.hpp"
+#include "firmware/desk/journal_view/export/turn_table.hpp"
 #include "firmware/host/definitions/lcm_text.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "firmware/wire/n2k/own/reports.hpp"

@@ -1,0 +1,245 @@
+#include "firmware/desk/journal_view/timeline.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "firmware/config/safety.hpp"
+#include "firmware/host/file/checksum_text.hpp"
+#include "firmware/host/file/printable.hpp"
+#include "firmware/host/journal/words/rule_event_words.hpp"
+#include "firmware/host/journal/words/wording.hpp"
+#include "firmware/messages/health_words.hpp"
+
+namespace earshot::journal {
+
+using Severity = Event::Severity;
+
+namespace {
+
+const char* link_to_string(const messages::PortReport& report) {
+  if (report.port == 0) return report.link_up ? "the disk takes it again" : "the disk does not take it";
+  return report.link_up ? "its link is up again" : "its link is down";
+}
+
+}  // namespace
+
+bool Timeline::Grown::is_news(std::uint64_t now) {
+  const bool grows = now > seen;
+  seen = now;
+  return grows && !std::exchange(is_told, is_told || grows);
+}
+
+std::string to_line(const Event& event, Time began) {
+  constexpr std::size_t kSecondsWidth = 9;  // a day has 86400.0
+  std::string seconds = decimal((event.time - began).to_seconds(), 1);
+  seconds.insert(0, seconds.size() < kSecondsWidth ? kSecondsWidth - seconds.size() : 0, ' ');
+  return (is_dated(event.time) ? utc(event.time) + " " : "") + seconds + " s  " + event.text;
+}
+
+std::vector<Event> Timeline::take(const Entry& entry) {
+  events_.clear();
+  std::visit([this](const auto& value) { note(value); }, entry);
+  return std::move(events_);
+}
+
+std::vector<Event> Timeline::finish(const std::optional<TornEnd>& torn) {
+  events_.clear();
+  tell_repetitions();
+  if (torn) tell_lack(to_string(*torn));
+  if (!is_closed_ && !is_bus_log_)
+    tell_lack(
+        "the journal's end is missing: its program was killed, lost its power, met an error, or still writes (--follow waits for it)");
+  return std::move(events_);
+}
+
+void Timeline::tell_order(Severity severity, std::string text) {
+  const auto known = std::ranges::find(orders_, text, &Order::text);
+  if (known != orders_.end()) {
+    ++known->times;
+    return;
+  }
+  tell(severity, text);
+  if (orders_.size() == kRememberedOrders) orders_.pop_front();
+  orders_.push_back({.severity = severity, .text = std::move(text)});
+}
+
+void Timeline::tell_repetitions() {
+  for (Order& order : orders_) {
+    if (order.times == order.told_times) continue;
+    order.told_times = order.times;
+    events_.push_back({.severity = order.severity, .time = now_, .text = order.text + " (" + counted(order.times, "time") + ")"});
+  }
+}
+
+void Timeline::tell(Severity severity, std::string text, bool is_lack) {
+  tell_repetitions();
+  events_.push_back({.severity = severity, .time = now_, .text = std::move(text), .is_lack = is_lack});
+}
+
+void Timeline::tell_lack(std::string text) {
+  tell(Severity::kError, std::move(text), true);
+}
+
+void Timeline::note(const Record& record) {
+  if (!began_) began_ = record.time;
+  now_ = record.time;
+  std::visit([&](const auto& content) { note_content(content, record); }, record.content);
+}
+
+void Timeline::note(const MissingRecords& missing) {
+  tell_lack(to_string(missing));
+}
+
+void Timeline::note(const DamagedBytes& damage) {
+  tell_lack(to_string(damage));
+}
+
+void Timeline::note(const NumbersGoBack& numbers) {
+  tell_lack(to_string(numbers));
+}
+
+void Timeline::note(const BusLog& /*log*/) {
+  is_bus_log_ = true;
+  tell_lack(
+      "no mission record, no checksums: this is no journal of Earshot, but a log of a bus (lcm-logger); what was not on that bus is not "
+      "in it, and nobody would notice if a byte of it were another");
+}
+
+void Timeline::note_content(const Unreadable& unreadable, const Record& record) {
+  if (is_bus_log_ && !unreadable.is_known_channel) return;  // others', and sound: a bus is for everybody
+  if (!unreadable_.is_news(unreadable_.seen + 1)) return;
+  tell_lack("record " + std::to_string(record.number) + " on " + host::printable(record.channel) + " cannot be read: " +
+            (unreadable.is_known_channel ? "its message is of another version of Earshot" : "this program knows no such channel") +
+            "; of more like it nothing is printed");
+}
+
+void Timeline::note_content(const messages::MissionRecord& mission, const Record& /*record*/) {
+  policy_crc32_ = mission.policy_crc32;
+  tables_crc32_ = mission.tables_crc32;
+  inform(to_string(mission));
+}
+
+void Timeline::note_content(const PolicyBytes& policy, const Record& /*record*/) {
+  note_bytes("policy: " + counted(policy.size, "byte"), policy.crc32, policy_crc32_);
+}
+
+void Timeline::note_content(const TablesBytes& tables, const Record& /*record*/) {
+  if (tables.size == 0 && tables.crc32 == tables_crc32_.value_or(0)) return;  // the policy needs none
+  note_bytes("ocean tables: " + counted(tables.size, "byte"), tables.crc32, tables_crc32_);
+}
+
+/// @param named  by the mission
+void Timeline::note_bytes(const std::string& text, std::uint32_t crc32, std::optional<std::uint32_t> named) {
+  const std::string told = text + ", CRC-32 " + host::crc32_text(crc32);
+  if (named && *named != crc32)
+    tell_lack(told + ", which is not the " + host::crc32_text(*named) + " that its mission names");
+  else
+    inform(told);
+}
+
+void Timeline::note_content(const messages::Input& input, const Record& /*record*/) {
+  std::visit([&](const auto& value) { note_input(value, input.port); }, input.value);
+}
+
+void Timeline::note_content(const messages::Setpoint& setpoint, const Record& /*record*/) {
+  if (releases_weight_.changes_to(setpoint.release_weight) && setpoint.release_weight) warn("the drop weight is asked to be released");
+}
+
+void Timeline::note_content(const messages::Decision& decision, const Record& /*record*/) {
+  inform(to_string(decision));
+}
+
+void Timeline::note_content(const messages::SafetyEvent& event, const Record& /*record*/) {
+  const bool ends_it = event.response >= config::Response::kAbort;
+  tell(!event.begins ? Severity::kInformation : ends_it ? Severity::kError : Severity::kWarning, to_string(event));
+}
+
+void Timeline::note_content(const messages::CommandAcknowledgement& acknowledgement, const Record& /*record*/) {
+  const messages::CommandOutcome outcome = acknowledgement.outcome;
+  const bool is_good = messages::was_obeyed(outcome) || outcome == messages::CommandOutcome::kRepeated;
+  tell_order(is_good ? Severity::kInformation : Severity::kWarning, to_string(acknowledgement));
+}
+
+void Timeline::note_content(const messages::Health& health, const Record& /*record*/) {
+  if (mission_state_.changes_to(health.state)) {
+    for (Grown* counter : {&navigation_refused_, &snr_refused_, &status_refused_, &bearings_refused_, &bearings_of_others_})
+      counter->is_told = false;
+    for (Port& port : ports_) port.failures.is_told = false;
+    if (health.state == messages::MissionState::kSearch) is_surprise_told_ = false;
+  }
+  const bool is_abort = health.state == messages::MissionState::kAbort;
+  const bool is_surprised = health.surprise_bits >= messages::kSurprising_bits;
+  if (const std::string state = to_string(health, is_surprise_told_ || is_surprised, aborted_by_); state_.changes_to(state))
+    tell(is_abort ? Severity::kWarning : Severity::kInformation, state);
+  if (is_surprised && !std::exchange(is_surprise_told_, true))
+    warn(std::string(messages::kIsSurprised) + " (model-mismatch score " + decimal(double{health.surprise_bits}, 1) + " bits)");
+  is_over_ = health.end_reason != messages::EndReason::kNone;
+  note_refused(health);
+}
+
+void Timeline::note_refused(const messages::Health& health) {
+  const auto tell_of = [this](Grown& counter, std::uint64_t count, const char* what) {
+    if (counter.is_news(count))
+      warn(std::string(what) + ": " + counted(counter.seen, "message") + " refused so far, for their date, their order or what is in them");
+  };
+  tell_of(navigation_refused_, health.counters.navigation_refused, "navigation");
+  tell_of(snr_refused_, health.counters.snr_refused, "SNR");
+  tell_of(status_refused_, health.counters.status_refused, "status");
+  tell_of(bearings_refused_, health.counters.bearings_refused, "bearing");
+  if (bearings_of_others_.is_news(health.counters.bearings_of_others))
+    warn("bearing: " + counted(bearings_of_others_.seen, "message") + " of a second sender not taken so far");
+}
+
+void Timeline::note_content(const messages::ClosingRecord& closing, const Record& /*record*/) {
+  is_closed_ = true;
+  if (closing.lost.all() > 0)
+    tell_lack(to_string(closing, aborted_by_));
+  else
+    inform(to_string(closing, aborted_by_));
+}
+
+void Timeline::note_content(const messages::JournalResumed& resumed, const Record& /*record*/) {
+  warn(to_string(resumed));
+}
+
+void Timeline::note_content(const messages::ControllerTrouble& trouble, const Record& /*record*/) {
+  tell(trouble.is_there ? Severity::kWarning : Severity::kInformation, to_string(trouble));
+}
+
+void Timeline::note_input(const messages::PortReport& report, std::uint8_t /*port*/) {
+  if (report.port >= ports_.size()) return;
+  Port& port = ports_.at(report.port);
+  const std::string name = report.port == 0 ? "the journal: " : "port " + std::to_string(report.port) + ": ";
+  if (port.is_down.changes_to(!report.link_up))
+    tell(report.link_up ? Severity::kInformation : Severity::kWarning, name + link_to_string(report));
+  if (port.failures.is_news(report.lost + report.malformed + report.unsent))
+    warn(name + "so far " + std::to_string(report.lost) + " lost, " + std::to_string(report.malformed) + " malformed and " +
+         std::to_string(report.unsent) + " not sent");
+}
+
+void Timeline::note_input(const messages::UnsentSetpoints& unsent, std::uint8_t /*port*/) {
+  if (unsent_setpoints_.is_news(unsent.count)) warn("so far " + counted(unsent.count, "set-point") + " could not be sent");
+}
+
+void Timeline::note_input(const messages::VehicleStatus& status, std::uint8_t /*port*/) {
+  if (has_leak_.changes_to(status.has_leak)) warn(status.has_leak ? "water in the hull" : "no more water in the hull");
+  if (has_ground_fault_.changes_to(status.has_ground_fault)) warn(status.has_ground_fault ? "a ground fault" : "no more ground fault");
+}
+
+void Timeline::note_input(const messages::AutopilotStatus& status, std::uint8_t /*port*/) {
+  if (follows_.changes_to(status.follows_setpoints))
+    inform(status.follows_setpoints ? "the autopilot follows set-points" : "the autopilot follows no set-points");
+}
+
+void Timeline::note_input(const messages::HydrophoneStatus& status, std::uint8_t /*port*/) {
+  if (is_deaf_.changes_to(status.is_deaf)) warn(status.is_deaf ? "the hydrophone is deaf" : "the hydrophone hears again");
+}
+
+void Timeline::note_input(const messages::OperatorCommand& command, std::uint8_t port) {
+  // By port 0 come the program's own.
+  if (port == 0 && !is_over_) aborted_by_ = AbortedBy::kProgram;
+  tell_order(Severity::kInformation, to_string(command, port));
+}
+
+}  // namespace earshot::journal

@@ -1,0 +1,284 @@
+#include "firmware/desk/journal_view/timeline.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "firmware/host/journal/reading/record_source.hpp"
+#include "tests/firmware/host/journal/known_journal.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot::journal {
+namespace {
+
+using Severity = Event::Severity;
+
+messages::VehicleStatus status(bool has_leak, bool has_ground_fault) {
+  messages::VehicleStatus status;
+  status.has_leak = has_leak;
+  status.has_ground_fault = has_ground_fault;
+  return status;
+}
+
+Entry record_of(const Content& content) {
+  return Record{.number = 0, .time = kBegan, .channel = {}, .size_bytes = 0, .content = content};
+}
+
+/// What a timeline tells of records that a test makes.
+class TimelineTest : public ::testing::Test {
+ protected:
+  std::vector<std::string> tell(const Entry& entry) {
+    std::vector<std::string> lines;
+    for (const Event& event : timeline_.take(entry)) lines.push_back(event.text);
+    return lines;
+  }
+  std::vector<std::string> tell(const Content& content) { return tell(record_of(content)); }
+  template <class Value>
+  std::vector<std::string> tell_input(const Value& value) {
+    return tell(Content(messages::Input{.arrival = kBegan, .port = 1, .sequence = 0, .value = value}));
+  }
+
+  Timeline timeline_;
+};
+using Lines = std::vector<std::string>;
+
+TEST_F(TimelineTest, TellsAKnownMissionLineByLine) {
+  const support::TemporaryFolder folder;
+  write_known_journal(folder / "journal");
+  RecordSource source(folder / "journal");
+  std::string text;
+  while (const std::optional<Entry> entry = source.next())
+    for (const Event& event : timeline_.take(*entry)) text += to_line(event, timeline_.began()) + "\n";
+  EXPECT_TRUE(timeline_.finish(source.torn_end()).empty());
+  EXPECT_EQ(
+      text,
+      "2026-11-22 15:04:00 UTC       0.0 s  mission begins: area of 25.0 km x 20.0 km, at 300 m depth and 2.0 m/s, up to 100 steps of 1000 "
+      "m "
+      "in 60000 s; heard from 10.0 dB; flown by 0.1.0 abc\n"
+      "2026-11-22 15:04:00 UTC       0.0 s  policy: 3 bytes, CRC-32 55bc801d\n"
+      "2026-11-22 15:04:01 UTC       1.0 s  STANDBY\n"
+      "2026-11-22 15:04:01 UTC       1.5 s  order START, number 1 of issuer 77, by port 2\n"
+      "2026-11-22 15:04:02 UTC       2.0 s  step 0: SNR 12.2 dB, heard; from 1000 m north, 2000 m east goes 1000 m towards 270 deg\n"
+      "2026-11-22 15:04:02 UTC       2.0 s  order START, number 1 of issuer 77: obeyed\n"
+      "2026-11-22 15:04:02 UTC       2.0 s  SEARCH\n"
+      "2026-11-22 15:04:02 UTC       2.9 s  port 2: its link is down\n"
+      "2026-11-22 15:04:03 UTC       3.9 s  port 2: its link is up again\n"
+      "2026-11-22 15:04:03 UTC       3.9 s  port 2: so far 2 lost, 0 malformed and 0 not sent\n"
+      "2026-11-22 15:04:04 UTC       4.0 s  rule 11, battery_percent: 14.9, below 15.0: abort\n"
+      "2026-11-22 15:04:04 UTC       4.0 s  ABORT: a safety rule ended it, after 1 step\n"
+      "2026-11-22 15:04:04 UTC       4.0 s  end: the mission was over; ABORT: a safety rule ended it, after 1 step; no record was lost\n");
+}
+
+TEST(TimelineLine, HasNoDateOnASimulatorsClock) {
+  EXPECT_EQ(to_line({.severity = Severity::kWarning, .time = Time{1'500'000}, .text = "SEARCH"}, Time{}), "      1.5 s  SEARCH");
+}
+
+TEST_F(TimelineTest, TellsAStateOnceHoweverLongItLasts) {
+  messages::Health health;
+  health.state = messages::MissionState::kSearch;
+  health.authority = messages::Authority::kCommand;
+  EXPECT_EQ(tell(health), Lines{"SEARCH"});
+  EXPECT_EQ(tell(health), Lines{});
+  health.is_paused = true;
+  EXPECT_EQ(tell(health), Lines{"SEARCH, paused by an operator"});
+}
+
+TEST_F(TimelineTest, TellsOnceInASearchThatItIsSurprisedAndWhenItBeginsToSweep) {
+  messages::Health health;
+  health.state = messages::MissionState::kSearch;
+  health.authority = messages::Authority::kCommand;
+  health.surprise_bits = 6.7F;
+  EXPECT_EQ(tell(health), Lines{"SEARCH"});
+  health.surprise_bits = 6.75F;
+  EXPECT_EQ(tell(health),
+            Lines{"model mismatch: the measured SNR is unlikely in every ocean of its tables (model-mismatch score 6.8 bits)"});
+  health.surprise_bits = 5.0F;
+  EXPECT_EQ(tell(health), Lines{});
+  health.surprise_bits = 7.0F;
+  EXPECT_EQ(tell(health), Lines{});
+  health.is_sweeping = true;
+  EXPECT_EQ(tell(health), Lines{"SEARCH, sweeps the area: the measured SNR fits no ocean of its tables"});
+  EXPECT_EQ(tell(health), Lines{});
+  health = {};
+  (void)tell(health);
+  health.state = messages::MissionState::kSearch;
+  health.surprise_bits = 7.0F;
+  EXPECT_EQ(tell(health).size(), 2U) << "another search";
+}
+
+TEST_F(TimelineTest, TellsThatASearchSweepsBecauseItHasHeardNothingWhereNothingHasSurprisedIt) {
+  messages::Health health;
+  health.state = messages::MissionState::kSearch;
+  health.authority = messages::Authority::kCommand;
+  (void)tell(health);
+  health.is_sweeping = true;
+  EXPECT_EQ(tell(health), Lines{"SEARCH, sweeps the area: nothing was detected for long, where its tables predict detections"});
+  health.is_sweeping = false;
+  EXPECT_EQ(tell(health), Lines{"SEARCH"}) << "something is heard";
+}
+
+// Who gives an order sends it until it is answered, and each time it comes it is answered.
+TEST_F(TimelineTest, TellsAnOrderThatIsSentAgainAndAgainOnceAndHowOften) {
+  messages::OperatorCommand start;
+  start.order = messages::Order::kStart;
+  start.issuer = 77;
+  start.number = 1;
+  messages::CommandAcknowledgement obeyed;
+  obeyed.order = messages::Order::kStart;
+  obeyed.issuer = 77;
+  obeyed.number = 1;
+  const std::string order = "order START, number 1 of issuer 77, by port 1";
+  const std::string answer = "order START, number 1 of issuer 77: obeyed";
+  EXPECT_EQ(tell_input(start), Lines{order});
+  EXPECT_EQ(tell(obeyed), Lines{answer});
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_EQ(tell_input(start), Lines{});
+    EXPECT_EQ(tell(obeyed), Lines{});
+  }
+  messages::Health health;
+  health.state = messages::MissionState::kSearch;
+  health.authority = messages::Authority::kCommand;
+  EXPECT_EQ(tell(health), (Lines{order + " (11 times)", answer + " (11 times)", "SEARCH"}));
+  EXPECT_EQ(tell_input(start), Lines{});
+  start.number = 2;
+  EXPECT_EQ(tell_input(start), (Lines{order + " (12 times)", "order START, number 2 of issuer 77, by port 1"}));
+  (void)tell(obeyed);
+  const std::vector<Event> end = timeline_.finish(std::nullopt);
+  ASSERT_EQ(end.size(), 2U);
+  EXPECT_EQ(end[0].text, answer + " (12 times)");
+}
+
+/// What is told of the state and of the end when an ABORT ended the mission.
+messages::Health aborted() {
+  messages::Health health;
+  health.state = messages::MissionState::kAbort;
+  health.authority = messages::Authority::kAbort;
+  health.end_reason = messages::EndReason::kOperatorAbort;
+  health.steps_taken = 2;
+  return health;
+}
+
+TEST_F(TimelineTest, TellsAProgramThatWasStoppedFromAnOperatorsAbort) {
+  const auto abort_by = [this](std::uint8_t port) {
+    messages::OperatorCommand abort;
+    abort.order = messages::Order::kAbort;
+    (void)tell(Content(messages::Input{.arrival = kBegan, .port = port, .sequence = 0, .value = abort}));
+  };
+  const messages::ClosingRecord closing{.time = kBegan,
+                                        .ending = messages::Ending::kStopped,
+                                        .state = messages::MissionState::kAbort,
+                                        .end_reason = messages::EndReason::kOperatorAbort,
+                                        .steps_taken = 2};
+  abort_by(1);
+  EXPECT_EQ(tell(aborted()), Lines{"ABORT: an operator aborted it, after 2 steps"});
+  abort_by(0);  // it was over before
+  EXPECT_EQ(tell(closing), Lines{"end: the program was stopped; ABORT: an operator aborted it, after 2 steps; no record was lost"});
+  timeline_ = Timeline();
+  abort_by(0);
+  EXPECT_EQ(tell(aborted()), Lines{"ABORT: its program was stopped, after 2 steps"});
+  EXPECT_EQ(tell(closing), Lines{"end: the program was stopped; ABORT: its program was stopped, after 2 steps; no record was lost"});
+}
+
+TEST_F(TimelineTest, TellsWhatIsRefusedOnceInAState) {
+  messages::Health health;
+  health.authority = messages::Authority::kCommand;
+  (void)tell(health);
+  health.counters.navigation_refused = 3;
+  EXPECT_EQ(tell(health), Lines{"navigation: 3 messages refused so far, for their date, their order or what is in them"});
+  health.counters.navigation_refused = 4;
+  EXPECT_EQ(tell(health), Lines{});
+  health.state = messages::MissionState::kSearch;
+  health.counters.snr_refused = 1;
+  EXPECT_EQ(tell(health), (Lines{"SEARCH", "SNR: 1 message refused so far, for their date, their order or what is in them"}));
+  health.counters.navigation_refused = 5;
+  EXPECT_EQ(tell(health).size(), 1U);
+}
+
+TEST_F(TimelineTest, TellsBearingsThatAreRefusedApartFromThoseOfASecondSender) {
+  messages::Health health;
+  health.authority = messages::Authority::kCommand;
+  (void)tell(health);
+  health.counters.bearings_refused = 2;
+  EXPECT_EQ(tell(health), Lines{"bearing: 2 messages refused so far, for their date, their order or what is in them"});
+  health.counters.bearings_of_others = 1;
+  EXPECT_EQ(tell(health), Lines{"bearing: 1 message of a second sender not taken so far"});
+  health.counters.bearings_refused = health.counters.bearings_of_others = 3;
+  EXPECT_EQ(tell(health), Lines{});
+}
+
+TEST_F(TimelineTest, SaysThatADiskDoesNotTakeTheJournal) {
+  EXPECT_EQ(tell_input(messages::PortReport{.port = 0, .link_up = true}), Lines{});
+  EXPECT_EQ(tell_input(messages::PortReport{.port = 0, .link_up = false}), Lines{"the journal: the disk does not take it"});
+  EXPECT_EQ(tell_input(messages::PortReport{.port = 0, .link_up = true}), Lines{"the journal: the disk takes it again"});
+}
+
+TEST_F(TimelineTest, SaysHowManySetpointsCouldNotBeSent) {
+  EXPECT_EQ(tell_input(messages::UnsentSetpoints{.count = 1}), Lines{"so far 1 set-point could not be sent"});
+}
+
+TEST_F(TimelineTest, LeavesOutAPortThatNoMissionHas) {
+  EXPECT_EQ(tell_input(messages::PortReport{.port = 255, .link_up = false, .lost = 3}), Lines{});
+}
+
+TEST_F(TimelineTest, TellsWhatComesOverTheVehicleAndGoesAgain) {
+  EXPECT_EQ(tell_input(status(false, false)), Lines{});
+  EXPECT_EQ(tell_input(status(true, true)), (Lines{"water in the hull", "a ground fault"}));
+  EXPECT_EQ(tell_input(status(false, true)), Lines{"no more water in the hull"});
+  EXPECT_EQ(tell_input(messages::HydrophoneStatus{.time = kBegan, .is_deaf = true}), Lines{"the hydrophone is deaf"});
+  EXPECT_EQ(tell_input(messages::HydrophoneStatus{.time = kBegan, .is_deaf = false}), Lines{"the hydrophone hears again"});
+  EXPECT_EQ(tell_input(messages::AutopilotStatus{.time = kBegan, .follows_setpoints = false}),
+            Lines{"the autopilot follows no set-points"});
+  EXPECT_EQ(tell_input(messages::AutopilotStatus{.time = kBegan, .follows_setpoints = true}), Lines{"the autopilot follows set-points"});
+  EXPECT_EQ(tell_input(messages::AutopilotStatus{.time = kBegan, .follows_setpoints = true}), Lines{});
+}
+
+TEST_F(TimelineTest, TellsThatTheDropWeightIsToGo) {
+  EXPECT_EQ(tell(some_setpoint()), Lines{});
+  EXPECT_EQ(tell(some_setpoint(true)), Lines{"the drop weight is asked to be released"});
+  EXPECT_EQ(tell(some_setpoint(true)), Lines{});
+}
+
+TEST_F(TimelineTest, MindsAPolicyThatIsNotTheMissions) {
+  (void)tell(known_mission());
+  const std::vector<Event> events = timeline_.take(record_of(PolicyBytes{.size = 3, .crc32 = 0x12}));
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_TRUE(events[0].is_lack);
+  EXPECT_EQ(events[0].text, "policy: 3 bytes, CRC-32 00000012, which is not the 55bc801d that its mission names");
+}
+
+TEST_F(TimelineTest, TellsTheFirstOfTheRecordsThatItCannotRead) {
+  const Record record{
+      .number = 5, .time = kBegan, .channel = "EARSHOT_HEALTH", .size_bytes = 1, .content = Unreadable{.is_known_channel = true}};
+  EXPECT_EQ(tell(Entry(record)),
+            Lines{"record 5 on EARSHOT_HEALTH cannot be read: its message is of another version of Earshot; of more like "
+                  "it nothing is printed"});
+  EXPECT_EQ(tell(Entry(record)), Lines{});
+}
+
+TEST_F(TimelineTest, SaysWhatIsMissingAtTheEndAndThatItIsALack) {
+  const std::vector<Event> events = timeline_.finish(TornEnd{.where = {.offset = 90, .bytes = 12}, .is_cut = true});
+  ASSERT_EQ(events.size(), 2U);
+  EXPECT_TRUE(events[0].is_lack && events[1].is_lack);
+  EXPECT_EQ(events[0].severity, Severity::kError);
+  EXPECT_EQ(events[1].text.find("the journal's end is missing"), 0U);
+}
+
+TEST_F(TimelineTest, CountsRecordsThatAreLostAsALack) {
+  const std::vector<Event> events = timeline_.take(record_of(messages::ClosingRecord{.time = kBegan, .lost = {.streams = 1}}));
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_TRUE(events[0].is_lack);
+  EXPECT_TRUE(timeline_.is_closed());
+}
+
+TEST_F(TimelineTest, WarnsOfARuleThatActsAndNotOfOneThatEnds) {
+  using enum config::Response;
+  constexpr auto kLeak = config::Condition::kLeak;
+  EXPECT_EQ(timeline_.take(record_of(event_of(kLeak, kHold))).at(0).severity, Severity::kWarning);
+  EXPECT_EQ(timeline_.take(record_of(event_of(kLeak, kAbort))).at(0).severity, Severity::kError);
+  EXPECT_EQ(timeline_.take(record_of(event_of(kLeak, kAbort, false))).at(0).severity, Severity::kInformation);
+}
+
+}  // namespace
+}  // namespace earshot::journal

@@ -1,0 +1,97 @@
+#include "firmware/desk/replay_view/decision_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <sstream>
+#include <string>
+
+#include "firmware/messages/health.hpp"
+#include "tests/firmware/desk/replay_view/known_decisions.hpp"
+
+namespace earshot::replay_view {
+namespace {
+
+const std::vector<StepPair>& known_pairs() {
+  static const std::array then{decision_to(0, 2, 13'000, 12'000), decision_to(1, 502.5, 12'000, 11'000)};
+  static const std::array now{decision_to(0, 2, 13'000, 12'000), decision_to(1, 502.5, 11'000, 12'000),
+                              decision_to(2, 900, 12'000, 13'000)};
+  static const std::vector<StepPair> pairs = paired(then, now);
+  return pairs;
+}
+
+TEST(DecisionTable, SaysWhereTheDecisionsPart) {
+  EXPECT_EQ(where_they_part(known_pairs(), 0, kBegan),
+            "the decisions part at step 1: then at 502.5 s towards 270 deg, to 12.000 km north, 11.000 km east; now at 502.5 s towards 180 "
+            "deg, to 11.000 km north, 12.000 km east");
+  EXPECT_EQ(where_they_part(std::span(known_pairs()).first(1), 0, kBegan),
+            "the decisions do not part: 1 step from step 0 on send the vehicle the same ways");
+  EXPECT_EQ(where_they_part(std::span(known_pairs()).last(1), 0, kBegan),
+            "the decisions part at step 2: then not decided; now at 900.0 s towards 090 deg, to 12.000 km north, 13.000 km east");
+  EXPECT_EQ(where_they_part({}, 0, kBegan), "no decision, then or now");
+}
+
+TEST(DecisionTable, HasARowForEveryStepWithItsHalvesInColumns) {
+  const std::string table = decision_table(known_pairs(), 0, kBegan);
+  EXPECT_NE(table.find("\n    0     2.0   15.5 heard 000  13.000  12.000 |     2.0   15.5 heard 000  13.000  12.000\n"), std::string::npos)
+      << table;
+  EXPECT_NE(table.find("270  12.000  11.000 |   502.5   15.5 heard 180  11.000  12.000  parts\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("not decided |   900.0   15.5 heard 090  12.000  13.000  differs\n"), std::string::npos) << table;
+}
+
+TEST(DecisionTable, FitsATerminalWhateverTheDecisionsAre) {
+  messages::Decision late = decision_to(99, 123'456.5, -25'000, -25'000);
+  late.too_faint = true;
+  late.snr = Decibels{-20.0};
+  const std::array then{late};
+  late.waypoint.east = Meters{125'000};
+  const std::array now{late};
+  std::istringstream lines(decision_table(paired(then, now), 0, kBegan));
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
+}
+
+TEST(DecisionTable, ListedFromALaterStepOnStillSaysWhereTheyPart) {
+  EXPECT_EQ(where_they_part(known_pairs(), 2, kBegan).find("the decisions part at step 1, before step 2: then at 502.5 s towards 270 deg"),
+            0U);
+  const std::string table = decision_table(known_pairs(), 2, kBegan);
+  EXPECT_EQ(table.find("502.5"), std::string::npos) << table;
+  EXPECT_TRUE(table.ends_with("  differs\n")) << table;
+}
+
+TEST(DecisionTable, SaysHowBothStoodWhereARecordIsMissing) {
+  Counterfactual told;
+  EXPECT_EQ(what_it_means(told, {}).find("at the journal's end, then: "), 0U);
+  told.gap = 12782;
+  EXPECT_EQ(what_it_means(told, {}).find("where record 12782 is missing, then: "), 0U);
+}
+
+TEST(DecisionTable, NamesTheRuleThatSteersAndTheOneThatEndsIt) {
+  Counterfactual told;
+  told.began = kBegan;
+  messages::SafetyEvent rule{
+      .time = kBegan, .rule = 16, .condition = config::Condition::kBattery, .begins = true, .measure = 14.9, .limit = 15};
+  rule.response = config::Response::kReturn;
+  told.steering = {.time = kBegan, .fields = {}, .rules = {rule}};
+  rule.response = config::Response::kAbort;
+  told.now_ended.since = kBegan + Duration::seconds(7);
+  told.now_ended.rule = rule;
+  told.now_ended.health.state = messages::MissionState::kAbort;
+  told.now_ended.health.end_reason = messages::EndReason::kSafetyRule;
+  const std::string text = what_it_means(told, {});
+  EXPECT_NE(text.find("\nnow steers there: rule 17, battery_percent: 14.9, below 15.0: return\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("after 0 steps (since 7.0 s, rule 17, battery_percent: 14.9, below 15.0: abort)\n"), std::string::npos) << text;
+}
+
+TEST(DecisionTable, SaysThatItIsNoForecastOnlyWhereSomethingDiffers) {
+  Counterfactual told;
+  told.began = kBegan;
+  const auto same = std::span(known_pairs()).first(1);
+  EXPECT_EQ(what_it_means(told, same).find("no forecast"), std::string::npos);
+  EXPECT_NE(what_it_means(told, known_pairs()).find("no forecast"), std::string::npos);
+  told.steering = {.time = kBegan + Duration::seconds(3), .fields = {{.field = "depth_m", .then = "300.0", .now = "250.0"}}};
+  EXPECT_EQ(what_it_means(told, same).find("set-points differ from 3.0 s on: depth_m is 300.0 in the journal, 250.0 now\n"), 0U);
+  EXPECT_NE(what_it_means(told, same).find("no forecast"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace earshot::replay_view
