@@ -7,8 +7,8 @@
             print(record.time_s, record.fields["snr_db"])
     print("\\n".join(earshot_journal.events("out/shown")))
 
-`earshot journal` reads the file, so that fields and sentences are those of its files and its lines. The module needs that
-program and Python alone.
+`earshot journal` reads the file, so that fields and sentences are those of its files and its lines. The module needs
+that program and Python alone.
 """
 
 import json
@@ -46,7 +46,7 @@ class Record:
 def records(journal: str | Path, command: Sequence[str] = COMMAND) -> Iterator[Record]:
     """All records of a journal, or of the journal in a flight's folder, in their order.
 
-    Raises ValueError with what the program prints when it is no journal; warns of what a journal lacks (JournalWarning).
+    Raises ValueError with what the program prints when it is no journal. Warns of what it lacks (JournalWarning).
     """
     with tempfile.TemporaryDirectory() as folder:
         lines = Path(folder) / "records.jsonl"

@@ -82,7 +82,9 @@ class DecodesWithCantools(unittest.TestCase):
         data = b"".join(bytes.fromhex(frame.partition("#")[2])[1:] for frame in frames)
         size, data = data[0], data[1:]
         said = cantools.database.load_file(DBC).decode_message(0x19FF8640, data[:size])
-        self.assertEqual([str(said[name]) for name in ("State", "EndReason", "Authority")], ["ABORT", "declared found", "ABORT"])
+        self.assertEqual(
+            [str(said[name]) for name in ("State", "EndReason", "Authority")], ["ABORT", "declared found", "ABORT"]
+        )
         self.assertEqual([str(said[name]) for name in ("Found", "Sweeping", "Response")], ["Yes", "Yes", "release"])
         self.assertEqual(said["ModelMismatch"], 13.5)
 
