@@ -107,6 +107,16 @@ std::string words_for_resuming(double last_s, double time_s) {
   return text.str();
 }
 
+void note_rule(double time_s, const messages::SafetyEvent& event, SeaFlight& flight) {
+  const std::string rule = host::to_string(event);
+  flight.events.push_back({time_s, rule});
+  if (flight.state != MissionState::kSearch || !event.begins) return;
+  if (event.response >= config::Response::kAbort)
+    flight.ending_rule = rule;
+  else if (event.response >= config::Response::kReturn && !flight.account.way_home)
+    flight.account.way_home = {.rule = rule, .steps = flight.steps_taken, .is_to_surface = event.response == config::Response::kSurface};
+}
+
 void note(const host::JournalRecord& record, SeaFlight& flight) {
   const double time_s = static_cast<double>(record.time.us) * kSecondsPerMicrosecond - flight.began_s;
   const double last_s = flight.ended_s;
@@ -122,18 +132,15 @@ void note(const host::JournalRecord& record, SeaFlight& flight) {
       flight.fixes.push_back({.time_s = time_s, .position = fix->position, .depth = fix->depth});
     if (const auto* snr = std::get_if<messages::SnrMeasurement>(&input.value); snr != nullptr && std::isfinite(snr->snr.value))
       flight.measurements.push_back({.time_s = time_s, .snr_db = snr->snr.value, .too_faint = snr->too_faint});
-    if (std::holds_alternative<messages::OperatorCommand>(input.value) && input.port == kEarshotItself &&
-        flight.end_reason == EndReason::kNone)
-      flight.is_stopped = true;
+    const auto* const order = std::get_if<messages::OperatorCommand>(&input.value);
+    const bool is_own_abort = order != nullptr && order->order == Order::kAbort && input.port == kEarshotItself;
+    if (is_own_abort && flight.end_reason == EndReason::kNone) flight.is_stopped = true;
   } else if (record.channel == wire::kHealthChannel && wire::decode(record.data, health) == Status::kOk) {
     note_health(time_s, health, flight);
   } else if (record.channel == wire::kDecisionChannel && wire::decode(record.data, decision) == Status::kOk) {
     flight.account.believes = decision.believes != 0;
   } else if (record.channel == wire::kSafetyEventChannel && wire::decode(record.data, event) == Status::kOk) {
-    const messages::SafetyEvent told = wire::from_message(event);
-    flight.events.push_back({time_s, host::to_string(told)});
-    if (flight.state == MissionState::kSearch && told.begins && told.response >= config::Response::kAbort)
-      flight.ending_rule = host::to_string(told);
+    note_rule(time_s, wire::from_message(event), flight);
   } else if (record.channel == wire::kJournalResumedChannel && wire::decode(record.data, resumed) == Status::kOk) {
     flight.events.push_back({time_s, words_for_resuming(last_s, time_s)});
   } else if (record.channel == wire::kAcknowledgementChannel && wire::decode(record.data, acknowledgement) == Status::kOk) {

@@ -51,6 +51,18 @@ TEST(SearchSentences, CallADeclarationWrongFromMoreThanAStepLengthOn) {
       << "at sea nobody knows where the source was";
 }
 
+TEST(SearchSentences, GiveTheRuleThatSentTheVehicleHomeAndWhen) {
+  nlohmann::json summary{{"went_home", {{"step", 1U}, {"what", "rule 15, battery_at_home_percent: 14.9, below 15.0: return"}}}};
+  ASSERT_EQ(fault_in_account(summary), "");
+  EXPECT_EQ(to_string(account_in(summary)),
+            "After 1 step a safety rule sent the vehicle home: rule 15, battery_at_home_percent: 14.9, below 15.0: return.");
+  EXPECT_EQ(sentences(account_in(summary)).at(0).label, "went home");
+  summary["went_home"] = {{"step", 0U}, {"what", "rule 16, battery_percent: 9.9, below 10.0: surface"}, {"response", "surface"}};
+  EXPECT_EQ(to_string(account_in(summary)),
+            "After 0 steps a safety rule sent the vehicle to the surface: rule 16, battery_percent: 9.9, below 10.0: surface.");
+  EXPECT_EQ(sentences(account_in(summary)).at(0).label, "came up");
+}
+
 TEST(SearchSentences, AreNoneForASummaryOfAnEarlierVersionOrAPolicyWithoutABelief) {
   EXPECT_EQ(to_string(account_in({{"found", false}})), "");
   EXPECT_EQ(to_string(account_in({{"surprise_bits", nullptr}, {"declared_found", nullptr}})), "");
@@ -61,6 +73,8 @@ TEST(SearchSentences, RefuseWhatIsNoStepNoNumberNoRuleAndNoDeclaration) {
   EXPECT_EQ(fault_in_account({{"swept_from_step", -1}}), "swept_from_step: must be a whole number, 0 to 1000000000");
   EXPECT_EQ(fault_in_account({{"ended_by", {{"what", 3}}}}), "ended_by: must be what, rule");
   EXPECT_EQ(fault_in_account({{"declared_found", {{"step", 3}}}}), "declared_found: must be step, range_m");
+  EXPECT_EQ(fault_in_account({{"went_home", {{"step", 3U}, {"what", 15}}}}), "went_home: must be step, what");
+  EXPECT_EQ(fault_in_account({{"went_home", true}}), "went_home: must be step, what");
 }
 
 /// Of 100 steps of 1 km.
