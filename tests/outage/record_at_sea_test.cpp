@@ -4,7 +4,9 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <filesystem>
@@ -107,6 +109,58 @@ TEST_F(RecordAtSea, GivenThatEveryRecordIsDamagedItComesUpIfItsJournalSaysThatAS
   kill();
   start();
   expect_comes_up();
+}
+
+constexpr const char* kRecords[]{"journal.safety", "journal.copy.safety"};
+
+TEST_F(RecordAtSea, GivenRecordsThatOthersMayChangeItComesUpIfItsJournalSaysThatASearchWasUnderWay) {
+  search();
+  kill();
+  for (const char* name : kRecords) fs::permissions(folder_ / name, fs::perms::group_write, fs::perm_options::add);
+  start();
+  expect_comes_up();
+}
+
+TEST_F(RecordAtSea, GivenFoldersLinksOrPipesInPlaceOfItsRecordsItComesUpIfItsJournalSaysThatASearchWasUnderWay) {
+  search();
+  kill();
+  for (const auto& make :
+       {+[](const fs::path& path) { fs::create_directory(path); }, +[](const fs::path& path) { fs::create_symlink(path, path); },
+        +[](const fs::path& path) { ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0); }}) {
+    for (const char* name : kRecords) {
+      fs::remove_all(folder_ / name);
+      make(folder_ / name);
+    }
+    start();
+    expect_comes_up();
+    kill();
+  }
+}
+
+TEST_F(RecordAtSea, GivenAnOthersRecordsThatAnybodyMayChangeItCommandsNothing) {
+  search();
+  kill();
+  const fs::path elsewhere = folder_ / "elsewhere";
+  fs::create_directory(elsewhere);
+  for (const char* name : {"journal.lcmlog", "journal.safety", "journal.copy.safety"}) fs::copy_file(folder_ / name, elsewhere / name);
+  for (const char* name : kRecords) fs::permissions(elsewhere / name, fs::perms::group_write, fs::perm_options::add);
+  const int setpoints = vehicle_->setpoints;
+  const int turns = vehicle_->turns;
+  start_in(elsewhere);
+  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 10; })) << earshotd_->output();
+  EXPECT_EQ(vehicle_->setpoints, setpoints);
+}
+
+TEST_F(RecordAtSea, GivenNeitherRecordNorJournalThatCanBeReadItsStatusIsOneThatAServiceStartsAgain) {
+  search();
+  kill();
+  for (const char* name : {"journal.safety", "journal.copy.safety", "journal.lcmlog"}) {
+    fs::remove_all(folder_ / name);
+    fs::create_symlink(folder_ / name, folder_ / name);
+  }
+  fs::remove(folder_ / "walk.policy");
+  start();
+  EXPECT_EQ(earshotd_->wait(std::chrono::seconds(10)), program::kLost) << earshotd_->output();
 }
 
 TEST_F(RecordAtSea, GivenThatEveryRecordIsDamagedInStandbyANewMissionBegins) {

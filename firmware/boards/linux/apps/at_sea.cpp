@@ -110,7 +110,15 @@ int fly_at_sea(const Options& o, const HostClock& host, const std::function<int(
       return bring_up(o, *safety, host, "every copy of its safety record is damaged");
     }
   }
-  if (!is_under_way(*safety)) return fly(*safety);
+  if (!is_under_way(*safety)) {
+    try {
+      return fly(*safety);
+    } catch (const std::exception& e) {
+      if (!o.resume || safety->found() || !safety->is_damaged()) throw;
+      std::cerr << "earshotd: " << host::printable(e.what()) << "; nor can its safety record be read: tried again\n";
+      return program::kLost;  // a vehicle may be under way: the status is none that a service takes for the end
+    }
+  }
   if (!o.resume) {
     std::cerr << "earshotd: warning: a mission was under way in this folder; without --resume it is given up, and nobody commands the "
                  "vehicle until START (with --resume it goes on or comes up)\n";
