@@ -114,17 +114,15 @@ double regret(double worth) {
 std::string rating(const explain::ActionAccount& taken, const explain::ActionAccount& next) {
   constexpr double kSmallCost = 0.1;
   constexpr double kSmallShare = 0.05;
-  if (!taken.worth || !next.worth) {
-    const bool is_small = std::abs(taken.probability - next.probability) < kSmallShare;
+  constexpr const char* kSmall = ", a small difference";
+  if (!taken.worth || !next.worth)
     return "the policy gave " + taken.name + " " + percent(taken.probability) + " and " + next.name + " " + percent(next.probability) +
-           (is_small ? ", and the difference is small" : "");
-  }
+           (std::abs(taken.probability - next.probability) < kSmallShare ? kSmall : "");
   const double more = regret(*next.worth) - regret(*taken.worth);
-  const std::string apart = fixed(std::abs(more), 2) + " steps without a detection";
-  return "the rest of the search is expected to cost " +
-         (more >= 0.0 ? "least after " + taken.name + ", and " + apart + " more after " + next.name
-                      : apart + " more after " + taken.name + " than after " + next.name) +
-         (std::abs(more) < kSmallCost ? ", and the difference is small" : "");
+  const std::string& best = more >= 0.0 ? taken.name : next.name;
+  const std::string& other = more >= 0.0 ? next.name : taken.name;
+  return "the rest of the search is expected to cost least after " + best + "; " + other + " costs " + fixed(std::abs(more), 2) +
+         " steps without a detection more" + (std::abs(more) < kSmallCost ? kSmall : "");
 }
 
 constexpr const char* kTimes = "\u00D7 ";

@@ -31,7 +31,7 @@ explain::DecisionAccount account_of_three() {
 
 /// 1 / 0.76 - 1 = 0.316, 1 / 0.95 - 1 = 0.053: what the ratings 0.76 and 0.95 mean in steps without a detection.
 constexpr const char* kRated =
-    "Why NE and not E: the rest of the search is expected to cost least after NE, and 0.32 steps without a detection more after E. ";
+    "Why NE and not E: the rest of the search is expected to cost least after NE; E costs 0.32 steps without a detection more. ";
 
 TEST(Explanation, GivesTheRatingFirstAndThenInPhysicalWordsWhyThisDirectionAndNotTheNextBest) {
   EXPECT_EQ(
@@ -57,8 +57,8 @@ TEST(Explanation, StatesThatTheDifferenceToTheNextBestIsSmall) {
   explain::DecisionAccount account = account_of_three();
   account.actions[0].worth = 0.95;
   EXPECT_TRUE(why_this_direction(account).starts_with(
-      "Why NE and not E: the rest of the search is expected to cost least after NE, and 0.05 steps without a detection more after E, and "
-      "the difference is small. The likeliest place"))
+      "Why NE and not E: the rest of the search is expected to cost least after NE; E costs 0.05 steps without a detection more, a small "
+      "difference. The likeliest place"))
       << why_this_direction(account);
 }
 
@@ -66,7 +66,7 @@ TEST(Explanation, DoesNotCallADirectionCheapestThatWasDrawnAgainstTheRating) {
   explain::DecisionAccount account = account_of_three();
   account.decision.action = 0;
   EXPECT_TRUE(why_this_direction(account).starts_with(
-      "Why E and not NE: the rest of the search is expected to cost 0.32 steps without a detection more after E than after NE. "))
+      "Why E and not NE: the rest of the search is expected to cost least after NE; E costs 0.32 steps without a detection more. "))
       << why_this_direction(account);
 }
 
@@ -78,8 +78,7 @@ TEST(Explanation, RatesTheDirectionsOfATrainedPolicyByItsProbabilities) {
   EXPECT_TRUE(why_this_direction(account).starts_with("Why NE and not E: the policy gave NE 51 % and E 31 %. The likeliest place"))
       << why_this_direction(account);
   account.actions[0].probability = 0.48;
-  EXPECT_TRUE(
-      why_this_direction(account).starts_with("Why NE and not E: the policy gave NE 51 % and E 48 %, and the difference is small. "))
+  EXPECT_TRUE(why_this_direction(account).starts_with("Why NE and not E: the policy gave NE 51 % and E 48 %, a small difference. "))
       << why_this_direction(account);
 }
 
