@@ -41,6 +41,18 @@ TEST_F(RecordAtSea, GivenAStopBelowTheNextStartBringsTheVehicleUpAndAfterThatNot
   EXPECT_EQ(vehicle_->state(), MissionState::kStandby) << earshotd_->output();
 }
 
+TEST_F(RecordAtSea, GivenAStopBelowAStartWithoutResumeStatesThatTheVehicleMayStillBeBelow) {
+  search();
+  stop();
+  start_earshotd({"--speed", "10"});
+  ASSERT_TRUE(vehicle_->sails_until([&] { return is_said("For another rehearsal name another folder (--out)"); })) << earshotd_->output();
+  EXPECT_TRUE(
+      is_said("warning: the earlier mission of this folder is over, but its vehicle was not known to be up, and may still be below. "
+              "It is given up: nobody commands the vehicle until START. With --resume earshotd brings it up."))
+      << earshotd_->output();
+  kill();
+}
+
 TEST_F(RecordAtSea, GivenALeakWhileTheJournalIsReadTheWeightStaysReleased) {
   std::ofstream(folder_ / "mission.toml", std::ios::app) << "\n[[rule]]\nwhen = \"leak\"\nfor_s = 1.0\nthen = \"release\"\n";
   search();

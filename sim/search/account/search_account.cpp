@@ -67,7 +67,10 @@ std::string mismatch_sentence(const SearchAccount& a) {
                             decimals(static_cast<double>(messages::kSurprising_bits), 2) + " on it is a mismatch).";
   if (a.surprised_step)
     return "From " + step_to_string(*a.surprised_step) + " on, the SNR that it measured was unlikely in every ocean of its tables" + score;
-  if (a.swept_in_silence()) return "The SNR that it measured fits the oceans of its tables, but they predict more detections" + score;
+  if (a.swept_in_silence())
+    return "The SNR that it measured fits the oceans of its tables, but there were too few detections: the source may be fainter or silent "
+           "for longer than expected, or not there" +
+           score;
   return "The SNR that it measured fits the oceans of its tables" + score;
 }
 
@@ -163,9 +166,9 @@ std::vector<LabelledSentence> sentences(const SearchAccount& a) {
   if (a.declared_step)
     all.push_back({"declared", declared_sentence(a)});
   else if (a.believes && a.is_found)
-    all.push_back({"declared",
-                   "The vehicle had not declared the source found itself by then. The simulation ends within a step length of the source; "
-                   "at sea the search would go on."});
+    all.push_back(
+        {"declared",
+         "The vehicle's own rule had not reported the source found by then. The simulation ends here; at sea the search would go on."});
   if (a.way_home) all.push_back({a.way_home->is_to_surface ? "came up" : "went home", way_home_sentence(*a.way_home)});
   return all;
 }
@@ -174,6 +177,15 @@ std::string to_string(const SearchAccount& account) {
   std::string text;
   for (const LabelledSentence& sentence : sentences(account)) text += (text.empty() ? "" : " ") + sentence.text;
   return text;
+}
+
+std::string place_of_area(const nlohmann::json& summary, const std::string& degree) {
+  const nlohmann::json origin = value_in(summary, "origin");
+  if (origin.is_null()) return "";
+  const nlohmann::json& corner = summary.at("area").at("south_west");
+  const bool is_corner = corner.at("north_m") == 0.0 && corner.at("east_m") == 0.0;
+  return (is_corner ? "its south-west corner lies at " : "the place from which metres north and east count lies at ") +
+         geographic(origin.at("latitude_deg"), origin.at("longitude_deg"), degree);
 }
 
 std::string detection_means(double threshold_db) {

@@ -68,6 +68,9 @@ struct LabelledSentence {
 
 // What the numbers of a flight mean, in one line each, as terminal and page print it.
 inline constexpr const char* kRewardMeans = "0 for each step that ends with a detection, -1 for each other, and less near the area's edge";
+/// "its south-west corner lies at 38.500 N, 28.000 W"; "" where a summary of an earlier version has no origin.
+/// @param degree  behind each number
+[[nodiscard]] std::string place_of_area(const nlohmann::json& summary, const std::string& degree);
 /// "a step that ends with an SNR of 10 dB or more"
 [[nodiscard]] std::string detection_means(double threshold_db);
 /// "the vehicle came within one step length of the source, 1.0 km"

@@ -120,8 +120,12 @@ int fly_at_sea(const Options& o, const HostClock& host, const std::function<int(
     }
   }
   if (!o.resume) {
-    std::cerr << "earshotd: warning: a mission was under way in this folder; without --resume it is given up, and nobody commands the "
-                 "vehicle until START (with --resume it goes on or comes up)\n";
+    const bool is_over = safety->found()->state != messages::MissionState::kSearch;
+    std::cerr
+        << "earshotd: warning: the earlier mission of this folder " << (is_over ? "is over" : "was not over")
+        << ", but its vehicle was not known to be up, and may still be below. It is given up: nobody commands the vehicle until START. "
+           "With --resume earshotd "
+        << (is_over ? "brings it up" : "goes on, or brings it up") << ". For another rehearsal name another folder (--out)\n";
     return fly(*safety);
   }
   if (safety->found()->starts >= kMostStarts)

@@ -26,8 +26,9 @@ TEST(SearchSentences, GiveTheScoreBesideTheOneFromWhichItIsAMismatch) {
 TEST(SearchSentences, ExplainASweepBeforeAnyMismatchByTheMissingDetections) {
   EXPECT_EQ(
       to_string({.believes = true, .surprise_bits = -9.0, .sweep_step = 43, .max_steps = 100}),
-      "The SNR that it measured fits the oceans of its tables, but they predict more detections (model-mismatch score -9.0 bits at the "
-      "end; from 6.75 on it is a mismatch). From step 43 of 100 on it swept the whole area in parallel tracks: it had detected nothing "
+      "The SNR that it measured fits the oceans of its tables, but there were too few detections: the source may be fainter or silent for "
+      "longer than expected, or not there (model-mismatch score -9.0 bits at the end; from 6.75 on it is a mismatch). From step 43 of 100 "
+      "on it swept the whole area in parallel tracks: it had detected nothing "
       "for long, where its tables predict detections.");
   const SearchAccount mismatch_later{.believes = true, .surprise_bits = 7.0, .surprised_step = 44, .sweep_step = 43};
   EXPECT_TRUE(mismatch_later.swept_in_silence());
@@ -36,7 +37,8 @@ TEST(SearchSentences, ExplainASweepBeforeAnyMismatchByTheMissingDetections) {
 }
 
 TEST(SearchSentences, StateOfAVehicleThatCameNearTheSourceThatItHadNotDeclaredIt) {
-  const std::string undeclared = "The vehicle had not declared the source found itself by then.";
+  const std::string undeclared =
+      "The vehicle's own rule had not reported the source found by then. The simulation ends here; at sea the search would go on.";
   EXPECT_NE(to_string(account_in({{"found", true}, {"surprise_bits", 1.0}, {"declared_found", nullptr}})).find(undeclared),
             std::string::npos);
   EXPECT_EQ(to_string(account_in({{"found", true}, {"surprise_bits", nullptr}})), "") << "a policy without a belief declares nothing";
@@ -118,6 +120,15 @@ TEST(Verdict, StatesWhyASearchWithoutTheSourceEndedOrWasLost) {
   EXPECT_EQ(verdict_on(ended).text, "Source not found in 100 steps: safety rule 10, battery_percent: 29.998, below 30.000: abort");
   ended.end_reason = "navigation_stale";
   EXPECT_EQ(end_to_string(ended), "navigation stale: safety rule 10, battery_percent: 29.998, below 30.000: abort");
+}
+
+TEST(Meanings, GiveTheSouthWestCornerWhereItIsTheOriginAndElseWhatTheOriginIs) {
+  nlohmann::json summary{{"origin", {{"latitude_deg", 38.5}, {"longitude_deg", -28.0}}},
+                         {"area", {{"south_west", {{"north_m", 0.0}, {"east_m", 0.0}}}}}};
+  EXPECT_EQ(place_of_area(summary, ""), "its south-west corner lies at 38.500 N, 28.000 W");
+  summary["area"]["south_west"]["east_m"] = -500.0;
+  EXPECT_EQ(place_of_area(summary, ""), "the place from which metres north and east count lies at 38.500 N, 28.000 W");
+  EXPECT_EQ(place_of_area({{"origin", nullptr}}, ""), "");
 }
 
 TEST(Meanings, NameTheThresholdAndTheStepLength) {
