@@ -173,13 +173,6 @@ class Viewer {
   std::optional<program::ProgressBar> bar_ = prints_ ? std::nullopt : std::optional<program::ProgressBar>(std::in_place, "journal");
 };
 
-/// Of a folder's journals the newest: flights at sea may share it, and whoever names it means the last one.
-std::filesystem::path newest_in(const std::filesystem::path& folder_or_journal) {
-  const std::filesystem::path journal = host::journal_in(folder_or_journal);
-  if (journal == folder_or_journal) return journal;
-  return host::newest_journal(folder_or_journal / host::kFirstJournal).value_or(journal);
-}
-
 /// What is read of a folder that holds several.
 void tell_others(const std::filesystem::path& journal) {
   const auto is_first_part = [](const host::JournalName& name) { return name.part == 1; };
@@ -202,7 +195,7 @@ bool tells_record_alone(const ViewOptions& options) {
 
 int view(const ViewOptions& asked) {
   ViewOptions options = asked;
-  options.journal = newest_in(asked.journal);
+  options.journal = host::newest_journal_in(asked.journal);  // flights at sea may share a folder, and whoever names it means the last one
   if (!options.follow && tells_record_alone(options)) {
     std::cerr << host::printable(options.journal.string()) << ": no such file; what is left is the safety record beside it\n";
     return program::kIncomplete;
