@@ -25,7 +25,29 @@ namespace {
 namespace fs = std::filesystem;
 using messages::MissionState;
 using messages::Order;
-using RecordAtSea = RestartAtSea;
+
+constexpr const char* kRecords[]{"journal.safety", "journal.copy.safety"};
+
+class RecordAtSea : public RestartAtSea {
+ protected:
+  /// GIVEN a search that was killed, and copies of its journal and records in another folder.
+  fs::path search_carried_elsewhere() {
+    search();
+    kill();
+    fs::path elsewhere = folder_ / "elsewhere";
+    fs::create_directory(elsewhere);
+    fs::copy_file(journal(), elsewhere / "journal.lcmlog");
+    for (const char* name : kRecords) fs::copy_file(folder_ / name, elsewhere / name);
+    return elsewhere;
+  }
+  void expect_no_setpoint_of_a_start_in(const fs::path& folder) {
+    const int setpoints = vehicle_->setpoints;
+    const int turns = vehicle_->turns;
+    start_in(folder);
+    ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 10; })) << earshotd_->output();
+    EXPECT_EQ(vehicle_->setpoints, setpoints);
+  }
+};
 
 TEST_F(RecordAtSea, GivenAStopBelowTheNextStartBringsTheVehicleUpAndAfterThatNothingIsUnderWay) {
   search();
@@ -92,7 +114,7 @@ TEST_F(RecordAtSea, GivenRecordsThatAreRemovedInFlightAnAbortHolds) {
 
 TEST_F(RecordAtSea, GivenRecordsThatAreCutInFlightAndNoMissionItComesUp) {
   search();
-  for (const char* name : {"journal.safety", "journal.copy.safety"}) fs::resize_file(folder_ / name, 0);
+  for (const char* name : kRecords) fs::resize_file(folder_ / name, 0);
   vehicle_->order(Order::kPause);
   ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->outcome.has_value(); })) << earshotd_->output();
   kill();
@@ -104,7 +126,7 @@ TEST_F(RecordAtSea, GivenRecordsThatAreCutInFlightAndNoMissionItComesUp) {
 TEST_F(RecordAtSea, GivenThatNothingIsKeptOfTheVehicleItComesUpByLcmsDefaultAddress) {
   search();
   kill();
-  for (const char* name : {"journal.safety", "journal.copy.safety"}) fs::resize_file(folder_ / name, 8192);
+  for (const char* name : kRecords) fs::resize_file(folder_ / name, 8192);
   fs::remove(folder_ / "mission.toml");
   start();
   expect_comes_up();
@@ -113,7 +135,7 @@ TEST_F(RecordAtSea, GivenThatNothingIsKeptOfTheVehicleItComesUpByLcmsDefaultAddr
 TEST_F(RecordAtSea, GivenThatEveryRecordIsDamagedItComesUpIfItsJournalSaysThatASearchWasUnderWay) {
   search();
   kill();
-  for (const char* name : {"journal.safety", "journal.copy.safety"})
+  for (const char* name : kRecords)
     std::fstream(folder_ / name, std::ios::in | std::ios::out | std::ios::binary) << std::string(8192, '\0');
   start();
   expect_comes_up();
@@ -122,8 +144,6 @@ TEST_F(RecordAtSea, GivenThatEveryRecordIsDamagedItComesUpIfItsJournalSaysThatAS
   start();
   expect_comes_up();
 }
-
-constexpr const char* kRecords[]{"journal.safety", "journal.copy.safety"};
 
 TEST_F(RecordAtSea, GivenRecordsThatOthersMayChangeItComesUpIfItsJournalSaysThatASearchWasUnderWay) {
   search();
@@ -150,17 +170,9 @@ TEST_F(RecordAtSea, GivenFoldersLinksOrPipesInPlaceOfItsRecordsItComesUpIfItsJou
 }
 
 TEST_F(RecordAtSea, GivenAnOthersRecordsThatAnybodyMayChangeItCommandsNothing) {
-  search();
-  kill();
-  const fs::path elsewhere = folder_ / "elsewhere";
-  fs::create_directory(elsewhere);
-  for (const char* name : {"journal.lcmlog", "journal.safety", "journal.copy.safety"}) fs::copy_file(folder_ / name, elsewhere / name);
+  const fs::path elsewhere = search_carried_elsewhere();
   for (const char* name : kRecords) fs::permissions(elsewhere / name, fs::perms::group_write, fs::perm_options::add);
-  const int setpoints = vehicle_->setpoints;
-  const int turns = vehicle_->turns;
-  start_in(elsewhere);
-  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 10; })) << earshotd_->output();
-  EXPECT_EQ(vehicle_->setpoints, setpoints);
+  expect_no_setpoint_of_a_start_in(elsewhere);
 }
 
 TEST_F(RecordAtSea, GivenNeitherRecordNorJournalThatCanBeReadItsStatusIsOneThatAServiceStartsAgain) {
@@ -179,7 +191,7 @@ TEST_F(RecordAtSea, GivenThatEveryRecordIsDamagedInStandbyANewMissionBegins) {
   start();
   ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > 5; })) << earshotd_->output();
   kill();
-  for (const char* name : {"journal.safety", "journal.copy.safety"}) fs::resize_file(folder_ / name, 0);
+  for (const char* name : kRecords) fs::resize_file(folder_ / name, 0);
   start();
   ASSERT_TRUE(vehicle_->sails_until([&] { return is_said("journal-2.lcmlog") && vehicle_->turns > 15; })) << earshotd_->output();
   EXPECT_EQ(vehicle_->state(), MissionState::kStandby);
@@ -187,17 +199,9 @@ TEST_F(RecordAtSea, GivenThatEveryRecordIsDamagedInStandbyANewMissionBegins) {
 }
 
 TEST_F(RecordAtSea, GivenAJournalThatWasFlownElsewhereWithItsRecordItBeginsInStandbyAndCommandsNothing) {
-  search();
-  kill();
-  const fs::path elsewhere = folder_ / "elsewhere";
-  fs::create_directory(elsewhere);
-  for (const char* name : {"journal.lcmlog", "journal.safety", "journal.copy.safety"}) fs::copy_file(folder_ / name, elsewhere / name);
-  const int setpoints = vehicle_->setpoints;
-  const int turns = vehicle_->turns;
-  start_in(elsewhere);
-  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 10; })) << earshotd_->output();
+  const fs::path elsewhere = search_carried_elsewhere();
+  expect_no_setpoint_of_a_start_in(elsewhere);
   EXPECT_EQ(vehicle_->state(), MissionState::kStandby);
-  EXPECT_EQ(vehicle_->setpoints, setpoints);
   EXPECT_TRUE(is_said("it is of another vehicle, or of another folder's flights")) << earshotd_->output();
 }
 
