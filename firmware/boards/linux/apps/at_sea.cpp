@@ -104,7 +104,8 @@ int fly_at_sea(const Options& o, const HostClock& host, const std::function<int(
   const SafetyFolders folders = SafetyFolders::of_this_process();
   for (const std::string& doubt : doubts_about(safety_places(o.out, o.safety_copies, folders), folders))
     std::cerr << "earshotd: warning: " << host::printable(doubt) << "\n";
-  if (o.resume && !safety->found() && safety->is_damaged()) {
+  const bool lacks_record = o.resume && !safety->found() && safety->is_damaged();  // a vehicle may be under way
+  if (lacks_record) {
     if (const std::optional<host::SafetyRecord> record = record_by_journal(o.out / "journal.lcmlog"); record) {
       (void)safety->write(*record, kPatience);
       return bring_up(o, *safety, host, "every copy of its safety record is damaged");
@@ -114,9 +115,9 @@ int fly_at_sea(const Options& o, const HostClock& host, const std::function<int(
     try {
       return fly(*safety);
     } catch (const std::exception& e) {
-      if (!o.resume || safety->found() || !safety->is_damaged()) throw;
+      if (!lacks_record) throw;
       std::cerr << "earshotd: " << host::printable(e.what()) << "; nor can its safety record be read: tried again\n";
-      return program::kLost;  // a vehicle may be under way: the status is none that a service takes for the end
+      return program::kLost;  // none that a service takes for the end
     }
   }
   if (!o.resume) {
