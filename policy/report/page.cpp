@@ -156,8 +156,7 @@ std::string decisions(const Flight& flight, const FlightExplanation& explanation
   std::string text =
       "<p>A row is the decision that begins a step, the first that of step 0. Its SNR was measured before it. What was measured at the end "
       "of the last step has no row, but counts among the detections and in the reward. Percent: how probable the policy made each "
-      "direction; "
-      "bold: the one taken; &#9679;: a detection. A step of a sweep is marked: its direction follows parallel tracks over the "
+      "direction; bold: the one taken; &#9679;: a detection. A step of a sweep is marked: its direction follows parallel tracks over the "
       "area, and not the policy.</p>\n";
   if (!explanation.why_not.empty()) text += "<p>Not explained: " + escaped(explanation.why_not) + "</p>\n";
   text +=
