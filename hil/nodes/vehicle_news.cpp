@@ -32,7 +32,7 @@ bool is_another_course(const vehicle::Command& a, const vehicle::Command& b) {
 }
 
 std::string decision_in_words(const messages::Decision& decision) {
-  return printed("step %u: at ", static_cast<unsigned>(decision.step + 1)) + in_kilometres(decision.position) +
+  return printed("step %u: at ", static_cast<unsigned>(decision.step)) + in_kilometres(decision.position) +
          (decision.too_faint ? ", nothing heard" : printed(", SNR %.1f dB", decision.snr.value)) + "; on to " +
          in_kilometres(decision.waypoint);
 }

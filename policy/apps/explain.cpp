@@ -110,8 +110,9 @@ void write_decision_report(const DecisionOptions& o) {
       flight, report::index_of_step(flight, o.step), o.baseline == "here" ? explain::Baseline::kHere : explain::Baseline::kCentre);
   host::write_whole(o.output, in_format_of(o.output, made));
   for (const std::string& sentence : report::sentences(made.account)) program::say() << sentence << "\n";
-  program::say() << "Integrated gradients: " << report::completeness_to_string(made.account.attribution) << ".\n"
-                 << "wrote " << host::printable(o.output.string()) << ": step " << o.step << " of "
+  const explain::Attribution& parts = made.account.attribution;
+  (parts.is_complete() ? program::detail() : program::say()) << "Integrated gradients: " << report::completeness_to_string(parts) << ".\n";
+  program::say() << "wrote " << host::printable(o.output.string()) << ": step " << o.step << " of "
                  << host::printable(flight.journal_path.string()) << "\n";
 }
 

@@ -16,7 +16,8 @@ using host::BadInput;
 
 host::SecretKey make(const std::string& file, bool force) {
   const auto lone = force ? host::LonePublicHalf::kReplaced : host::LonePublicHalf::kStays;
-  const host::SecretKey key = host::make_key_pair(file, lone, "--force replaces it");
+  const host::SecretKey key =
+      host::make_key_pair(file, lone, {.lone_public = "--force replaces it", .secret = "leave out --new-key to sign with it"});
   program::say() << file << " (secret: keep it), " << host::public_file_of(file).string() << "\n";
   return key;
 }

@@ -93,6 +93,7 @@ DecisionAccount account_with(const Circumstances& c, const RecordedDecision& dec
   note_worths(c, decision, account.actions);
   account.likeliest_action =
       static_cast<std::size_t>(std::ranges::max_element(account.actions, {}, &ActionAccount::probability) - account.actions.begin());
+  account.draw = c.policy.draw;
   account.baseline = c.baseline;
   attribute(c, account);
   return account;

@@ -58,6 +58,7 @@ struct DecisionAccount {
   std::vector<HypothesisAccount> hypotheses;  ///< of 1 % and more, the likeliest first
   std::vector<ActionAccount> actions;
   std::size_t likeliest_action = 0;
+  policy::ActionDraw draw = policy::ActionDraw::kArgmax;  ///< whether the policy takes its likeliest action, or draws by its probabilities
   Baseline baseline = Baseline::kCentre;
   Attribution attribution;
   std::vector<ObservedAccount> observed;  ///< in the order of the observation

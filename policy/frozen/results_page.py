@@ -12,45 +12,50 @@ from pathlib import Path
 Row = dict[str, str]
 
 INTRODUCTION = """# results: what the shipped policy finds
-Written by `policy/frozen/measure` (`policy/frozen/results_page.py`), at commit {commit}; edit those. Found: share of
-the searches, with its exact binomial 95 % interval. Hours: to find, in
-the mean over all searches, one that did not find counts as its limit. Surprised: share of the searches in which what
-was heard fitted nothing that was believed possible. Declared falsely: share of the searches in which
-the rule on board said "found" further than a step length from the source; far off: further than one and a half.
-Missed: of the searches that came within a step length of the source at the end of a step, the share in which the rule
-did not say "found" there.
+`policy/frozen/measure` made this page (by `policy/frozen/results_page.py`) at commit {commit}. Edit those instead.
+
+| column | meaning |
+| --- | --- |
+| found | share of the searches, with its exact binomial 95 % interval |
+| hours | time to find, in the mean over all searches; one that did not find counts as its limit |
+| mismatch | share of the searches whose measurements fitted nothing that was believed possible |
+| declared falsely | share in which the vehicle's rule declared the source found further than a step length from it |
+| far off | the same, further than one and a half step lengths |
+| missed | of those that ended a step within a step length of the source, the share without a declaration there |
 """
 
 WORLDS = """
 ## The worlds of `policy/worlds`
-Validation: they were looked at while the policy was made. `sweep` is the blind pattern that the vehicle falls back
-to, `oracle` is told where the source is, `infotaxis` flies {infotaxis} searches in each
-world, with the same tables, the others {shipped}.
+These are validation worlds: they were used while the policy was made. `sweep` is the blind pattern to which the
+vehicle falls back, and `oracle` knows where the source is. `infotaxis` flies {infotaxis} searches in each
+world, with the same tables, and the others fly {shipped}.
 
 ![found, mean hours to find](worlds.png)
 """
 
 NOTICED = """
 ## With the paper's table only
-What a vehicle notices of an ocean that it knows nothing of: its tables hold the paper's ocean alone. {episodes}
-searches of 15 steps in each world.
+This shows how a vehicle notices an ocean that it does not know: its tables hold the paper's ocean alone. It flies
+{episodes} searches of 15 steps in each world.
 """
 
 TEST = """
 ## The test split
-Drawn by `policy/worlds/generate` from seeds of its own, flown once, after everything was chosen. Tables were made
-for each world's frequency and depth by `policy/tables/make_for`; none has the world's ocean in it but by chance.
-All worlds together: {found} of {episodes} searches found, {share:.1f} %, from {low:.1f} in one world to {high:.1f}
-in another; `oracle` {oracle:.1f} %. Surprised: {surprised:.1f} % of the searches, in the mean over the worlds.
+These worlds were drawn by `policy/worlds/generate` from seeds of their own, and flown once, after everything was
+chosen. `policy/tables/make_for` made tables for each world's frequency and depth; only by chance do they hold the
+world's ocean.
 
-Told: the same policy with a table of the world's own ocean alone, at its own level of noise: what it finds where the
-ocean is no riddle and the rest is. So it finds {told:.1f} %, and 95 % or more in {told_worlds} of {worlds} worlds
+All worlds together: {found} of {episodes} searches found, {share:.1f} %, from {low:.1f} in one world to {high:.1f}
+in another; `oracle` {oracle:.1f} %. Mismatch: {surprised:.1f} % of the searches, in the mean over the worlds.
+
+*Own ocean* is the same policy with a table of the world's own ocean alone, at its own level of noise. The ocean is then
+known, and all else is not. So it finds {told:.1f} %, and 95 % or more in {told_worlds} of {worlds} worlds
 instead of {shipped_worlds}.
 """
 
 BEARING = """
 ## With a bearing of 10 degrees
-The same worlds, {episodes} searches in each.
+The same worlds, with {episodes} searches in each.
 """
 
 
@@ -102,7 +107,7 @@ def table(header: list[str], rows: list[list[str]]) -> str:
 
 
 def worlds_table(worlds: dict[str, dict[str, Row]], infotaxis: dict[str, dict[str, Row]]) -> str:
-    header = ["world", "`shipped`: found", "hours", "reward", "surprised", *DECLARED]
+    header = ["world", "`shipped`: found", "hours", "reward", "mismatch", *DECLARED]
     header += ["`infotaxis`: found", "hours", "`sweep`: found", "`oracle`: found"]
     rows = []
     for world, of in worlds.items():
@@ -118,8 +123,8 @@ def worlds_table(worlds: dict[str, dict[str, Row]], infotaxis: dict[str, dict[st
 
 
 def test_table(worlds: dict[str, dict[str, Row]], told: dict[str, dict[str, Row]]) -> str:
-    header = ["world", "`shipped`: found", "hours", "reward", "surprised", *DECLARED]
-    header += ["told: found", "`sweep`: found", "`oracle`: found"]
+    header = ["world", "`shipped`: found", "hours", "reward", "mismatch", *DECLARED]
+    header += ["own ocean: found", "`sweep`: found", "`oracle`: found"]
     return table(
         header,
         [
@@ -142,7 +147,7 @@ def bearing_table(worlds: dict[str, dict[str, Row]]) -> str:
 
 def noticed_table(worlds: dict[str, dict[str, Row]]) -> str:
     rows = [[f"`{world}`", surprised(of["shipped"])] for world, of in worlds.items()]
-    return table(["world", "surprised within 15 steps"], rows)
+    return table(["world", "mismatch within 15 steps"], rows)
 
 
 def episodes(worlds: dict[str, dict[str, Row]], policy: str) -> str:

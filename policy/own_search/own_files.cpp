@@ -258,11 +258,12 @@ std::string ocean_text(const OwnSearch& search) {
   ocean.set("", "name", toml_text("my ocean"));
   ocean.set("source", "frequency_hz", toml_number(search.frequency_hz));
   if (search.sea_floor_m <= 60.0) ocean.set("source", "depth_m", toml_number(search.sea_floor_m / 2.0));
-  ocean.set("source", "north_m", toml_number(0.4 * search.area_north_m));
-  ocean.set("source", "east_m", toml_number(0.4 * search.area_east_m));
   ocean.set("source", "level_db_re_1upa_at_1m", toml_number(search.source_level_db));
   ocean.set("seabed", "depth_m", toml_number(search.sea_floor_m));
   std::string text = ocean.text();
+  constexpr const char* kPlaceCounts = "  # with --source fixed only; otherwise the seed draws the place";
+  replace_line(text, "north_m = ", "north_m = " + toml_number(0.4 * search.area_north_m) + kPlaceCounts);
+  replace_line(text, "east_m = ", "east_m = " + toml_number(0.4 * search.area_east_m) + kPlaceCounts);
   replace_line(text, "level_db_re_1upa = ", "level_db_re_1upa = " + toml_number(noise_db(search)) + noise_remark(search));
   if (search.sea_floor_m < kLeastForSoundChannel_m) replace_water(text, search.sea_floor_m);
   replace_seabed(text, search.sea_floor_m);
@@ -320,7 +321,7 @@ std::string readme_text(const OwnSearch& search, FliesBy by, const fs::path& fol
   text += battery_remark(search);
   return text + "\n- This folder may be copied to the vehicle" +
          (by == FliesBy::kWhatShips ? "" : ", but for `search.key` (`rsync --exclude search.key`)") +
-         "; the paths in `run` and `mission.toml` are then to be those of that computer.\n";
+         ". Change the paths in `run` and `mission.toml` to those of that computer.\n";
 }
 
 }  // namespace earshot::own_search

@@ -45,11 +45,7 @@ std::string as_html(const DecisionReport& report) {
   text += "</ul>\n<h2>Where the source is believed to be</h2>\n<div class=\"chart cells\">" +
           belief_svgs({{.account = a, .looks = report.looks(), .source = report.flight.source}}).front() + "</div>\n";
   text += "<h2>What it could do</h2>\n" + actions_table(a);
-  text +=
-      "<h2>What moved the choice</h2>\n<p>Integrated gradients of the natural logarithm of the chance of what was taken: a part of 0.69 "
-      "doubles "
-      "the chance, one of -0.69 halves it.</p>\n" +
-      attribution_tables(a, kRows);
+  text += "<h2>What moved the choice</h2>\n<p>" + std::string(kPartsMean) + "</p>\n" + attribution_tables(a, kRows);
   text += "<h2>What it measured</h2>\n" + looks_table(report.looks());
   text += "<h2>All numbers that the policy received</h2>\n<details><summary>" + std::to_string(a.observed.size()) + " numbers</summary>\n" +
           observation_table(a) + "</details>\n";
@@ -69,7 +65,7 @@ std::string as_markdown(const DecisionReport& report) {
             fixed(action.hear.spread.value, 1) + " | " + fixed(100.0 * action.detected, 0) + " | " + fixed(100.0 * action.found, 1) +
             " | " + fixed(100.0 * action.found_soon, 1) + " | " + fixed(action.approach.value / 1e3, 2) + " |\n";
   }
-  text += "\n| observation | seen | baseline | part | chance |\n|---|---|---|---|---|\n";
+  text += "\n" + std::string(kPartsMean) + "\n\n| observation | seen | baseline | part | chance |\n|---|---|---|---|---|\n";
   for (const explain::ObservedAccount& o : explain::weightiest(a, kRows))
     text += "| " + o.name + " | " + o.value + " | " + o.baseline + " | " + fixed(o.part, 3) + " | " + factor_to_string(o.part) + " |\n";
   text += "\nCompared with " + to_string(a.baseline) + ": " + completeness_to_string(a.attribution) + ".\n";

@@ -59,8 +59,8 @@ std::string belief_sentence(const DecisionAccount& a) {
   const double bearing = bearing_deg(a.decision.position, a.area.south_west + a.place.likeliest);
   return std::string(a.belief_is_the_policys ? "It believes" : "An observer would believe (this policy holds no belief)") +
          " that the source is most likely " + likeliest_place(a) + " (bearing " + explain::degrees_to_string(bearing) +
-         "); with 50 % it lies within " + square_km(a.place.smallest_area_km2(0.5)) + ", with 95 % within " +
-         square_km(a.place.smallest_area_km2(0.95)) + ".";
+         ", the likeliest single place of a belief that is spread); with 50 % it lies within " + square_km(a.place.smallest_area_km2(0.5)) +
+         ", with 95 % within " + square_km(a.place.smallest_area_km2(0.95)) + ".";
 }
 
 std::string declared_sentence(const DecisionAccount& a) {
@@ -74,14 +74,6 @@ std::string sweep_sentence(const DecisionAccount& a) {
   if (!a.decision.was_surprised) return sweep + "it had detected nothing for long, where its tables predict detections.";
   return sweep + "the SNR that it measured fits no ocean of its tables (model-mismatch score " +
          fixed(static_cast<double>(a.decision.surprise_bits), 1) + " bits).";
-}
-
-std::string choice_sentence(const DecisionAccount& a) {
-  const explain::ActionAccount& taken = a.actions[a.decision.action];
-  const std::string went = "It chose " + taken.name + ", which it gave " + percent(taken.probability);
-  if (a.decision.action == a.likeliest_action) return went + ": its likeliest choice.";
-  const explain::ActionAccount& likeliest = a.actions[a.likeliest_action];
-  return went + " by drawing from its probabilities; " + likeliest.name + " was likelier with " + percent(likeliest.probability) + ".";
 }
 
 std::string expectation_sentence(const DecisionAccount& a) {
@@ -113,10 +105,24 @@ const explain::ActionAccount* next_best(const DecisionAccount& a) {
   return best;
 }
 
-/// Of a policy that goes by its belief's action values alone: how much it made of the direction, and of the next best.
-std::string rating_sentence(const explain::ActionAccount& taken, const explain::ActionAccount& next) {
-  return "All costs of the search together, the belief rates " + taken.name + " " + fixed(*taken.worth, 2) + " and " + next.name + " " +
-         fixed(next.worth.value_or(0.0), 2) + " (1: the best direction, 0: the worst).";
+/// By how much the search is expected to cost more after this direction than after the best one, in steps without a detection.
+double regret(double worth) {
+  return 1.0 / std::max(worth, 1e-9) - 1.0;
+}
+
+/// What the policy made of the direction and of the next best: the costs that its belief expects, or else its probabilities.
+std::string rating(const explain::ActionAccount& taken, const explain::ActionAccount& next) {
+  constexpr double kSmallCost = 0.1;
+  constexpr double kSmallShare = 0.05;
+  constexpr const char* kSmall = ", a small difference";
+  if (!taken.worth || !next.worth)
+    return "the policy gave " + taken.name + " " + percent(taken.probability) + " and " + next.name + " " + percent(next.probability) +
+           (std::abs(taken.probability - next.probability) < kSmallShare ? kSmall : "");
+  const double more = regret(*next.worth) - regret(*taken.worth);
+  const std::string& best = more >= 0.0 ? taken.name : next.name;
+  const std::string& other = more >= 0.0 ? next.name : taken.name;
+  return "the rest of the search is expected to cost least after " + best + "; " + other + " costs " + fixed(std::abs(more), 2) +
+         " steps without a detection more" + (std::abs(more) < kSmallCost ? kSmall : "");
 }
 
 constexpr const char* kTimes = "\u00D7 ";
@@ -165,22 +171,31 @@ std::string why_this_direction(const DecisionAccount& a) {
   const explain::ActionAccount& taken = a.actions[a.decision.action];
   const explain::ActionAccount* const next = next_best(a);
   if (next == nullptr) return "Why " + taken.name + ": the policy has no other direction.";
-  const std::string likeliest =
-      "Why " + taken.name + " and not " + next->name + ", the next best: the likeliest place is " + likeliest_place(a) + "; ";
+  const std::string rated = "Why " + taken.name + " and not " + next->name + ": " + rating(taken, *next) + ". The likeliest place is " +
+                            likeliest_place(a) + "; ";
   const std::string promised =
       taken.name + " promises to find the source within three steps with " + percent(taken.found_soon) + ", " + next->name;
   const bool is_near = std::max(taken.found_soon, next->found_soon) >= kWorthNaming;
   const bool is_alike = percent(taken.found_soon) == percent(next->found_soon);
-  if (is_near && !is_alike) return likeliest + promised + " with " + percent(next->found_soon) + ".";
-  return likeliest + (is_near ? promised + " as much" : "neither finds it within three steps") + "; on average over the belief " +
-         taken.name + " comes " + nearer(taken) + " nearer and detects it with " + percent(taken.detected) + ", " + next->name + " " +
-         nearer(*next) + " and " + percent(next->detected) + ".";
+  if (is_near && !is_alike) return rated + promised + " with " + percent(next->found_soon) + ".";
+  return rated + (is_near ? promised + " as much" : "neither finds it within three steps") + "; on average over the belief " + taken.name +
+         " comes " + nearer(taken) + " nearer and detects it with " + percent(taken.detected) + ", " + next->name + " " + nearer(*next) +
+         " and " + percent(next->detected) + ".";
 }
 
-std::string because(const DecisionAccount& a) {
+std::string choice_sentence(const DecisionAccount& a) {
   const explain::ActionAccount& taken = a.actions[a.decision.action];
-  const explain::ActionAccount* const next = next_best(a);
-  if (taken.worth && next != nullptr) return rating_sentence(taken, *next);
+  const explain::ActionAccount& likeliest = a.actions[a.likeliest_action];
+  const std::string chose = "It chose " + taken.name;
+  if (a.draw == policy::ActionDraw::kArgmax)
+    return chose + ": this policy always takes the direction with the highest probability, here " + percent(taken.probability) + ".";
+  const std::string drew = chose + ", which had " + percent(taken.probability) + ": this policy draws lots by its probabilities";
+  return drew + (a.decision.action == a.likeliest_action
+                     ? "."
+                     : ", and " + likeliest.name + " was likelier with " + percent(likeliest.probability) + ".");
+}
+
+std::string what_weighed_most(const DecisionAccount& a) {
   std::string text = "What weighed most:";
   const char* separator = " ";
   for (const explain::ObservedAccount& o : explain::weightiest(a, 3)) {
@@ -197,8 +212,9 @@ std::vector<std::string> sentences(const DecisionAccount& a) {
     all.push_back(sweep_sentence(a));
     return all;  // what the policy would have done, nobody did
   }
-  for (std::string sentence : {why_this_direction(a), because(a), choice_sentence(a), expectation_sentence(a), safety_sentence(a)})
-    all.push_back(std::move(sentence));
+  all.push_back(why_this_direction(a));
+  if (!a.actions[a.decision.action].worth) all.push_back(what_weighed_most(a));
+  for (std::string sentence : {choice_sentence(a), expectation_sentence(a), safety_sentence(a)}) all.push_back(std::move(sentence));
   return all;
 }
 

@@ -13,12 +13,20 @@ namespace earshot::report {
 /// Sentences that a watch officer reads first: measured, believed, why this direction, chosen, expected, safety; of a sweep why it sweeps.
 [[nodiscard]] std::vector<std::string> sentences(const explain::DecisionAccount& account);
 
-/// One of them: why this direction and not the next best, in physical words: where the source is believed to be, and what each promises.
+/// One of them: why this direction and not the next best. First what the policy made of both, and whether the difference is small; then
+/// where the source is believed to be, and what each promises.
 [[nodiscard]] std::string why_this_direction(const explain::DecisionAccount& account);
 
-/// The next: what spoke for it to the policy. Of one that goes by its belief's action values alone how it and the next best are rated; of
-/// a trained one which of its observations weighed most.
-[[nodiscard]] std::string because(const explain::DecisionAccount& account);
+/// Another, of a trained policy: which of its observations weighed most.
+[[nodiscard]] std::string what_weighed_most(const explain::DecisionAccount& account);
+
+/// Whether the policy takes its likeliest direction or draws lots, and how probable it made the one taken.
+[[nodiscard]] std::string choice_sentence(const explain::DecisionAccount& account);
+
+/// What a table of observations shows, in one sentence that stands above it.
+inline constexpr const char* kPartsMean =
+    "How much each number that the policy received moved the choice, by integrated gradients of the natural logarithm of the probability "
+    "of the direction taken: a part of 0.69 doubles the probability, one of -0.69 halves it.";
 
 /// "a vehicle in the middle of the area that has heard nothing yet"
 [[nodiscard]] std::string to_string(explain::Baseline baseline);

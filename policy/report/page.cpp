@@ -45,6 +45,10 @@ constexpr const char* kSimulationNote =
     "software that flies on the vehicle. It measured the SNR at its own place, and nothing more: it never saw where the source is, nor the "
     "coloured field of the map.</p>\n";
 
+constexpr const char* kOrdersOfASimulation =
+    "The simulator gave the orders: START, COMPLETE once the vehicle was within a step length of the source, ABORT where the flight was "
+    "stopped.";
+
 /// The account of a summary; an earlier version's does not have the rule that ended the flight, but its journal does.
 search::SearchAccount account_of(const Flight& flight) {
   search::SearchAccount account = search::account_in(flight.summary);
@@ -81,15 +85,13 @@ std::string shortcomings(const Flight& flight) {
 
 /// What was searched for, where, how and when; a summary of an earlier version knows less.
 std::string conditions(const nlohmann::json& s) {
-  const nlohmann::json origin = s.value("origin", nlohmann::json());
   const NorthEast size = place_in(s.at("area").at("north_east")) - place_in(s.at("area").at("south_west"));
   std::string text;
   if (s.contains("source_frequency_hz")) text += fact("frequency of the source", fixed(s.at("source_frequency_hz"), 1) + " Hz");
   if (s.contains("depth_m")) text += fact("depth of the vehicle", fixed(s.at("depth_m"), 0) + " m");
   if (s.contains("speed_mps")) text += fact("speed of the vehicle", fixed(s.at("speed_mps"), 1) + " m/s");
-  text += fact(
-      "area", fixed(size.north.value / 1e3, 1) + " km \u00D7 " + fixed(size.east.value / 1e3, 1) + " km",
-      origin.is_null() ? "" : "its origin lies at " + search::geographic(origin.at("latitude_deg"), origin.at("longitude_deg"), "\u00B0"));
+  text += fact("area", fixed(size.north.value / 1e3, 1) + " km \u00D7 " + fixed(size.east.value / 1e3, 1) + " km",
+               search::place_of_area(s, "\u00B0"));
   if (s.contains("flown_utc")) text += fact("simulated on", escaped(s.at("flown_utc").get<std::string>()) + " UTC");
   return text;
 }
@@ -146,16 +148,17 @@ std::string reasons(const explain::DecisionAccount& account, const std::string& 
                      (account.decision.sweeping ? "sweep, going " : "why ") + account.actions[account.decision.action].name +
                      "</summary>\n<ul class=\"words\">\n";
   for (const std::string& sentence : sentences(account)) text += "<li>" + escaped(sentence) + "</li>\n";
-  return text + "</ul>\n<div class=\"chart cells\">" + chart + "</div>\n" + actions_table(account) +
-         attribution_tables(account, kRowsOfAttribution) + "</details></td></tr>\n";
+  return text + "</ul>\n<div class=\"chart cells\">" + chart + "</div>\n" + actions_table(account) + "<h3>What moved the choice</h3>\n<p>" +
+         kPartsMean + "</p>\n" + attribution_tables(account, kRowsOfAttribution) + "</details></td></tr>\n";
 }
 
 std::string decisions(const Flight& flight, const FlightExplanation& explanation) {
   const std::vector<explain::RecordedDecision>& taken = flight.journal.decisions;
   if (taken.empty()) return "<p>The policy took no decision.</p>\n";
   std::string text =
-      "<p>A decision is taken at the end of each step; the first is that of step 0. Percent: how probable the policy made each direction; "
-      "bold: the one taken; &#9679;: a detection. A step of a sweep is marked: its direction follows parallel tracks over the "
+      "<p>A row is the decision that begins a step, the first that of step 0. Its SNR was measured before it. What was measured at the end "
+      "of the last step has no row, but counts among the detections and in the reward. Percent: how probable the policy made each "
+      "direction; bold: the one taken; &#9679;: a detection. A step of a sweep is marked: its direction follows parallel tracks over the "
       "area, and not the policy.</p>\n";
   if (!explanation.why_not.empty()) text += "<p>Not explained: " + escaped(explanation.why_not) + "</p>\n";
   text +=
@@ -229,7 +232,7 @@ std::string page(const Flight& flight, const Pictures& pictures, const FlightExp
   if (flight.sea)
     text += "<h2>What happened</h2>\n" + sea_events(*flight.sea);
   else if (!flight.events.empty())
-    text += "<h2>What happened</h2>\n" + events_table(flight.events);
+    text += "<h2>What happened</h2>\n<p>" + std::string(kOrdersOfASimulation) + "</p>\n" + events_table(flight.events);
   if (!pictures.map.empty())
     text += "<h2>Where it went</h2>\n<p>" + map_to_string(flight) + "</p>\n<div class=\"chart\">" + pictures.map + "</div>\n";
   if (!pictures.sound.empty())

@@ -6,12 +6,14 @@
 #include <string>
 #include <utility>
 
+#include "sim/netcdf/units.hpp"
 #include "sim/sonar/field_attributes.hpp"
 
 namespace earshot::field_library {
 namespace {
 
 using namespace std::chrono_literals;
+using netcdf::kDecibels;
 using netcdf::Type;
 
 netcdf::VariableLayout scalar(const std::string& name, const std::string& long_name, const std::string& units) {
@@ -60,8 +62,8 @@ netcdf::Layout layout_of(const LibraryPlan& plan) {
                {"frequency"},
                {{"long_name", "frequency; intensity is averaged where there are several"}, {"units", "Hz"}}},
               scalar("position_depth", "depth of the " + middle, "m"),
-              scalar("source_level", "source level, dB re 1 uPa at 1 m", "dB"),
-              scalar("noise_level", "noise level in the detector's band, dB re 1 uPa", "dB"),
+              scalar("source_level", "source level, dB re 1 uPa at 1 m", kDecibels),
+              scalar("noise_level", "noise level in the detector's band, dB re 1 uPa", kDecibels),
               {"position_state",
                Type::kInt32,
                {"position"},
@@ -71,7 +73,7 @@ netcdf::Layout layout_of(const LibraryPlan& plan) {
               {"transmission_loss",
                Type::kFloat,
                {"position", "bearing", "range", "depth"},
-               {{"long_name", "transmission loss, dB re 1 m"}, {"units", "dB"}, {"coordinates", "position_north position_east"}},
+               {{"long_name", "transmission loss, dB re 1 m"}, {"units", kDecibels}, {"coordinates", "position_north position_east"}},
                std::numeric_limits<double>::quiet_NaN()}}};
 }
 

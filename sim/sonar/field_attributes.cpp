@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "firmware/host/file/checksum_text.hpp"
+#include "sim/netcdf/units.hpp"
 #include "sim/ocean/charts/charts.hpp"
 
 namespace earshot::sonar {
@@ -46,7 +47,7 @@ void write_transmission_loss(Writer& file, const std::vector<std::string>& dimen
   const std::string name = "transmission_loss";
   netcdf::Attributes attributes = {
       {"long_name", "transmission loss, dB re 1 m"},
-      {"units", "dB"},
+      {"units", netcdf::kDecibels},
       {"comment", "rounded to 1/256 dB; signal-to-noise ratio at the hydrophone in dB = source_level - transmission_loss - noise_level"}};
   if (!coordinates.empty()) attributes.emplace_back("coordinates", coordinates);
   file.variable(name, Type::kFloat, dimensions, attributes);
@@ -70,8 +71,8 @@ void write_scene(Writer& file, const ocean::Environment& environment, const ocea
   write_scalar(file, "source_depth", "depth of the source", "m", source.depth.value);
   write_scalar(file, "source_north", "northing of the source in the local plane", "m", source.position.north.value);
   write_scalar(file, "source_east", "easting of the source in the local plane", "m", source.position.east.value);
-  write_scalar(file, "source_level", "source level, dB re 1 uPa at 1 m", "dB", source.level.value);
-  write_scalar(file, "noise_level", "noise level in the detector's band, dB re 1 uPa", "dB", environment.noise_level.value);
+  write_scalar(file, "source_level", "source level, dB re 1 uPa at 1 m", netcdf::kDecibels, source.level.value);
+  write_scalar(file, "noise_level", "noise level in the detector's band, dB re 1 uPa", netcdf::kDecibels, environment.noise_level.value);
 }
 
 bool write_grid_mapping(Writer& file, const ocean::Environment& environment) {

@@ -77,6 +77,18 @@ class Markdown(unittest.TestCase):
             self.assertIn("[up](../README.md), [data](flat.toml.md), [web](https://a.b)", page)
             self.assertIn("a = 1", (out / "tree/sim/flat.toml.md").read_text())
 
+    def test_of_a_hidden_folder_has_a_name_that_the_generator_does_not_leave_out(self):
+        with tempfile.TemporaryDirectory() as folder:
+            tree, out = Path(folder, "tree"), Path(folder, "out")
+            (tree / ".github").mkdir(parents=True)
+            (tree / ".github/HELP.md").write_text("# Help\n[up](../README.md)\n")
+            (tree / "README.md").write_text("[help](.github/HELP.md)\n")
+            pages = TreePages(tree, out)
+            pages.add("README.md")
+            pages.add_linked("")
+            self.assertIn("[help](github/HELP.md)", (out / "tree/README.md").read_text())
+            self.assertIn("[up](../README.md)", (out / "tree/github/HELP.md").read_text())
+
     def test_of_the_site_stands_at_its_top(self):
         with tempfile.TemporaryDirectory() as folder:
             pages = TreePages(Path(folder), Path(folder, "out"))

@@ -4,7 +4,9 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <filesystem>
@@ -23,7 +25,29 @@ namespace {
 namespace fs = std::filesystem;
 using messages::MissionState;
 using messages::Order;
-using RecordAtSea = RestartAtSea;
+
+constexpr const char* kRecords[]{"journal.safety", "journal.copy.safety"};
+
+class RecordAtSea : public RestartAtSea {
+ protected:
+  /// GIVEN a search that was killed, and copies of its journal and records in another folder.
+  fs::path search_carried_elsewhere() {
+    search();
+    kill();
+    fs::path elsewhere = folder_ / "elsewhere";
+    fs::create_directory(elsewhere);
+    fs::copy_file(journal(), elsewhere / "journal.lcmlog");
+    for (const char* name : kRecords) fs::copy_file(folder_ / name, elsewhere / name);
+    return elsewhere;
+  }
+  void expect_no_setpoint_of_a_start_in(const fs::path& folder) {
+    const int setpoints = vehicle_->setpoints;
+    const int turns = vehicle_->turns;
+    start_in(folder);
+    ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 10; })) << earshotd_->output();
+    EXPECT_EQ(vehicle_->setpoints, setpoints);
+  }
+};
 
 TEST_F(RecordAtSea, GivenAStopBelowTheNextStartBringsTheVehicleUpAndAfterThatNothingIsUnderWay) {
   search();
@@ -37,6 +61,18 @@ TEST_F(RecordAtSea, GivenAStopBelowTheNextStartBringsTheVehicleUpAndAfterThatNot
   start();
   ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 5; })) << earshotd_->output();
   EXPECT_EQ(vehicle_->state(), MissionState::kStandby) << earshotd_->output();
+}
+
+TEST_F(RecordAtSea, GivenAStopBelowAStartWithoutResumeStatesThatTheVehicleMayStillBeBelow) {
+  search();
+  stop();
+  start_earshotd({"--speed", "10"});
+  ASSERT_TRUE(vehicle_->sails_until([&] { return is_said("For another rehearsal name another folder (--out)"); })) << earshotd_->output();
+  EXPECT_TRUE(
+      is_said("warning: the earlier mission of this folder is over, but its vehicle was not known to be up, and may still be below. "
+              "It is given up: nobody commands the vehicle until START. With --resume earshotd brings it up."))
+      << earshotd_->output();
+  kill();
 }
 
 TEST_F(RecordAtSea, GivenALeakWhileTheJournalIsReadTheWeightStaysReleased) {
@@ -78,7 +114,7 @@ TEST_F(RecordAtSea, GivenRecordsThatAreRemovedInFlightAnAbortHolds) {
 
 TEST_F(RecordAtSea, GivenRecordsThatAreCutInFlightAndNoMissionItComesUp) {
   search();
-  for (const char* name : {"journal.safety", "journal.copy.safety"}) fs::resize_file(folder_ / name, 0);
+  for (const char* name : kRecords) fs::resize_file(folder_ / name, 0);
   vehicle_->order(Order::kPause);
   ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->outcome.has_value(); })) << earshotd_->output();
   kill();
@@ -90,7 +126,7 @@ TEST_F(RecordAtSea, GivenRecordsThatAreCutInFlightAndNoMissionItComesUp) {
 TEST_F(RecordAtSea, GivenThatNothingIsKeptOfTheVehicleItComesUpByLcmsDefaultAddress) {
   search();
   kill();
-  for (const char* name : {"journal.safety", "journal.copy.safety"}) fs::resize_file(folder_ / name, 8192);
+  for (const char* name : kRecords) fs::resize_file(folder_ / name, 8192);
   fs::remove(folder_ / "mission.toml");
   start();
   expect_comes_up();
@@ -99,7 +135,7 @@ TEST_F(RecordAtSea, GivenThatNothingIsKeptOfTheVehicleItComesUpByLcmsDefaultAddr
 TEST_F(RecordAtSea, GivenThatEveryRecordIsDamagedItComesUpIfItsJournalSaysThatASearchWasUnderWay) {
   search();
   kill();
-  for (const char* name : {"journal.safety", "journal.copy.safety"})
+  for (const char* name : kRecords)
     std::fstream(folder_ / name, std::ios::in | std::ios::out | std::ios::binary) << std::string(8192, '\0');
   start();
   expect_comes_up();
@@ -109,11 +145,53 @@ TEST_F(RecordAtSea, GivenThatEveryRecordIsDamagedItComesUpIfItsJournalSaysThatAS
   expect_comes_up();
 }
 
+TEST_F(RecordAtSea, GivenRecordsThatOthersMayChangeItComesUpIfItsJournalSaysThatASearchWasUnderWay) {
+  search();
+  kill();
+  for (const char* name : kRecords) fs::permissions(folder_ / name, fs::perms::group_write, fs::perm_options::add);
+  start();
+  expect_comes_up();
+}
+
+TEST_F(RecordAtSea, GivenFoldersLinksOrPipesInPlaceOfItsRecordsItComesUpIfItsJournalSaysThatASearchWasUnderWay) {
+  search();
+  kill();
+  for (const auto& make :
+       {+[](const fs::path& path) { fs::create_directory(path); }, +[](const fs::path& path) { fs::create_symlink(path, path); },
+        +[](const fs::path& path) { ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0); }}) {
+    for (const char* name : kRecords) {
+      fs::remove_all(folder_ / name);
+      make(folder_ / name);
+    }
+    start();
+    expect_comes_up();
+    kill();
+  }
+}
+
+TEST_F(RecordAtSea, GivenAnOthersRecordsThatAnybodyMayChangeItCommandsNothing) {
+  const fs::path elsewhere = search_carried_elsewhere();
+  for (const char* name : kRecords) fs::permissions(elsewhere / name, fs::perms::group_write, fs::perm_options::add);
+  expect_no_setpoint_of_a_start_in(elsewhere);
+}
+
+TEST_F(RecordAtSea, GivenNeitherRecordNorJournalThatCanBeReadItsStatusIsOneThatAServiceStartsAgain) {
+  search();
+  kill();
+  for (const char* name : {"journal.safety", "journal.copy.safety", "journal.lcmlog"}) {
+    fs::remove_all(folder_ / name);
+    fs::create_symlink(folder_ / name, folder_ / name);
+  }
+  fs::remove(folder_ / "walk.policy");
+  start();
+  EXPECT_EQ(earshotd_->wait(std::chrono::seconds(10)), program::kLost) << earshotd_->output();
+}
+
 TEST_F(RecordAtSea, GivenThatEveryRecordIsDamagedInStandbyANewMissionBegins) {
   start();
   ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > 5; })) << earshotd_->output();
   kill();
-  for (const char* name : {"journal.safety", "journal.copy.safety"}) fs::resize_file(folder_ / name, 0);
+  for (const char* name : kRecords) fs::resize_file(folder_ / name, 0);
   start();
   ASSERT_TRUE(vehicle_->sails_until([&] { return is_said("journal-2.lcmlog") && vehicle_->turns > 15; })) << earshotd_->output();
   EXPECT_EQ(vehicle_->state(), MissionState::kStandby);
@@ -121,17 +199,9 @@ TEST_F(RecordAtSea, GivenThatEveryRecordIsDamagedInStandbyANewMissionBegins) {
 }
 
 TEST_F(RecordAtSea, GivenAJournalThatWasFlownElsewhereWithItsRecordItBeginsInStandbyAndCommandsNothing) {
-  search();
-  kill();
-  const fs::path elsewhere = folder_ / "elsewhere";
-  fs::create_directory(elsewhere);
-  for (const char* name : {"journal.lcmlog", "journal.safety", "journal.copy.safety"}) fs::copy_file(folder_ / name, elsewhere / name);
-  const int setpoints = vehicle_->setpoints;
-  const int turns = vehicle_->turns;
-  start_in(elsewhere);
-  ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 10; })) << earshotd_->output();
+  const fs::path elsewhere = search_carried_elsewhere();
+  expect_no_setpoint_of_a_start_in(elsewhere);
   EXPECT_EQ(vehicle_->state(), MissionState::kStandby);
-  EXPECT_EQ(vehicle_->setpoints, setpoints);
   EXPECT_TRUE(is_said("it is of another vehicle, or of another folder's flights")) << earshotd_->output();
 }
 

@@ -128,6 +128,19 @@ TEST_F(RestartAtSea, GivenNoThreadThatCouldBeMadeItComesUpAndKeepsItsRecord) {
   expect_comes_up();
 }
 
+class RestartWithFewThreads : public RestartAtSea, public testing::WithParamInterface<int> {};
+
+TEST_P(RestartWithFewThreads, GoesOnOrComesUpHoweverFewTheyAre) {
+  search();
+  kill();
+  start_on_sick_host({{"EARSHOT_TEST_THREADS", std::to_string(GetParam())}});
+  EXPECT_TRUE(vehicle_->sails_until([&] { return vehicle_->state() != MissionState::kStandby; })) << earshotd_->output();
+  const int turns = vehicle_->turns;
+  EXPECT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 5; })) << earshotd_->output();
+}
+/// All that it makes: for each copy of the record, for reading the journal, for writing it, and for news.
+INSTANTIATE_TEST_SUITE_P(Threads, RestartWithFewThreads, testing::Range(1, 6));
+
 TEST_F(RestartAtSea, GivenTooFewDescriptorsItsStatusIsOneThatAServiceStartsAgain) {
   search();
   kill();

@@ -110,7 +110,7 @@ TEST_F(NoAllocationOverLcm, GivenAWholeMissionWithRefusedOrdersAndNonsenseOnTheB
   expect_said(" in STANDBY, ");
   expect_said(" in SEARCH, ");
   // Of the vehicle that has no configuration; of the proof there is none.
-  EXPECT_EQ(earshotd_->output().rfind("warning"), earshotd_->output().find("warning: no vehicle's configuration")) << earshotd_->output();
+  EXPECT_EQ(earshotd_->output().rfind("warning"), earshotd_->output().find("warning: without --vehicle")) << earshotd_->output();
   EXPECT_EQ(earshotd_->output().find("has grown"), std::string::npos);
 }
 

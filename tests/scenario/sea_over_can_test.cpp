@@ -146,7 +146,7 @@ TEST_F(ShortWalk, GivenTheProgramThatEmulatesAVehicleItsOperatorStartsTheSearchA
                            folder_ / "vehicle.txt");
   ASSERT_EQ(vehicle.wait(120s), 0) << vehicle.output();
   const std::string said = vehicle.output();
-  for (const std::string line : {"is in STANDBY\n", "operator: START: obeyed\n", "step 1: at 12.50 km north, 12.50 km east, ",
+  for (const std::string line : {"is in STANDBY\n", "operator: START: obeyed\n", "step 0: at 12.50 km north, 12.50 km east, ",
                                  "is in SEARCH\n", "2.0 m/s, 50 m deep\n", "set-points taken; "}) {
     EXPECT_NE(said.find(line), std::string::npos) << line << "is not in\n" << said << earshotd_->output();
   }

@@ -55,8 +55,8 @@ bool is_being_written(const fs::path& journal) try {
 std::optional<fs::path> journal_under_way(const fs::path& folder_or_journal) {
   const fs::path journal = host::journal_in(folder_or_journal);
   if (journal != folder_or_journal) {  // of several missions at sea in one folder the last is the one that is under way
-    const std::optional<fs::path> newest = host::newest_journal(folder_or_journal / host::kFirstJournal);
-    if (newest && !is_empty_or_missing(*newest) && is_being_written(*newest)) return newest;
+    const fs::path newest = host::newest_journal_in(folder_or_journal);
+    if (!is_empty_or_missing(newest) && is_being_written(newest)) return newest;
   }
   if (std::optional<fs::path> flown = flight_under_way_beside(journal)) return flown;
   if (is_empty_or_missing(journal)) return std::nullopt;

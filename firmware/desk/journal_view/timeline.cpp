@@ -237,8 +237,8 @@ void Timeline::note_input(const messages::HydrophoneStatus& status, std::uint8_t
 }
 
 void Timeline::note_input(const messages::OperatorCommand& command, std::uint8_t port) {
-  // By port 0 come the program's own.
-  if (port == 0 && !is_over_) aborted_by_ = AbortedBy::kProgram;
+  // By port 0 come the program's own: also what its safety record held, given again after an outage.
+  if (port == 0 && command.order == messages::Order::kAbort && !is_over_) aborted_by_ = AbortedBy::kProgram;
   tell_order(Severity::kInformation, to_string(command, port));
 }
 

@@ -1,5 +1,6 @@
 #include "firmware/desk/journal_view/view.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <memory>
@@ -172,12 +173,13 @@ class Viewer {
   std::optional<program::ProgressBar> bar_ = prints_ ? std::nullopt : std::optional<program::ProgressBar>(std::in_place, "journal");
 };
 
-/// Flights at sea may share a folder: what is read of it might be taken for the last one's.
+/// What is read of a folder that holds several.
 void tell_others(const std::filesystem::path& journal) {
-  const std::optional<std::filesystem::path> newest = host::newest_journal(journal);
-  if (newest && *newest != journal && program::talk() != program::Talk::kQuiet)
-    std::cerr << "earshot journal: reads " << host::printable(journal.string()) << "; the folder holds others, the newest "
-              << host::printable(newest->filename().string()) << ": name the one that you mean\n";
+  const auto is_first_part = [](const host::JournalName& name) { return name.part == 1; };
+  const auto journals = std::ranges::count_if(host::journals_beside(journal.parent_path() / host::kFirstJournal), is_first_part);
+  if (journals > 1 && program::talk() != program::Talk::kQuiet)
+    std::cerr << "earshot journal: reads " << host::printable(journal.string()) << ", the newest of " << journals
+              << " journals in this folder; name another to read it\n";
 }
 
 /// A journal that is gone leaves the record that a vehicle is brought up by.
@@ -193,7 +195,7 @@ bool tells_record_alone(const ViewOptions& options) {
 
 int view(const ViewOptions& asked) {
   ViewOptions options = asked;
-  options.journal = host::journal_in(asked.journal);
+  options.journal = host::newest_journal_in(asked.journal);  // flights at sea may share a folder, and whoever names it means the last one
   if (!options.follow && tells_record_alone(options)) {
     std::cerr << host::printable(options.journal.string()) << ": no such file; what is left is the safety record beside it\n";
     return program::kIncomplete;

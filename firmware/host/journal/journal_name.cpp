@@ -90,12 +90,17 @@ std::optional<std::filesystem::path> newest_journal(const std::filesystem::path&
   return newest > 0 ? std::optional(named(wanted, {.journal = newest})) : std::nullopt;
 }
 
-std::filesystem::path journal_in(const std::filesystem::path& folder_or_journal) {
+std::filesystem::path newest_journal_in(const std::filesystem::path& folder_or_journal) {
   std::error_code error;
   if (!std::filesystem::is_directory(folder_or_journal, error)) return folder_or_journal;
-  std::filesystem::path first = folder_or_journal / kFirstJournal;
-  if (std::filesystem::exists(first, error)) return first;
+  const std::filesystem::path first = folder_or_journal / kFirstJournal;
   return newest_journal(first).value_or(first);
+}
+
+std::filesystem::path journal_in(const std::filesystem::path& folder_or_journal) {
+  std::error_code error;
+  const std::filesystem::path first = folder_or_journal / kFirstJournal;
+  return std::filesystem::exists(first, error) ? first : newest_journal_in(folder_or_journal);
 }
 
 std::optional<std::filesystem::path> journal_marked(const std::filesystem::path& wanted, std::uint32_t first_record_crc32) {

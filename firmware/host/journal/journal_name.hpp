@@ -43,6 +43,9 @@ inline constexpr const char* kFirstJournal = "journal.lcmlog";
 /// itself.
 [[nodiscard]] std::filesystem::path journal_in(const std::filesystem::path& folder_or_journal);
 
+/// The newest journal of a folder; kFirstJournal of one that holds none. Any other path is itself.
+[[nodiscard]] std::filesystem::path newest_journal_in(const std::filesystem::path& folder_or_journal);
+
 /// The first part of the newest of them whose first record bears this checksum; nothing when none does.
 [[nodiscard]] std::optional<std::filesystem::path> journal_marked(const std::filesystem::path& wanted, std::uint32_t first_record_crc32);
 

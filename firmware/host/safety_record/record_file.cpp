@@ -65,10 +65,16 @@ FileDescriptor RecordFile::opened_to(int access) {
   // Never through a link, which may lead anywhere, nor into a pipe, which may wait.
   FileDescriptor file(::open(path_.c_str(), access | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
   out_of_reach_ = file.number() < 0 && (errno == EMFILE || errno == ENFILE || errno == ENOMEM) ? errno : 0;
+  is_unreadable_ = file.number() >= 0 || (errno != ENOENT && errno != ENOTDIR);
   struct stat status {};
   if (file.number() < 0 || ::fstat(file.number(), &status) != 0 || !S_ISREG(status.st_mode)) return FileDescriptor();
   is_anybodys_ = !is_ours(status);
-  return is_anybodys_ ? FileDescriptor() : std::move(file);
+  if (is_anybodys_) {
+    if (const std::optional<Found> found = newest_slot(file.number())) unbelieved_ = found->record;
+    return FileDescriptor();
+  }
+  is_unreadable_ = false;
+  return file;
 }
 
 bool RecordFile::open() {
@@ -121,11 +127,11 @@ std::string RecordFile::holder() const {
   return path_.string() + ": another program is writing this file";
 }
 
-std::optional<RecordFile::Found> RecordFile::newest_slot() const {
+std::optional<RecordFile::Found> RecordFile::newest_slot(int file) {
   std::optional<Found> newest;
-  for (std::size_t slot = 0; file_.number() >= 0 && slot < kRecordSlots; ++slot) {
+  for (std::size_t slot = 0; file >= 0 && slot < kRecordSlots; ++slot) {
     SafetyRecordBytes bytes{};
-    const std::size_t size = read_all(file_.number(), bytes, slot * kRecordSlotBytes);
+    const std::size_t size = read_all(file, bytes, slot * kRecordSlotBytes);
     const std::optional<SafetyRecord> record = read_safety_record(std::span(bytes).first(size));
     if (record && (!newest || record->sequence >= newest->record.sequence)) newest = Found{.record = *record, .slot = slot};
   }
@@ -133,7 +139,7 @@ std::optional<RecordFile::Found> RecordFile::newest_slot() const {
 }
 
 std::optional<SafetyRecord> RecordFile::newest() const {
-  const std::optional<Found> found = newest_slot();
+  const std::optional<Found> found = newest_slot(file_.number());
   return found ? std::optional(found->record) : std::nullopt;
 }
 
@@ -194,7 +200,7 @@ bool RecordFile::put(const SafetyRecord& record, std::size_t slot) const {
 
 bool RecordFile::write(const SafetyRecord& record) {
   if (!is_to_be_written()) return false;
-  const std::optional<Found> there = newest_slot();
+  const std::optional<Found> there = newest_slot(file_.number());
   if (!there) return put(record, 0);
   if (there->record == record) return ::fdatasync(file_.number()) == 0;  // it was not brought to the disk
   const bool is_higher = there->record.sequence >= record.sequence;

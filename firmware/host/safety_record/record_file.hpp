@@ -38,6 +38,11 @@ class RecordFile {
   [[nodiscard]] bool is_anybodys() const { return is_anybodys_; }
   /// Why open() did not come to see whether there is one, as errno says it (no descriptor is left); 0: it did.
   [[nodiscard]] int out_of_reach() const { return out_of_reach_; }
+  /// Something bears its name that open() did not take: anybody's file, a folder, a pipe, a link, or what this user or this disk lets
+  /// nobody read. A vehicle may be under way.
+  [[nodiscard]] bool is_unreadable() const { return is_unreadable_; }
+  /// What a file that is_anybodys() states: true of nothing but of whom it is.
+  [[nodiscard]] const std::optional<SafetyRecord>& unbelieved() const { return unbelieved_; }
   /// Marks it as this process's, as long as this is kept. False: another process has it, which may only read it (holder_may_fly()).
   [[nodiscard]] bool claim();
   /// The newest record that is whole. Reads it anew.
@@ -72,7 +77,7 @@ class RecordFile {
 
   [[nodiscard]] FileDescriptor opened_to(int access);
   [[nodiscard]] bool is_to_be_written();
-  [[nodiscard]] std::optional<Found> newest_slot() const;
+  [[nodiscard]] static std::optional<Found> newest_slot(int file);
   [[nodiscard]] bool hold_space() const;
   [[nodiscard]] bool holds(std::span<const std::uint8_t> kept) const;
   [[nodiscard]] bool put(const SafetyRecord& record, std::size_t slot) const;
@@ -82,6 +87,8 @@ class RecordFile {
   FileDescriptor file_;
   int out_of_reach_ = 0;
   bool is_anybodys_ = false;
+  bool is_unreadable_ = false;
+  std::optional<SafetyRecord> unbelieved_;
   bool is_writable_ = false;
   bool is_claimed_ = false;
   bool is_overtaken_ = false;

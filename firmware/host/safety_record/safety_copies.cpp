@@ -45,7 +45,7 @@ struct SafetyCopies::Writers {
   std::uint64_t newest_news = 0;    ///< the sequence of the last that was no stamp
   bool makes_files = false;         ///< `kept` is known
   bool is_given = false;            ///< any record was
-  bool is_damaged = false;          ///< a file was found that holds no whole record
+  bool is_damaged = false;          ///< a file was found that holds no whole record, or cannot be read
   bool is_overtaken = false;
   bool ending = false;
 
@@ -78,7 +78,7 @@ struct SafetyCopies::Writers {
     const std::string path = copy.file.path().string();
     if (!copy.file.open()) {
       if (copy.file.out_of_reach() != 0) throw std::system_error(copy.file.out_of_reach(), std::generic_category(), path);
-      if (copy.file.is_anybodys()) left_out.push_back(path + ": others than root and this program's user may change it");
+      note_unread(copy.file, path);
       return;
     }
     if (claim == Claim::kNeeded && !copy.file.claim() && copy.file.holder_may_fly()) throw RecordInUse(copy.file.holder());
@@ -91,6 +91,13 @@ struct SafetyCopies::Writers {
     } else {
       left_out.push_back(path + ": it is of another vehicle, or of another folder's flights");
     }
+  }
+
+  void note_unread(const RecordFile& file, const std::string& path) {
+    if (!file.is_unreadable()) return;
+    left_out.push_back(path + (file.is_anybodys() ? ": others than root and this program's user may change it" : ": it cannot be read"));
+    const bool is_anothers = file.unbelieved() && !may_be_same(file.unbelieved()->owner, owner);
+    is_damaged = is_damaged || !is_anothers;
   }
 
   [[nodiscard]] std::vector<std::uint8_t> kept_of_found() {

@@ -46,7 +46,7 @@ class SafetyCopies {
 
   /// Of all copies, when this was made: the record that says how this vehicle stands (newest_of()). Nothing: there is none.
   [[nodiscard]] const std::optional<SafetyRecord>& found() const;
-  /// Likewise, there was a file of this program's that holds no whole record.
+  /// Likewise, there was a file that holds no whole record, or that cannot be read or believed, unless it is of another vehicle.
   [[nodiscard]] bool is_damaged() const;
   /// The one that was given last; before any was, the one that was found.
   [[nodiscard]] std::optional<SafetyRecord> newest() const;

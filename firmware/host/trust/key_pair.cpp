@@ -38,14 +38,16 @@ void require_secret_name(const std::filesystem::path& secret_file) {
     throw BadInput(secret_file.string() + ": a secret key must not end in .pub, the public key's name");
 }
 
-SecretKey make_key_pair(const std::filesystem::path& secret_file, LonePublicHalf lone, const std::string& way_out) {
+SecretKey make_key_pair(const std::filesystem::path& secret_file, LonePublicHalf lone, const WaysOut& ways_out) {
   require_secret_name(secret_file);
-  if (std::filesystem::exists(secret_file)) throw BadInput(secret_file.string() + ": exists already; a key is never replaced");
+  if (std::filesystem::exists(secret_file))
+    throw BadInput(secret_file.string() + ": exists already; a key is never replaced: " + ways_out.secret);
   const std::filesystem::path public_file = public_file_of(secret_file);
   const bool replaces = std::filesystem::exists(public_file);
   if (replaces) (void)load_public_key(public_file);
   if (replaces && lone == LonePublicHalf::kStays)
-    throw BadInput(public_file.string() + ": is the public half of a key that is not here, which a vehicle may trust; " + way_out);
+    throw BadInput(public_file.string() + ": is the public half of a key that is not here, which a vehicle may trust; " +
+                   ways_out.lone_public);
   const SecretKey key = make_key();
   write_pair(secret_file, key, replaces);
   return key;

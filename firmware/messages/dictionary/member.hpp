@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -28,12 +29,12 @@ struct WithoutOptional<std::optional<T>> {
   using Type = T;
 };
 
-template <auto kStep, auto... kRest>
-struct Last : Last<kRest...> {};
 template <auto kStep>
-struct Last<kStep> {
+struct Step {
   using Value = decltype(value_of(kStep));
 };
+template <auto... kSteps>
+using Last = std::tuple_element_t<sizeof...(kSteps) - 1, std::tuple<Step<kSteps>...>>;
 
 template <auto kStep, auto... kRest, class Owner>
 constexpr auto* follow(Owner& owner) {
@@ -100,11 +101,6 @@ consteval std::size_t member_count() {
 
 namespace detail {
 
-template <auto kStep>
-struct Step {
-  using Value = typename WithoutOptional<decltype(value_of(kStep))>::Type;
-};
-
 template <class Way>
 struct Split;
 template <auto kFirst, auto... kRest>
@@ -148,7 +144,7 @@ consteval bool leads_on(Types<Ways...> /*ways*/) {
   if constexpr (std::is_same_v<Rest, Types<>>) {
     return true;
   } else {
-    return leads_everywhere<typename First::Value>(Rest{});
+    return leads_everywhere<typename WithoutOptional<typename First::Value>::Type>(Rest{});
   }
 }
 

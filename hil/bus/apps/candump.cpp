@@ -145,7 +145,7 @@ class Work {
     return std::make_unique<hil::Recording>(*settings_.record, settings_.replace ? kIsReplaced : kIsKept);
   }
 
-  [[nodiscard]] bool is_enough() const { return settings_.count && dump_.counters().frames >= *settings_.count; }
+  [[nodiscard]] bool is_enough() const { return settings_.count && dump_.printed() >= *settings_.count; }
 
   /// Everything heard so far goes out before anything is waited for.
   [[nodiscard]] bool flush() {
@@ -321,7 +321,7 @@ int main(int argc, char** argv) {
   line.option("--times", &settings.times, "log: as they stand there; relative: since the first message; utc; local")
       .one_of({"log", "relative", "utc", "local"})
       .shows_default();
-  line.option("-n,--count", &settings.count, "end after so many frames");
+  line.option("-n,--count", &settings.count, "end after so many messages that are shown (with --pgn and --source those alone)");
   const auto record = line.option("--record", &settings.record, "write every NMEA 2000 frame to this log, which canplayer takes");
   line.flag("--replace", &settings.replace, "--record may replace a file").needs(record);
   line.footer(

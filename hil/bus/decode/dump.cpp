@@ -34,7 +34,9 @@ bool Dump::take(const LogEntry& entry) {
   if (recording_ != nullptr) record(entry);
   if (taken != Decoder::Taken::kMessage) return true;
   const bool is_of_group = shown_.pgns.empty() || shown_.pgns.contains(heard.identifier.pgn);
-  if (is_of_group && (!shown_.source || *shown_.source == heard.identifier.source)) printer_.print(out_, heard);
+  if (!is_of_group || (shown_.source && *shown_.source != heard.identifier.source)) return true;
+  printer_.print(out_, heard);
+  ++printed_;
   return true;
 }
 

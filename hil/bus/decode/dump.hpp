@@ -30,6 +30,8 @@ class Dump {
   [[nodiscard]] bool take(const LogEntry& entry);
 
   [[nodiscard]] DecoderCounters counters() const { return decoder_.counters(); }
+  /// Messages that were printed.
+  [[nodiscard]] std::uint64_t printed() const { return printed_; }
   /// Messages that a recorder put together and that are too long for frames that could be recorded.
   [[nodiscard]] std::uint64_t unrecorded() const { return unrecorded_; }
 
@@ -44,6 +46,7 @@ class Dump {
   Recording* recording_;
   Decoder decoder_;
   std::map<std::pair<std::uint32_t, std::uint8_t>, std::uint8_t> sequences_;  ///< of the next fast packet, by group and source
+  std::uint64_t printed_ = 0;
   std::uint64_t unrecorded_ = 0;
 };
 

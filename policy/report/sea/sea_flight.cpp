@@ -68,9 +68,9 @@ class Listener {
       flight_.fixes.push_back({.time_s = time_s_, .position = fix->position, .depth = fix->depth});
     if (const auto* snr = std::get_if<messages::SnrMeasurement>(&input.value); snr != nullptr && std::isfinite(snr->snr.value))
       flight_.measurements.push_back({.time_s = time_s_, .snr_db = snr->snr.value, .too_faint = snr->too_faint});
-    if (std::holds_alternative<messages::OperatorCommand>(input.value) && input.port == kEarshotItself &&
-        flight_.end_reason == EndReason::kNone)
-      flight_.aborted_by = journal::AbortedBy::kProgram;
+    const auto* const order = std::get_if<messages::OperatorCommand>(&input.value);
+    const bool is_own_abort = order != nullptr && order->order == messages::Order::kAbort && input.port == kEarshotItself;
+    if (is_own_abort && flight_.end_reason == EndReason::kNone) flight_.aborted_by = journal::AbortedBy::kProgram;
   }
 
   void note(const messages::Health& health) {
@@ -101,9 +101,14 @@ class Listener {
   }
 
   void note(const messages::SafetyEvent& event) {
-    tell(journal::to_string(event));
-    if (flight_.state == MissionState::kSearch && event.begins && event.response >= config::Response::kAbort)
-      flight_.ending_rule = journal::to_string(event);
+    const std::string rule = journal::to_string(event);
+    tell(rule);
+    if (flight_.state != MissionState::kSearch || !event.begins) return;
+    if (event.response >= config::Response::kAbort)
+      flight_.ending_rule = rule;
+    else if (event.response >= config::Response::kReturn && !flight_.account.way_home)
+      flight_.account.way_home = {
+          .rule = rule, .steps = flight_.steps_taken, .is_to_surface = event.response == config::Response::kSurface};
   }
 
   void note(const messages::JournalResumed& resumed) {

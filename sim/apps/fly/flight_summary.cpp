@@ -30,11 +30,8 @@ std::string place_line(const json& s) {
   const json& low = s.at("area").at("south_west");
   const json& high = s.at("area").at("north_east");
   const auto side = [&](const char* axis) { return high.at(axis).get<double>() - low.at(axis).get<double>(); };
-  const json origin = s.value("origin", json());
-  return entry("area", km(side("north_m")) + " north by " + km(side("east_m")) + " east" +
-                           (origin.is_null() ? ""
-                                             : "; the plane's origin lies at " +
-                                                   search::geographic(origin.at("latitude_deg"), origin.at("longitude_deg"))));
+  const std::string place = search::place_of_area(s, "");
+  return entry("area", km(side("north_m")) + " north by " + km(side("east_m")) + " east" + (place.empty() ? "" : "; " + place));
 }
 
 std::string vehicle_line(const json& s) {
@@ -45,7 +42,9 @@ std::string vehicle_line(const json& s) {
 
 std::string source_line(const json& s) {
   if (!s.contains("source_frequency_hz")) return "";
-  return entry("source", decimals(s.at("source_frequency_hz"), 1) + " Hz; the vehicle does not know where it is");
+  const bool is_fixed = s.value("source_is_fixed", false);
+  return entry("source", decimals(s.at("source_frequency_hz"), 1) + " Hz" +
+                             (is_fixed ? ", where the environment has it" : "; the vehicle does not know where it is"));
 }
 
 std::string steps_to_string(const json& s) {

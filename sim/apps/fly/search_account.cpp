@@ -18,11 +18,6 @@ nlohmann::ordered_json or_null(const std::optional<std::uint32_t>& step) {
   return step ? nlohmann::ordered_json(*step) : nlohmann::ordered_json();
 }
 
-/// The value of a summary's key; null where it has none.
-nlohmann::json value_in(const nlohmann::json& summary, const char* key) {
-  return summary.value(key, nlohmann::json());
-}
-
 /// What a person should know of a flight that heard: its first minutes went by before the search.
 std::string hearing_of(const nlohmann::json& hearing) {
   return std::string(hearing.at("sound") == kSynthetic ? "synthetic sound" : "recorded sound") + ": " +
@@ -84,9 +79,6 @@ std::string account_lines(const nlohmann::json& s) {
   std::string text;
   if (s.contains("battery_percent")) text += entry("battery", decimals(s.at("battery_percent"), 1) + " % left");
   for (const search::LabelledSentence& sentence : search::sentences(search::account_in(s))) text += entry(sentence.label, sentence.text);
-  if (const nlohmann::json home = value_in(s, "went_home"); !home.is_null())
-    text += entry("went home", "by " + home.at("what").get<std::string>() + ", after " +
-                                   std::to_string(home.at("step").get<std::uint32_t>()) + (home.at("step") == 1 ? " step" : " steps"));
   if (s.contains("hearing")) text += entry("heard", hearing_of(s.at("hearing")));
   return text;
 }

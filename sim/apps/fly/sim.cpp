@@ -216,6 +216,7 @@ nlohmann::ordered_json summary_of(const Options& o, const FlightPlan& plan, cons
                                  {"environment", o.environment.string()},
                                  {"mission", o.mission.string()},
                                  {"source", place(source)},
+                                 {"source_is_fixed", o.source == "fixed"},
                                  {"start", place(start.position)},
                                  {"end", place(result.end.position)},
                                  {"area", {{"south_west", place(area.south_west)}, {"north_east", place(area.north_east)}}},

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sim/apps/listen/outputs.hpp"
+#include "sim/netcdf/units.hpp"
 #include "sim/netcdf/writer.hpp"
 
 namespace earshot::listen {
@@ -89,10 +90,11 @@ void write_levels(const Result& result, const Arguments& arguments) {
   write_axis(file, "percentile", {spectrum::kPercentiles.begin(), spectrum::kPercentiles.end()},
              {{"long_name", "share of the windows whose level is no higher"}, {"units", "percent"}});
   const std::string unit = chain.unit();
-  write_floats(file, "level", {"time", "frequency"}, {{"long_name", "level of the mean power in the band, " + unit}, {"units", "dB"}},
+  write_floats(file, "level", {"time", "frequency"},
+               {{"long_name", "level of the mean power in the band, " + unit}, {"units", netcdf::kDecibels}},
                as_told(levels.mean_level_db(), chain.correction()));
   write_floats(file, "level_percentile", {"time", "percentile", "frequency"},
-               {{"long_name", "percentiles of the levels of one second, " + unit}, {"units", "dB"}},
+               {{"long_name", "percentiles of the levels of one second, " + unit}, {"units", netcdf::kDecibels}},
                as_told(levels.percentile_level_db(), chain.correction()));
   file.commit();
 }

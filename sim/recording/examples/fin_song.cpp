@@ -1,12 +1,14 @@
-// fin_song SOUND.wav|SOUND.flac TRUTH.txt: five minutes of a made fin whale's song in noise, and where each call lies as a Raven selection
-// table. The same bytes on every machine and in every run. For trying `earshot listen` without a recording.
+// fin_song SOUND.wav|SOUND.flac TRUTH.txt [--steady]: five minutes of a made fin whale's song in noise, and where each call lies as a Raven
+// selection table. The same bytes on every machine and in every run. For trying `earshot listen` without a recording.
 
 #include <sndfile.h>
 
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <iostream>
 #include <numbers>
+#include <string_view>
 #include <vector>
 
 #include "firmware/core/random.hpp"
@@ -40,9 +42,12 @@ double pulse(double t_s) {
   return std::sqrt(16.0 / 3.0) * window * std::sin(phase);
 }
 
-/// From 25 dB to 6 dB over the noise of the band of 15 to 30 Hz.
-double amplitude(int call, int calls) {
-  const double snr_db = 25.0 - 19.0 * call / (calls - 1);
+/// How loud the calls of a song are after the first one.
+enum class Loudness : std::uint8_t { kFading, kSteady };
+
+/// 25 dB over the noise of the band of 15 to 30 Hz; fading: from there to 6 dB.
+double amplitude(int call, int calls, Loudness loudness) {
+  const double snr_db = loudness == Loudness::kSteady ? 25.0 : 25.0 - 19.0 * call / (calls - 1);
   const double noise_power = kNoise * kNoise * 15.0 / (0.5 * kRate_hz);
   return std::sqrt(noise_power * std::pow(10.0, snr_db / 10.0));
 }
@@ -59,7 +64,7 @@ void write_sound(const std::filesystem::path& path, const std::vector<float>& sa
   file.commit(host::OutputFile::Survives::kProcess);
 }
 
-void make(const std::filesystem::path& sound, const std::filesystem::path& truth) {
+void make(const std::filesystem::path& sound, const std::filesystem::path& truth, Loudness loudness) {
   host::require_writable(sound, kSound, host::Replace::kOwnKind, "another name is needed");
   host::require_writable(truth, annotation::kSelectionOutput, host::Replace::kOwnKind, "another name is needed");
   Pcg32 random(20);
@@ -71,7 +76,7 @@ void make(const std::filesystem::path& sound, const std::filesystem::path& truth
     const double begin_s = kFirst_s + kInterval_s * call;
     const auto first = static_cast<std::size_t>(begin_s * kRate_hz);
     for (std::size_t i = 0; i < static_cast<std::size_t>(kCall_s * kRate_hz); ++i)
-      samples[first + i] += static_cast<float>(amplitude(call, calls) * pulse(static_cast<double>(i) / kRate_hz));
+      samples[first + i] += static_cast<float>(amplitude(call, calls, loudness) * pulse(static_cast<double>(i) / kRate_hz));
     table.selections.push_back({.begin_s = begin_s,
                                 .end_s = begin_s + kCall_s,
                                 .low_hz = 18.0,
@@ -88,12 +93,13 @@ void make(const std::filesystem::path& sound, const std::filesystem::path& truth
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3) {
-    std::cerr << "usage: fin_song SOUND.wav|SOUND.flac TRUTH.txt\n";
+  const bool is_steady = argc == 4 && std::string_view(argv[3]) == "--steady";
+  if (argc != 3 && !is_steady) {
+    std::cerr << "usage: fin_song SOUND.wav|SOUND.flac TRUTH.txt [--steady]\n";
     return 2;
   }
   try {
-    make(argv[1], argv[2]);
+    make(argv[1], argv[2], is_steady ? Loudness::kSteady : Loudness::kFading);
     return 0;
   } catch (const std::exception& e) {
     std::cerr << e.what() << '\n';

@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
+#include "firmware/config/safety.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/messages/dictionary/mission_words.hpp"
 #include "firmware/messages/health.hpp"
@@ -16,6 +18,7 @@ using messages::EndReason;
 
 constexpr std::uint64_t kMostSteps = 1'000'000'000;
 constexpr double kMostNumber = 1e15;
+constexpr std::string_view kSurfaceWord = config::kResponseWords.at(static_cast<std::size_t>(config::Response::kSurface));
 
 /// The value of a summary's key; null where it has none.
 nlohmann::json value_in(const nlohmann::json& table, const char* key) {
@@ -79,7 +82,10 @@ std::string mismatch_sentence(const SearchAccount& a) {
                             decimals(static_cast<double>(messages::kSurprising_bits), 2) + " on it is a mismatch).";
   if (a.surprised_step)
     return "From " + step_to_string(*a.surprised_step) + " on, the SNR that it measured was unlikely in every ocean of its tables" + score;
-  if (a.swept_in_silence()) return "The SNR that it measured fits the oceans of its tables, but they predict more detections" + score;
+  if (a.swept_in_silence())
+    return "The SNR that it measured fits the oceans of its tables, but there were too few detections: the source may be fainter or silent "
+           "for longer than expected, or not there" +
+           score;
   return "The SNR that it measured fits the oceans of its tables" + score;
 }
 
@@ -96,6 +102,11 @@ std::string declared_sentence(const SearchAccount& a) {
   return what + (a.declared_wrongly() ? ", wrongly: " : ": ") + meters_to_string(*a.declared_range_m) + " from the source.";
 }
 
+std::string way_home_sentence(const SearchAccount::WayHome& way_home) {
+  return "After " + steps_to_string(way_home.steps) + " a safety rule sent the vehicle " +
+         (way_home.is_to_surface ? "to the surface" : "home") + ": " + way_home.rule + ".";
+}
+
 }  // namespace
 
 std::string fault_in_account(const nlohmann::json& summary) {
@@ -109,7 +120,10 @@ std::string fault_in_account(const nlohmann::json& summary) {
   if (!rule.is_null() && !(rule.is_object() && value_in(rule, "what").is_string())) return "ended_by: must be what, rule";
   const nlohmann::json declared = value_in(summary, "declared_found");
   const bool is_declaration = declared.is_object() && is_step(value_in(declared, "step")) && is_number(value_in(declared, "range_m"));
-  return declared.is_null() || is_declaration ? "" : "declared_found: must be step, range_m";
+  if (!declared.is_null() && !is_declaration) return "declared_found: must be step, range_m";
+  const nlohmann::json home = value_in(summary, "went_home");
+  const bool is_way_home = home.is_object() && is_step(value_in(home, "step")) && value_in(home, "what").is_string();
+  return home.is_null() || is_way_home ? "" : "went_home: must be step, what";
 }
 
 SearchAccount account_in(const nlohmann::json& summary) {
@@ -127,6 +141,10 @@ SearchAccount account_in(const nlohmann::json& summary) {
     account.declared_step = declared.at("step").get<std::uint32_t>();
     account.declared_range_m = declared.at("range_m").get<double>();
   }
+  if (const nlohmann::json home = value_in(summary, "went_home"); !home.is_null())
+    account.way_home = {.rule = home.at("what").get<std::string>(),
+                        .steps = home.at("step").get<std::uint32_t>(),
+                        .is_to_surface = value_in(home, "response") == kSurfaceWord};
   if (const nlohmann::json rule = value_in(summary, "ended_by"); !rule.is_null()) account.ending_rule = rule.at("what").get<std::string>();
   return account;
 }
@@ -163,9 +181,10 @@ std::vector<LabelledSentence> sentences(const SearchAccount& a) {
   if (a.declared_step)
     all.push_back({"declared", declared_sentence(a)});
   else if (a.believes && a.is_found)
-    all.push_back({"declared",
-                   "The vehicle had not declared the source found itself by then. The simulation ends within a step length of the source; "
-                   "at sea the search would go on."});
+    all.push_back(
+        {"declared",
+         "The vehicle's own rule had not reported the source found by then. The simulation ends here; at sea the search would go on."});
+  if (a.way_home) all.push_back({a.way_home->is_to_surface ? "came up" : "went home", way_home_sentence(*a.way_home)});
   return all;
 }
 
@@ -173,6 +192,15 @@ std::string to_string(const SearchAccount& account) {
   std::string text;
   for (const LabelledSentence& sentence : sentences(account)) text += (text.empty() ? "" : " ") + sentence.text;
   return text;
+}
+
+std::string place_of_area(const nlohmann::json& summary, const std::string& degree) {
+  const nlohmann::json origin = value_in(summary, "origin");
+  if (origin.is_null()) return "";
+  const nlohmann::json& corner = summary.at("area").at("south_west");
+  const bool is_corner = corner.at("north_m") == 0.0 && corner.at("east_m") == 0.0;
+  return (is_corner ? "its south-west corner lies at " : "the place from which metres north and east count lies at ") +
+         geographic(origin.at("latitude_deg"), origin.at("longitude_deg"), degree);
 }
 
 std::string detection_means(double threshold_db) {

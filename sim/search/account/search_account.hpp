@@ -8,8 +8,8 @@
 
 namespace earshot::search {
 
-/// What a vehicle reported of its search: whether its measurements fitted its ocean tables, whether it swept the area, and whether it
-/// declared the source found; and, of a simulated flight, how that ended.
+/// What a vehicle reported of its search: whether its measurements fitted its ocean tables, whether it swept the area, whether it declared
+/// the source found, and which rule sent it home; and, of a simulated flight, how that ended.
 struct SearchAccount {
   bool believes = false;  ///< false: the policy holds no belief, and has no model-mismatch score
   double surprise_bits = 0.0;
@@ -19,6 +19,13 @@ struct SearchAccount {
   std::optional<std::uint32_t> declared_step = std::nullopt;  ///< the first
   std::optional<double> declared_range_m = std::nullopt;      ///< to the source, where a simulator knows it
   std::optional<double> step_length_m = std::nullopt;
+  /// The first rule that sent the vehicle home, or to the surface.
+  struct WayHome {
+    std::string rule;         ///< in words with its evidence
+    std::uint32_t steps = 0;  ///< that it had taken by then
+    bool is_to_surface = false;
+  };
+  std::optional<WayHome> way_home = std::nullopt;
   bool is_found = false;  ///< a simulator ended the search within a step length of the source
   std::uint32_t steps = 0;
   std::string end_reason = "";   ///< the summary's code, of this version; "": none is known
@@ -48,12 +55,12 @@ struct Verdict {
 
 /// A sentence about a search, and the one word that names its subject.
 struct LabelledSentence {
-  std::string label;  ///< "mismatch", "sweep", "declared"
+  std::string label;  ///< "mismatch", "sweep", "declared", "went home", "came up"
   std::string text;
 };
 
-/// Whether measurements fitted the ocean tables, whether the vehicle swept the area, whether it declared the source found. None where
-/// nothing is known of it.
+/// Whether measurements fitted the ocean tables, whether the vehicle swept the area, whether it declared the source found, which rule sent
+/// it home. None where nothing is known of it.
 [[nodiscard]] std::vector<LabelledSentence> sentences(const SearchAccount& account);
 
 /// The same as one paragraph.
@@ -61,6 +68,9 @@ struct LabelledSentence {
 
 // What the numbers of a flight mean, in one line each, as terminal and page print it.
 inline constexpr const char* kRewardMeans = "0 for each step that ends with a detection, -1 for each other, and less near the area's edge";
+/// "its south-west corner lies at 38.500 N, 28.000 W"; "" where a summary of an earlier version has no origin.
+/// @param degree  behind each number
+[[nodiscard]] std::string place_of_area(const nlohmann::json& summary, const std::string& degree);
 /// "a step that ends with an SNR of 10 dB or more"
 [[nodiscard]] std::string detection_means(double threshold_db);
 /// "the vehicle came within one step length of the source, 1.0 km"

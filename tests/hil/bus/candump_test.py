@@ -80,6 +80,7 @@ class Reads(InAFolder):
         self.assertEqual(said("--source", "128"), [(128, 127250)])
         self.assertEqual(said("--pgn", "127250,129025", "--source", "127"), [(127, 129025), (127, 127250)])
         self.assertEqual(said("--count", "1"), [(127, 129025)])
+        self.assertEqual(said("--source", "128", "--count", "1"), [(128, 127250)])
 
     def test_past_damaged_lines_and_says_where_they_are(self):
         log = self.write("sea.log", f"{LINES[0]}\n\nnonsense\n{LINES[1]}\n{LINES[2][:-1]}")

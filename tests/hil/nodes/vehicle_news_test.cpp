@@ -70,7 +70,7 @@ TEST_F(VehicleNewsTest, TellsOfADecisionWithHowFarTheSourceReallyIs) {
   decision.waypoint = {Meters{12'500}, Meters{4'000}};
   ASSERT_EQ(n2k::compose_decision(decision, {.source = kEarshot, .sequence = 0}, packet), Status::kOk);
   accept(packet);
-  EXPECT_EQ(news_.lines(Time{}), Lines{"0:00:00  step 3: at 12.50 km north, 3.00 km east, SNR 11.3 dB; on to 12.50 km north, 4.00 km east "
+  EXPECT_EQ(news_.lines(Time{}), Lines{"0:00:00  step 2: at 12.50 km north, 3.00 km east, SNR 11.3 dB; on to 12.50 km north, 4.00 km east "
                                        "(the source is 5.00 km away)"});
 }
 

@@ -25,7 +25,10 @@ class ExplainPrograms : public Programs {
 
 TEST_F(ExplainPrograms, ExplainWritesAReportInEachFormatAndTheReportOfTheFlight) {
   ASSERT_EQ(run("explain decision flight --step 2 -o decision.html"), 0) << content("err");
-  EXPECT_NE(content("out").find("complete within 0.001"), std::string::npos) << content("out");
+  EXPECT_EQ(content("out").find("Integrated gradients"), std::string::npos) << content("out");
+  EXPECT_NE(content("decision.html").find("complete within 0.001"), std::string::npos);
+  ASSERT_EQ(run("explain decision flight --step 2 -o decision.html --verbose"), 0) << content("err");
+  EXPECT_NE((content("out") + content("err")).find("Integrated gradients: "), std::string::npos) << content("out");
   EXPECT_NE(content("decision.html").find("<svg"), std::string::npos);
   ASSERT_EQ(run("explain decision flight/journal.lcmlog --baseline here --step 2 -o decision.md"), 0) << content("err");
   EXPECT_NE(content("decision.md").find("a vehicle at the same place that has heard nothing yet"), std::string::npos);

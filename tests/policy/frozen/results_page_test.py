@@ -94,7 +94,7 @@ class PageTest(unittest.TestCase):
         self.assertIn(f"| `rock` | 94.5 % {found} | {hours} | 3.50 | 0.5, 0 % | 12.5 % |\n", page)
 
     def test_says_how_many_were_surprised_over_the_test_worlds(self) -> None:
-        self.assertIn("Surprised: 3.5 % of the searches", " ".join(self.page().split()))  # of 2 and 5 %
+        self.assertIn("Mismatch: 3.5 % of the searches", " ".join(self.page().split()))  # of 2 and 5 %
 
     def test_names_the_commit_that_was_measured(self) -> None:
         self.assertIn("at commit 0123abc", self.page())

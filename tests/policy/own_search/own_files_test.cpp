@@ -130,6 +130,19 @@ TEST_F(OwnFiles, OceanIsReadBackAsWhatWasAskedFor) {
   EXPECT_TRUE(Rectangle(NorthEast{}, {Meters{20'000.0}, Meters{18'000.0}}).contains(environment.source.position));
 }
 
+TEST_F(OwnFiles, OceanStatesWhenThePlaceOfItsSourceCounts) {
+  const std::string text = ocean_text(kOwn);
+  EXPECT_NE(text.find("\nnorth_m = 8000.0  # with --source fixed only; otherwise the seed draws the place\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\neast_m = 7200.0  # with --source fixed only; otherwise the seed draws the place\n"), std::string::npos) << text;
+}
+
+TEST_F(OwnFiles, ReadmeStatesWhichPathsToChangeForTheVehicle) {
+  const std::string text = readme_text({}, FliesBy::kWhatShips, "/own");
+  EXPECT_NE(text.find("copied to the vehicle. Change the paths in `run` and `mission.toml` to those of that computer.\n"),
+            std::string::npos)
+      << text;
+}
+
 TEST_F(OwnFiles, OceanOfShallowWaterHasItsSourceInTheWater) {
   EXPECT_EQ(search::load_scenario(written(ocean_text({.depth_m = 10.0, .sea_floor_m = 20.0}))).environment.source.depth, Meters{10.0});
 }

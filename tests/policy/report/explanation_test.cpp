@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "tests/policy/report/occurrences.hpp"
+
 namespace earshot::report {
 namespace {
 
@@ -27,34 +29,75 @@ explain::DecisionAccount account_of_three() {
   return account;
 }
 
-TEST(Explanation, GivesInPhysicalWordsWhyThisDirectionAndNotTheNextBest) {
+/// 1 / 0.76 - 1 = 0.316, 1 / 0.95 - 1 = 0.053: what the ratings 0.76 and 0.95 mean in steps without a detection.
+constexpr const char* kRated =
+    "Why NE and not E: the rest of the search is expected to cost least after NE; E costs 0.32 steps without a detection more. ";
+
+TEST(Explanation, GivesTheRatingFirstAndThenInPhysicalWordsWhyThisDirectionAndNotTheNextBest) {
   EXPECT_EQ(
       why_this_direction(account_of_three()),
-      "Why NE and not E, the next best: the likeliest place is 3.2 km NE; NE promises to find the source within three steps with 41 %, "
-      "E with 12 %.");
+      std::string(kRated) + "The likeliest place is 3.2 km NE; NE promises to find the source within three steps with 41 %, E with 12 %.");
 }
 
 TEST(Explanation, ComparesApproachAndDetectionWhereBothFindTheSourceAlikeOrNotSoon) {
   explain::DecisionAccount account = account_of_three();
   account.actions[0].found_soon = 0.408;
   EXPECT_EQ(why_this_direction(account),
-            "Why NE and not E, the next best: the likeliest place is 3.2 km NE; NE promises to find the source within three steps with 41 "
-            "%, E as "
-            "much; on average over the belief NE comes 0.90 km nearer and detects it with 80 %, E 0.50 km and 75 %.");
+            std::string(kRated) +
+                "The likeliest place is 3.2 km NE; NE promises to find the source within three steps with 41 %, E as much; on average over "
+                "the belief NE comes 0.90 km nearer and detects it with 80 %, E 0.50 km and 75 %.");
   for (explain::ActionAccount& action : account.actions) action.found_soon = 0.002;
   EXPECT_EQ(why_this_direction(account),
-            "Why NE and not E, the next best: the likeliest place is 3.2 km NE; neither finds it within three steps; on average over the "
-            "belief NE "
-            "comes 0.90 km nearer and detects it with 80 %, E 0.50 km and 75 %.");
+            std::string(kRated) +
+                "The likeliest place is 3.2 km NE; neither finds it within three steps; on average over the belief NE comes 0.90 km nearer "
+                "and detects it with 80 %, E 0.50 km and 75 %.");
 }
 
-TEST(Explanation, RatesAnAdvisedChoiceAndTheNextBest) {
+TEST(Explanation, StatesThatTheDifferenceToTheNextBestIsSmall) {
   explain::DecisionAccount account = account_of_three();
-  EXPECT_EQ(because(account),
-            "All costs of the search together, the belief rates NE 1.00 and E 0.76 (1: the best direction, 0: the worst).");
+  account.actions[0].worth = 0.95;
+  EXPECT_TRUE(why_this_direction(account).starts_with(
+      "Why NE and not E: the rest of the search is expected to cost least after NE; E costs 0.05 steps without a detection more, a small "
+      "difference. The likeliest place"))
+      << why_this_direction(account);
+}
+
+TEST(Explanation, DoesNotCallADirectionCheapestThatWasDrawnAgainstTheRating) {
+  explain::DecisionAccount account = account_of_three();
   account.decision.action = 0;
-  EXPECT_EQ(because(account),
-            "All costs of the search together, the belief rates E 0.76 and NE 1.00 (1: the best direction, 0: the worst).");
+  EXPECT_TRUE(why_this_direction(account).starts_with(
+      "Why E and not NE: the rest of the search is expected to cost least after NE; E costs 0.32 steps without a detection more. "))
+      << why_this_direction(account);
+}
+
+TEST(Explanation, RatesTheDirectionsOfATrainedPolicyByItsProbabilities) {
+  explain::DecisionAccount account = account_of_three();
+  for (explain::ActionAccount& action : account.actions) action.worth = std::nullopt;
+  account.actions[0].probability = 0.31;
+  account.actions[1].probability = 0.51;
+  EXPECT_TRUE(why_this_direction(account).starts_with("Why NE and not E: the policy gave NE 51 % and E 31 %. The likeliest place"))
+      << why_this_direction(account);
+  account.actions[0].probability = 0.48;
+  EXPECT_TRUE(why_this_direction(account).starts_with("Why NE and not E: the policy gave NE 51 % and E 48 %, a small difference. "))
+      << why_this_direction(account);
+}
+
+TEST(Explanation, StatesWhetherThePolicyTakesItsLikeliestDirectionOrDrawsLots) {
+  explain::DecisionAccount account = account_of_three();
+  account.actions[1].probability = 0.51;
+  account.actions[0].probability = 0.31;
+  account.likeliest_action = 1;
+  account.draw = policy::ActionDraw::kArgmax;
+  EXPECT_EQ(choice_sentence(account), "It chose NE: this policy always takes the direction with the highest probability, here 51 %.");
+  account.draw = policy::ActionDraw::kSampled;
+  EXPECT_EQ(choice_sentence(account), "It chose NE, which had 51 %: this policy draws lots by its probabilities.");
+  account.decision.action = 0;
+  EXPECT_EQ(choice_sentence(account),
+            "It chose E, which had 31 %: this policy draws lots by its probabilities, and NE was likelier with 51 %.");
+}
+
+TEST(Explanation, CallsTheLikeliestPlaceASinglePlaceOfABeliefThatIsSpread) {
+  EXPECT_EQ(count(sentences(account_of_three()).at(1), "the likeliest single place of a belief that is spread); with 50 %"), 1U);
 }
 
 TEST(Explanation, TellsALookTooFaintToMeasureFromAMeasuredOne) {

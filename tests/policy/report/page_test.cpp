@@ -36,8 +36,9 @@ TEST_F(PageTest, UnfoldsTheReasonsOfEveryDecision) {
   ASSERT_EQ(explanation.why_not, "");
   const std::string text = page(read_flight(folder_), {.map = "<svg>map</svg>", .history = ""}, explanation);
   EXPECT_EQ(count(text, "<details><summary>why "), 3U);
-  EXPECT_EQ(count(text, "the next best: the likeliest place is "), 3U);
+  EXPECT_EQ(count(text, "The likeliest place is "), 3U);
   EXPECT_EQ(count(text, "complete within 0.001"), 3U);
+  EXPECT_EQ(count(text, "<h3>What moved the choice</h3>\n<p>How much each number that the policy received moved the choice"), 3U);
   EXPECT_EQ(count(text, "<svg"), 4U) << "the map and a chart for each decision";
   EXPECT_EQ(count(text, "The safety layer moved the way-point"), 1U);
 }
@@ -124,11 +125,17 @@ TEST_F(PageTest, GivesFrequencyDepthSpeedPlaceAndDateAndWhatEachResultMeans) {
   EXPECT_EQ(count(text, "<dt>frequency of the source</dt><dd>20.0 Hz</dd>"), 1U);
   EXPECT_EQ(count(text, "<dt>depth of the vehicle</dt><dd>300 m</dd>"), 1U);
   EXPECT_EQ(count(text, "<dt>speed of the vehicle</dt><dd>2.0 m/s</dd>"), 1U);
-  EXPECT_EQ(count(text, "its origin lies at 38.500\u00B0 N, 28.000\u00B0 W"), 1U);
+  EXPECT_EQ(count(text, "its south-west corner lies at 38.500\u00B0 N, 28.000\u00B0 W"), 1U);
   EXPECT_EQ(count(text, "<dt>simulated on</dt><dd>2026-11-29 18:38:46 UTC</dd>"), 1U);
   for (const char* meaning : {"0 for each step that ends with a detection", "a step that ends with an SNR of 10 dB or more",
                               "the vehicle came within one step length of the source", "the vehicle's own rule reports"})
     EXPECT_EQ(count(text, std::string("<dd class=\"meaning\">") + meaning), 1U) << meaning;
+}
+
+TEST_F(PageTest, StatesThatARowIsTheDecisionThatBeginsAStepAndThatTheLastStepsEndHasNone) {
+  const std::string text = page(read_flight(folder_), {}, {});
+  EXPECT_EQ(count(text, "<p>A row is the decision that begins a step, the first that of step 0. Its SNR was measured before it."), 1U);
+  EXPECT_EQ(count(text, "What was measured at the end of the last step has no row"), 1U);
 }
 
 TEST_F(PageTest, RefusesASummaryWhoseOriginIsNoPlace) {
@@ -179,6 +186,7 @@ TEST_F(PageTest, SaysWhichRuleEndedASimulatedFlightWhatHappenedBeforeAndWhatIsLe
   EXPECT_EQ(count(text, "<h2>What happened</h2>"), 1U);
   EXPECT_EQ(count(text, "<td>10 min</td><td class=\"left\">rule 10, battery_percent: 29.998, below 30.000: abort</td>"), 1U);
   EXPECT_EQ(count(text, "<td class=\"left\">order START, number 1 of issuer 1: obeyed</td>"), 1U);
+  EXPECT_EQ(count(text, "<p>The simulator gave the orders: START, COMPLETE once the vehicle was within a step length of the source"), 1U);
   EXPECT_EQ(count(text, "<dt>battery left</dt><dd>30.0 %</dd>"), 1U);
   EXPECT_EQ(count(text, "Refused as they came in"), 0U);
 }

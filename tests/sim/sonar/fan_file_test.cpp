@@ -134,10 +134,10 @@ TEST(FanFile, SaysOfEveryNumberWhatItIsAndInWhichUnit) {
        {Row{"source_frequency", 20.0, "Hz", "frequency of the source"}, Row{"source_depth", 30.0, "m", "depth of the source"},
         Row{"source_north", 10.0, "m", "northing of the source in the local plane"},
         Row{"source_east", 20.0, "m", "easting of the source in the local plane"},
-        Row{"source_level", 190.0, "dB", "source level, dB re 1 uPa at 1 m"},
-        Row{"noise_level", 90.0, "dB", "noise level in the detector's band, dB re 1 uPa"},
-        Row{"detection_threshold", 10.0, "dB", "signal-to-noise ratio needed for detection"},
-        Row{"fluctuation", 6.0, "dB", "standard deviation of the signal-to-noise ratio, normal in dB"}}) {
+        Row{"source_level", 190.0, "0.1 lg(re 1)", "source level, dB re 1 uPa at 1 m"},
+        Row{"noise_level", 90.0, "0.1 lg(re 1)", "noise level in the detector's band, dB re 1 uPa"},
+        Row{"detection_threshold", 10.0, "0.1 lg(re 1)", "signal-to-noise ratio needed for detection"},
+        Row{"fluctuation", 6.0, "0.1 lg(re 1)", "standard deviation of the signal-to-noise ratio, normal in dB"}}) {
     EXPECT_EQ(file.read(row.name), std::vector<double>{row.value}) << row.name;
     EXPECT_EQ(attributes.text(row.name, "units"), row.unit) << row.name;
     EXPECT_EQ(attributes.text(row.name, "long_name"), row.long_name) << row.name;
@@ -195,7 +195,7 @@ TEST(FanFile, GivesItsMapTheProjectionOfTheChart) {
   EXPECT_EQ(attributes.text("map_detection_probability", "grid_mapping"), "local_plane");
   EXPECT_EQ(attributes.text("north", "standard_name"), "projection_y_coordinate");
   EXPECT_EQ(attributes.text("east", "standard_name"), "projection_x_coordinate");
-  EXPECT_EQ(attributes.text("map_snr", "units"), "dB");
+  EXPECT_EQ(attributes.text("map_snr", "units"), "0.1 lg(re 1)");
   EXPECT_EQ(attributes.text("map_detection_probability", "units"), "1");
 
   write_fan(folder / "fan.nc", fan(), map, environment(), {Hertz{20.0}, Hertz{20.0}}, kDetector, "by hand");  // no origin, no projection

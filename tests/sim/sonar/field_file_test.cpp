@@ -82,7 +82,7 @@ TEST_F(FieldFile, NamesItsConventionsUnitsAndProvenance) {
   EXPECT_EQ(text("", "environment_crc32"), "0x1234abcd");
   EXPECT_EQ(text("depth", "positive"), "down");
   EXPECT_EQ(text("range", "units"), "m");
-  EXPECT_EQ(text("transmission_loss", "units"), "dB");
+  EXPECT_EQ(text("transmission_loss", "units"), "0.1 lg(re 1)");
   EXPECT_NE(text("transmission_loss", "comment").find("rounded to 1/256 dB"), std::string::npos);
   nc_close(id);
 }

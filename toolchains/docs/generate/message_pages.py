@@ -39,7 +39,7 @@ def lcm_page(folder: Path) -> str:
 
 
 def _lcm_type(text: str) -> str:
-    """Comments between package and struct say what the message is; a field's stands behind it, or on the lines before."""
+    """Comments between package and struct describe the message; a field's stands behind it, or on the lines before."""
     before, _, body = text.partition("package ")[2].partition("struct ")
     name = body.split("{")[0].strip()
     about = " ".join(line.removeprefix("//").strip() for line in before.splitlines() if line.startswith("//"))

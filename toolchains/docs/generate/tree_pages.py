@@ -31,6 +31,8 @@ def page_of(name: str, is_folder: bool) -> str:
     path = PurePosixPath(name)
     if path.is_relative_to(SITE):
         return str(path.relative_to(SITE))
+    # The site's generator leaves out whatever has a name that begins with a dot.
+    path = PurePosixPath(*(part.lstrip(".") or part for part in path.parts))
     if is_folder:
         return str(PurePosixPath("tree") / path / "README.md")
     if path.suffix == ".md" or path.suffix in PICTURES:

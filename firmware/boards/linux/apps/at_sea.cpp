@@ -104,16 +104,29 @@ int fly_at_sea(const Options& o, const HostClock& host, const std::function<int(
   const SafetyFolders folders = SafetyFolders::of_this_process();
   for (const std::string& doubt : doubts_about(safety_places(o.out, o.safety_copies, folders), folders))
     std::cerr << "earshotd: warning: " << host::printable(doubt) << "\n";
-  if (o.resume && !safety->found() && safety->is_damaged()) {
+  const bool lacks_record = o.resume && !safety->found() && safety->is_damaged();  // a vehicle may be under way
+  if (lacks_record) {
     if (const std::optional<host::SafetyRecord> record = record_by_journal(o.out / "journal.lcmlog"); record) {
       (void)safety->write(*record, kPatience);
       return bring_up(o, *safety, host, "every copy of its safety record is damaged");
     }
   }
-  if (!is_under_way(*safety)) return fly(*safety);
+  if (!is_under_way(*safety)) {
+    try {
+      return fly(*safety);
+    } catch (const std::exception& e) {
+      if (!lacks_record) throw;
+      std::cerr << "earshotd: " << host::printable(e.what()) << "; nor can its safety record be read: tried again\n";
+      return program::kLost;  // none that a service takes for the end
+    }
+  }
   if (!o.resume) {
-    std::cerr << "earshotd: warning: a mission was under way in this folder; without --resume it is given up, and nobody commands the "
-                 "vehicle until START (with --resume it goes on or comes up)\n";
+    const bool is_over = safety->found()->state != messages::MissionState::kSearch;
+    std::cerr
+        << "earshotd: warning: the earlier mission of this folder " << (is_over ? "is over" : "was not over")
+        << ", but its vehicle was not known to be up, and may still be below. It is given up: nobody commands the vehicle until START. "
+           "With --resume earshotd "
+        << (is_over ? "brings it up" : "goes on, or brings it up") << ". For another rehearsal name another folder (--out)\n";
     return fly(*safety);
   }
   if (safety->found()->starts >= kMostStarts)

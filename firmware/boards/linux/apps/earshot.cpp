@@ -89,6 +89,19 @@ fs::path first_page(const fs::path& folder) {
   return {};
 }
 
+/// Verbs that are a script of the source tree, and no program that is built: where it stands there.
+constexpr std::array<std::pair<std::string_view, const char*>, 2> kScripts{{{"hil", "hil/run"}, {"with-can", "hil/bus/with-can"}}};
+
+/// The script of the source tree that this program was built in; empty: it is another verb, or no source tree.
+fs::path script_of(std::string_view verb, const fs::path& folder) {
+  for (const auto& [name, script] : kScripts) {
+    const fs::path path = (folder / "../../.." / script).lexically_normal();
+    std::error_code error;
+    if (name == verb && fs::exists(path, error)) return path;
+  }
+  return {};
+}
+
 /// All that there are, so that the manual page is the same whatever is installed; a verb that is not here says what brings it.
 void print_help(std::ostream& out, const fs::path& folder) {
   out << "Usage: earshot VERB [ARGUMENT...]\n  or:  earshot help VERB\n  or:  earshot --version\n\nVerbs, and the package that brings "
@@ -105,6 +118,7 @@ void print_help(std::ostream& out, const fs::path& folder) {
     out << std::exchange(heading, "");
     print_verb(out, verb, "");
   }
+  if (!script_of("hil", folder).empty()) out << "\nIn a source tree hil/run is earshot hil, and hil/bus/with-can is earshot with-can.\n";
   if (const fs::path page = first_page(folder); !page.empty()) out << "\nWhere to begin: " << page.string() << "\n";
 }
 
@@ -118,6 +132,11 @@ int execute(const fs::path& folder, const std::string& verb, std::vector<char*> 
   } else {
     // One of Earshot's that this computer has not got: the packages share them out.
     const std::string package(package_of(verb));
+    const fs::path script = script_of(verb, folder);
+    if (!script.empty()) {
+      std::cerr << "earshot: in a source tree " << verb << " is " << script.string() << "\n";
+      return earshot::program::kBadInput;
+    }
     std::cerr << "earshot: there is no verb \"" << earshot::host::printable(verb) << "\""
               << (package.empty() ? earshot::program::did_you_mean(verb, verbs(folder))
                                   : " here: the package " + package + " brings it (apt install ./" + package + "_*.deb)")

@@ -13,6 +13,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -80,12 +81,21 @@ void keep(const host::SignedSearch& search, const std::filesystem::path& journal
   keep(search.tables.bytes, "tables", {"a .tables file", {"EARSHOTT", {}}}, journal);
 }
 
+/// A computer that cannot make its thread flies without news.
+void open_news(std::optional<LineWriter>& writer) {
+  try {
+    writer.emplace(STDERR_FILENO);
+  } catch (const std::system_error& e) {
+    std::cerr << "earshotd: warning: " << e.what() << ": it flies without reporting what changes; the journal has it\n";
+  }
+}
+
 /// Flies, and tells meanwhile what changes; all of it is told when this returns.
 LoopResult fly_on(const Flight& f, MissionTurn& turn, MemoryProof& proof, const Hold& hold) {
   std::optional<LineWriter> writer;
   std::optional<FlightNews> news;
-  if (program::talk() != program::Talk::kQuiet) {
-    writer.emplace(STDERR_FILENO);
+  if (program::talk() != program::Talk::kQuiet) open_news(writer);
+  if (writer) {
     news.emplace(f.ports, *writer, f.options.log_format());
     turn.tell(*news);
   }

@@ -30,8 +30,7 @@ host::MissionJudge judge_of(const std::optional<std::filesystem::path>& vehicle,
   if (file && venture != Venture::kSimulation) return {load_strictly(*file), counting_of(venture)};
   if (file) return {host::load_vehicle(*file), counting_of(venture)};
   if (venture != Venture::kSimulation)
-    std::cerr << "earshotd: warning: no vehicle's configuration (--vehicle): whoever wrote the mission named the key that its policy is "
-                 "judged by\n";
+    std::cerr << "earshotd: warning: without --vehicle any mission is flown, whoever wrote it (see Sign missions)\n";
   return {};
 }
 

@@ -15,7 +15,10 @@ namespace {
 
 std::string standing(const SafetyRecord& record) {
   std::string text = messages::to_string(record.state);
-  if (record.end_reason != messages::EndReason::kNone) text += std::string(", ") + messages::to_string(record.end_reason);
+  if (record.end_reason == messages::EndReason::kOperatorAbort)
+    text += ", an operator aborted it, or the program as it was stopped";  // both are the same order
+  else if (record.end_reason != messages::EndReason::kNone)
+    text += std::string(", ") + messages::to_string(record.end_reason);
   if (record.is_paused) text += ", paused";
   text += record.is_engaged ? ", set-points leave" : ", no set-points leave";
   if (record.is_released) text += ", the drop weight was asked to be released";
@@ -25,6 +28,7 @@ std::string standing(const SafetyRecord& record) {
 std::string what_follows(const SafetyRecord& record) {
   if (record.is_closed) return "It was stopped in order, and nothing is under way";
   if (!is_under_way(record)) return "Nothing is under way";
+  if (record.state != messages::MissionState::kSearch) return "The vehicle was not known to be up: earshotd --resume brings it up";
   return "earshotd --resume goes on, or brings the vehicle up";
 }
 

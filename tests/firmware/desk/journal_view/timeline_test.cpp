@@ -161,16 +161,18 @@ messages::Health aborted() {
 }
 
 TEST_F(TimelineTest, TellsAProgramThatWasStoppedFromAnOperatorsAbort) {
-  const auto abort_by = [this](std::uint8_t port) {
-    messages::OperatorCommand abort;
-    abort.order = messages::Order::kAbort;
-    (void)tell(Content(messages::Input{.arrival = kBegan, .port = port, .sequence = 0, .value = abort}));
+  const auto order_by = [this](std::uint8_t port, messages::Order order) {
+    messages::OperatorCommand command;
+    command.order = order;
+    (void)tell(Content(messages::Input{.arrival = kBegan, .port = port, .sequence = 0, .value = command}));
   };
+  const auto abort_by = [&order_by](std::uint8_t port) { order_by(port, messages::Order::kAbort); };
   const messages::ClosingRecord closing{.time = kBegan,
                                         .ending = messages::Ending::kStopped,
                                         .state = messages::MissionState::kAbort,
                                         .end_reason = messages::EndReason::kOperatorAbort,
                                         .steps_taken = 2};
+  order_by(0, messages::Order::kPause);  // that the safety record held, given again by the vehicle itself
   abort_by(1);
   EXPECT_EQ(tell(aborted()), Lines{"ABORT: an operator aborted it, after 2 steps"});
   abort_by(0);  // it was over before

@@ -108,17 +108,17 @@ TEST_F(JournalView, PrintsTheTimelineOfAWholeJournal) {
   EXPECT_EQ(errors_, "");
 }
 
-TEST_F(JournalView, TakesAFolderForTheJournalInItAndSaysThatThereAreOthers) {
+TEST_F(JournalView, TakesAFolderForTheNewestJournalInItAndNamesItWhereThereAreOthers) {
   support::Process process(kProgram, {folder_.path().string()}, {.folder = folder_, .output = folder_ / "said", .errors = folder_ / "err"});
   EXPECT_EQ(process.wait(30s), 0);
   EXPECT_EQ(std::ranges::count(support::read_text(folder_ / "said"), '\n'), 13);
   EXPECT_EQ(support::read_text(folder_ / "err"), "");
   fs::copy_file(journal_, folder_ / "journal-2.lcmlog");
+  fs::resize_file(journal_, fs::file_size(journal_) - 94);  // the older one lacks its end, and is not read
   support::Process other(kProgram, {folder_.path().string()}, {.folder = folder_, .output = folder_ / "said", .errors = folder_ / "err"});
   EXPECT_EQ(other.wait(30s), 0);
-  EXPECT_EQ(support::read_text(folder_ / "err"),
-            "earshot journal: reads " + journal_.string() +
-                "; the folder holds others, the newest journal-2.lcmlog: name the one that you mean\n");
+  EXPECT_EQ(support::read_text(folder_ / "err"), "earshot journal: reads " + (folder_ / "journal-2.lcmlog").string() +
+                                                     ", the newest of 2 journals in this folder; name another to read it\n");
 }
 
 TEST_F(JournalView, SaysNothingButWhatIsWrongWhenItIsToBeQuiet) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/support/process.hpp"
@@ -54,6 +55,19 @@ TEST(EarshotVerbs, AVerbOfAnotherPackageIsSaidToComeWithThatOne) {
     ++judged;
   }
   EXPECT_GE(judged, 15);
+}
+
+TEST(EarshotVerbs, InASourceTreeAScriptsVerbIsAnsweredWithWhereTheScriptStands) {
+  const std::string tree = EARSHOT_SOURCE_DIR;
+  if (std::filesystem::path(EARSHOT_BIN_DIR).parent_path().parent_path().parent_path() != tree) GTEST_SKIP() << "built elsewhere";
+  for (const auto& [verb, script] : {std::pair{"hil", "/hil/run"}, std::pair{"with-can", "/hil/bus/with-can"}}) {
+    const Answer answer = answer_to({verb, "--help"});
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_EQ(answer.text, std::string("earshot: in a source tree ") + verb + " is " + tree + script + "\n");
+    EXPECT_TRUE(std::filesystem::exists(tree + script));
+  }
+  const std::string help = answer_to({"help"}).text;
+  EXPECT_NE(help.find("\nIn a source tree hil/run is earshot hil, and hil/bus/with-can is earshot with-can.\n"), std::string::npos) << help;
 }
 
 TEST(EarshotVerbs, HelpOfAVerbIsTheVerbsOwn) {

@@ -36,7 +36,17 @@ TEST(RecordWords, SayHowTheVehicleStandsAndWhatTheNextStartMakesOfIt) {
             "goes on, or brings the vehicle up");
   EXPECT_EQ(to_string(some_record(1)),
             "safety record, 2026-11-18 11:06:40 UTC: ABORT, a safety rule ended it, set-points leave, the drop weight was asked to be "
-            "released; depth at most 24 m; 22 starts. earshotd --resume goes on, or brings the vehicle up");
+            "released; depth at most 24 m; 22 starts. The vehicle was not known to be up: earshotd --resume brings it up");
+}
+
+TEST(RecordWords, DoNotCallTheAbortOfAProgramThatWasStoppedAnOperators) {
+  SafetyRecord record = searching();
+  record.state = messages::MissionState::kAbort;
+  record.end_reason = messages::EndReason::kOperatorAbort;
+  EXPECT_EQ(
+      to_string(record),
+      "safety record, 2026-11-18 11:06:40 UTC: ABORT, an operator aborted it, or the program as it was stopped, set-points leave; depth "
+      "at most 350 m. The vehicle was not known to be up: earshotd --resume brings it up");
 }
 
 TEST(RecordWords, SayThatNothingIsUnderWay) {

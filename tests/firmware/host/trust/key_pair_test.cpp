@@ -40,8 +40,9 @@ TEST_F(KeyPair, IsTwoFilesOfWhichTheSecretOneIsItsOwnersAlone) {
 TEST_F(KeyPair, NeverReplacesASecretKey) {
   ASSERT_EQ(complaint(), "");
   const KeyBytes seed = read_signing_key(secret_).seed;
-  EXPECT_NE(complaint(), "");
-  EXPECT_NE(complaint(LonePublicHalf::kReplaced), "");
+  EXPECT_EQ(complaint(), secret_.string() + ": exists already; a key is never replaced: name another");
+  EXPECT_EQ(complaint_of([this] { (void)make_key_pair(secret_, LonePublicHalf::kReplaced, {.secret = "sign with it"}); }),
+            secret_.string() + ": exists already; a key is never replaced: sign with it");
   EXPECT_EQ(read_signing_key(secret_).seed, seed);
 }
 

@@ -91,14 +91,14 @@ class SecretsInMemory : public testing::Test {
     const pid_t child = ::fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
-      (void)make_key_pair(file_, LonePublicHalf::kStays, "");
+      (void)make_key_pair(file_, LonePublicHalf::kStays);
       ::_exit(0);
     }
     int status = 1;
     ASSERT_EQ(::waitpid(child, &status, 0), child);
     ASSERT_EQ(status, 0);
     // Once with another key: at a function's first call the dynamic linker lays registers on the stack, whatever is in them.
-    const SecretKey other = make_key_pair(folder_ / "first.key", LonePublicHalf::kStays, "");
+    const SecretKey other = make_key_pair(folder_ / "first.key", LonePublicHalf::kStays);
     use(read_signing_key(folder_ / "first.key"));
     use(CommandKey(folder_ / "first.key"));
   }
@@ -158,7 +158,7 @@ TEST_F(SecretsInMemory, OfAKeyPairAreGoneWhenItIsWritten) {
   const std::vector<Region> memory = writable_memory();
   Complement complement;
   {
-    const SecretKey key = make_key_pair(folder_ / "other.key", LonePublicHalf::kStays, "");
+    const SecretKey key = make_key_pair(folder_ / "other.key", LonePublicHalf::kStays);
     complement = complement_of(key.seed);
     const Found kept = found(complement, memory);
     EXPECT_EQ(kept.bytes, 1U) << "itself";

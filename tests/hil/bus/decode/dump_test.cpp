@@ -32,5 +32,15 @@ TEST(Dump, ShowsTheGroupsAndTheSenderThatAreAskedFor) {
   EXPECT_EQ(shown({.pgns = {127250}, .source = 2}), "2:127250 ");
 }
 
+TEST(Dump, CountsTheMessagesThatItPrinted) {
+  std::ostringstream out;
+  const auto printer = printer_of(Format::kCsv, Times::kAsLogged);
+  Dump dump({.pgns = {127257}, .source = std::nullopt}, *printer, out, nullptr);
+  for (const std::uint32_t identifier : {0x09F11201U, 0x09F11901U, 0x09F11202U, 0x09F11902U})
+    EXPECT_TRUE(dump.take({.time = Time{}, .interface = "c", .frame = n2k::Frame{.identifier = identifier, .size = 0}}));
+  EXPECT_EQ(dump.printed(), 2U);
+  EXPECT_EQ(dump.counters().frames, 4U);
+}
+
 }  // namespace
 }  // namespace earshot::hil

@@ -130,6 +130,53 @@ TEST_F(SeaFlightTest, TellsWhichRulesActedAndOnWhatEvidence) {
   EXPECT_EQ(flight.events[3].what, "rule 5, depth_m: 412.2, above 400.0: abort");
 }
 
+TEST_F(SeaFlightTest, GivesTheFirstRuleThatSentTheVehicleHomeOrUpInItsSearch) {
+  const auto rule = [](std::uint8_t number, config::Response response) {
+    return messages::SafetyEvent{.time = {},
+                                 .rule = number,
+                                 .condition = config::Condition::kBattery,
+                                 .response = response,
+                                 .begins = true,
+                                 .measure = 14.938,
+                                 .limit = 15};
+  };
+  SeaJournal journal(path_);
+  journal.rule(5, rule(9, config::Response::kReturn));
+  journal.state(10, MissionState::kSearch, EndReason::kNone, 0);
+  journal.rule(15, rule(10, config::Response::kSteerBack));
+  journal.state(18, MissionState::kSearch, EndReason::kNone, 3);
+  journal.rule(20, rule(11, config::Response::kReturn));
+  journal.rule(25, rule(12, config::Response::kSurface));
+  journal.end(messages::Ending::kStopped);
+  EXPECT_EQ(to_string(read_sea_flight(path_).value().account),
+            "After 3 steps a safety rule sent the vehicle home: rule 12, battery_percent: 14.9, below 15.0: return.");
+}
+
+TEST_F(SeaFlightTest, GivesARuleThatSentTheVehicleToTheSurfaceAsThat) {
+  SeaJournal journal(path_);
+  journal.state(10, MissionState::kSearch, EndReason::kNone, 1);
+  journal.rule(20, {.time = {},
+                    .rule = 12,
+                    .condition = config::Condition::kBattery,
+                    .response = config::Response::kSurface,
+                    .begins = true,
+                    .measure = 14.938,
+                    .limit = 15});
+  journal.end(messages::Ending::kStopped);
+  EXPECT_EQ(to_string(read_sea_flight(path_).value().account),
+            "After 1 step a safety rule sent the vehicle to the surface: rule 13, battery_percent: 14.9, below 15.0: surface.");
+}
+
+// A PAUSE that the safety record held, given again by the vehicle itself; then an operator's ABORT.
+TEST_F(SeaFlightTest, IsNotStoppedByAnOrderOfItsOwnThatIsNoAbort) {
+  SeaJournal journal(path_);
+  journal.state(10, MissionState::kSearch, EndReason::kNone, 0);
+  journal.own_order(12, Order::kPause);
+  journal.state(20, MissionState::kAbort, EndReason::kOperatorAbort, 0);
+  journal.end(messages::Ending::kMissionOver);
+  EXPECT_EQ(read_sea_flight(path_).value().aborted_by, journal::AbortedBy::kOperator);
+}
+
 TEST_F(SeaFlightTest, DrawsTheFixesWhoseSpeedNobodyKnew) {
   SeaJournal journal(path_);
   journal.fix(20, 300, 0, messages::kUnknownSpeed);

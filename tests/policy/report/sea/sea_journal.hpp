@@ -78,8 +78,10 @@ class SeaJournal {
     append(s, wire::kSafetyEventChannel, wire::Encoded(event), host::Weight::kSteering);
   }
   /// As earshotd writes it when a signal stops it.
-  void stop(double s) {
-    input(s, messages::OperatorCommand{.time = at(s), .expiry = at(s), .issuer = 0, .number = 1, .order = messages::Order::kAbort}, 0);
+  void stop(double s) { own_order(s, messages::Order::kAbort); }
+  /// As earshotd gives what its safety record holds again after an outage.
+  void own_order(double s, messages::Order order) {
+    input(s, messages::OperatorCommand{.time = at(s), .expiry = at(s), .issuer = 0, .number = 1, .order = order}, 0);
   }
   void end(messages::Ending ending) {
     messages::ClosingRecord closing;

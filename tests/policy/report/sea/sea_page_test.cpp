@@ -188,7 +188,7 @@ TEST_F(SeaPageTest, SaysWhatTheSafetyRecordBesideTheJournalSays) {
   ASSERT_TRUE(copies.write(record, std::chrono::seconds(10)));
   EXPECT_TRUE(has(page_of_it(),
                   "safety record, 2026-11-18 11:06:40 UTC: ABORT, it could not go on after an outage, set-points leave; depth at most 350 "
-                  "m. earshotd --resume goes on, or brings the vehicle up"));
+                  "m. The vehicle was not known to be up: earshotd --resume brings it up"));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "firmware/host/toml/table_reader.hpp"
 #include "tests/sim/apps/field/field_program.hpp"
+#include "tests/sim/netcdf/known_units.hpp"
 #include "tests/sim/ocean/charts/chart_files.hpp"
 #include "tests/sim/sonar/hilly_ocean.hpp"
 
@@ -22,6 +23,14 @@ TEST_F(FieldProgram, WritesAFieldAndNothingElse) {
   std::string magic(4, ' ');
   file.read(magic.data(), 4);
   EXPECT_EQ(magic, "\x89HDF");  // NetCDF-4 is HDF5
+}
+
+TEST_F(FieldProgram, StatesUnitsThatUdunitsKnows) {
+  const std::string short_field = kMunk + " --force -o " + output() + " --max-range-km 1 --receiver-depth-m 300";
+  ASSERT_EQ(run(short_field), 0) << errors();
+  expect_known_units(output());
+  ASSERT_EQ(run(short_field + " --radials 4 --map --fluctuation-db 6"), 0) << errors();
+  expect_known_units(output());
 }
 
 TEST_F(FieldProgram, DrawsAPictureWhenAsked) {

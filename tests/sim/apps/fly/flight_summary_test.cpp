@@ -32,7 +32,7 @@ TEST(FlightSummary, IsReadByAStrangerToTheProject) {
             "Source found after 18 steps: the vehicle came within 1.0 km of it\n"
             "  simulation  flown on 2026-11-29 18:38:46 UTC: ocean, noise and source are computed, and no vehicle\n"
             "              was at sea\n"
-            "  area        25.0 km north by 20.0 km east; the plane's origin lies at 38.500 N, 28.000 W\n"
+            "  area        25.0 km north by 20.0 km east; its south-west corner lies at 38.500 N, 28.000 W\n"
             "  vehicle     300 m deep, 2.0 m/s, steps of 1.0 km\n"
             "  source      20.0 Hz; the vehicle does not know where it is\n"
             "  reward      -4.0: 0 for each step that ends with a detection, -1 for each other, and less near the\n"
@@ -41,6 +41,14 @@ TEST(FlightSummary, IsReadByAStrangerToTheProject) {
             "  detections  14: each is a step that ends with an SNR of 10 dB or more\n"
             "  distance    17.8 km\n"
             "  time        2 h 29 min at sea, simulated in 30.00 s: 297 times real time\n");
+}
+
+TEST(FlightSummary, DoesNotCallASourceUnknownThatLiesWhereTheEnvironmentHasIt) {
+  nlohmann::json s = flown();
+  s["source_is_fixed"] = true;
+  EXPECT_NE(to_string_of_summary(s).find("  source      20.0 Hz, where the environment has it\n"), std::string::npos);
+  s["source_is_fixed"] = false;
+  EXPECT_NE(to_string_of_summary(s).find("20.0 Hz; the vehicle does not know where it is\n"), std::string::npos);
 }
 
 TEST(FlightSummary, OfAnEarlierVersionLeavesOutWhatItDoesNotKnow) {

@@ -87,7 +87,8 @@ TEST(SearchAccount, SaysWhichRuleSentTheVehicleHomeFirstAndWhen) {
   account.note({.steps_taken = 0, .rule = rule(14, config::Response::kReturn)}, Meters{9'000.0});
   account.note({.steps_taken = 1, .rule = rule(15, config::Response::kSurface)}, Meters{9'000.0});
   EXPECT_EQ(account_lines(summary_with(account)),
-            "  went home   by rule 15, battery_at_home_percent: 14.9, below 15.0: return, after 0 steps\n");
+            "  went home   After 0 steps a safety rule sent the vehicle home: rule 15, battery_at_home_percent:\n"
+            "              14.9, below 15.0: return.\n");
   EXPECT_EQ(account.to_json().at("went_home").at("rule"), 15);
   SearchAccount aborted;
   aborted.note({.steps_taken = 3, .rule = rule(14, config::Response::kAbort)}, Meters{9'000.0});

@@ -4,6 +4,7 @@
 #include "sim/annotation/selection_table.hpp"
 #include "sim/netcdf/reader.hpp"
 #include "tests/sim/apps/listen/listen_program.hpp"
+#include "tests/sim/netcdf/known_units.hpp"
 
 namespace earshot::tests {
 namespace {
@@ -150,6 +151,7 @@ TEST_F(ListenProgram, DrawsAPictureAndWritesLevels) {
   const std::string song_file = wav("song.wav", song(60, {12.0, 30.0}));
   ASSERT_EQ(run(song_file + " --spectrogram " + out("a.png") + " --levels " + out("a.nc") + " --levels-interval-s 20"), 0) << errors();
   EXPECT_EQ(content_of(out("a.png")).substr(1, 3), "PNG");
+  expect_known_units(out("a.nc"));
   const netcdf::Reader file(out("a.nc"));
   EXPECT_EQ(file.read("time"), (std::vector<double>{0.0, 20.0, 40.0}));
   const std::vector<double> frequency = file.read("frequency");

@@ -26,8 +26,9 @@ TEST(SearchSentences, GiveTheScoreBesideTheOneFromWhichItIsAMismatch) {
 TEST(SearchSentences, ExplainASweepBeforeAnyMismatchByTheMissingDetections) {
   EXPECT_EQ(
       to_string({.believes = true, .surprise_bits = -9.0, .sweep_step = 43, .max_steps = 100}),
-      "The SNR that it measured fits the oceans of its tables, but they predict more detections (model-mismatch score -9.0 bits at the "
-      "end; from 6.75 on it is a mismatch). From step 43 of 100 on it swept the whole area in parallel tracks: it had detected nothing "
+      "The SNR that it measured fits the oceans of its tables, but there were too few detections: the source may be fainter or silent for "
+      "longer than expected, or not there (model-mismatch score -9.0 bits at the end; from 6.75 on it is a mismatch). From step 43 of 100 "
+      "on it swept the whole area in parallel tracks: it had detected nothing "
       "for long, where its tables predict detections.");
   const SearchAccount mismatch_later{.believes = true, .surprise_bits = 7.0, .surprised_step = 44, .sweep_step = 43};
   EXPECT_TRUE(mismatch_later.swept_in_silence());
@@ -36,7 +37,8 @@ TEST(SearchSentences, ExplainASweepBeforeAnyMismatchByTheMissingDetections) {
 }
 
 TEST(SearchSentences, StateOfAVehicleThatCameNearTheSourceThatItHadNotDeclaredIt) {
-  const std::string undeclared = "The vehicle had not declared the source found itself by then.";
+  const std::string undeclared =
+      "The vehicle's own rule had not reported the source found by then. The simulation ends here; at sea the search would go on.";
   EXPECT_NE(to_string(account_in({{"found", true}, {"surprise_bits", 1.0}, {"declared_found", nullptr}})).find(undeclared),
             std::string::npos);
   EXPECT_EQ(to_string(account_in({{"found", true}, {"surprise_bits", nullptr}})), "") << "a policy without a belief declares nothing";
@@ -51,6 +53,18 @@ TEST(SearchSentences, CallADeclarationWrongFromMoreThanAStepLengthOn) {
       << "at sea nobody knows where the source was";
 }
 
+TEST(SearchSentences, GiveTheRuleThatSentTheVehicleHomeAndWhen) {
+  nlohmann::json summary{{"went_home", {{"step", 1U}, {"what", "rule 15, battery_at_home_percent: 14.9, below 15.0: return"}}}};
+  ASSERT_EQ(fault_in_account(summary), "");
+  EXPECT_EQ(to_string(account_in(summary)),
+            "After 1 step a safety rule sent the vehicle home: rule 15, battery_at_home_percent: 14.9, below 15.0: return.");
+  EXPECT_EQ(sentences(account_in(summary)).at(0).label, "went home");
+  summary["went_home"] = {{"step", 0U}, {"what", "rule 16, battery_percent: 9.9, below 10.0: surface"}, {"response", "surface"}};
+  EXPECT_EQ(to_string(account_in(summary)),
+            "After 0 steps a safety rule sent the vehicle to the surface: rule 16, battery_percent: 9.9, below 10.0: surface.");
+  EXPECT_EQ(sentences(account_in(summary)).at(0).label, "came up");
+}
+
 TEST(SearchSentences, AreNoneForASummaryOfAnEarlierVersionOrAPolicyWithoutABelief) {
   EXPECT_EQ(to_string(account_in({{"found", false}})), "");
   EXPECT_EQ(to_string(account_in({{"surprise_bits", nullptr}, {"declared_found", nullptr}})), "");
@@ -61,6 +75,8 @@ TEST(SearchSentences, RefuseWhatIsNoStepNoNumberNoRuleAndNoDeclaration) {
   EXPECT_EQ(fault_in_account({{"swept_from_step", -1}}), "swept_from_step: must be a whole number, 0 to 1000000000");
   EXPECT_EQ(fault_in_account({{"ended_by", {{"what", 3}}}}), "ended_by: must be what, rule");
   EXPECT_EQ(fault_in_account({{"declared_found", {{"step", 3}}}}), "declared_found: must be step, range_m");
+  EXPECT_EQ(fault_in_account({{"went_home", {{"step", 3U}, {"what", 15}}}}), "went_home: must be step, what");
+  EXPECT_EQ(fault_in_account({{"went_home", true}}), "went_home: must be step, what");
 }
 
 /// Of 100 steps of 1 km.
@@ -112,6 +128,15 @@ TEST(SearchAccount, ReadsTheCodesThatASummaryOfAnEarlierVersionHasForItsEnd) {
   const std::string reached = "the vehicle came within one step length of the source";
   EXPECT_EQ(end_to_string(account_in({{"found", true}, {"end_reason", "completed"}})), reached);
   EXPECT_EQ(end_to_string(account_in({{"found", true}, {"end_reason", "found"}})), reached);
+}
+
+TEST(Meanings, GiveTheSouthWestCornerWhereItIsTheOriginAndElseWhatTheOriginIs) {
+  nlohmann::json summary{{"origin", {{"latitude_deg", 38.5}, {"longitude_deg", -28.0}}},
+                         {"area", {{"south_west", {{"north_m", 0.0}, {"east_m", 0.0}}}}}};
+  EXPECT_EQ(place_of_area(summary, ""), "its south-west corner lies at 38.500 N, 28.000 W");
+  summary["area"]["south_west"]["east_m"] = -500.0;
+  EXPECT_EQ(place_of_area(summary, ""), "the place from which metres north and east count lies at 38.500 N, 28.000 W");
+  EXPECT_EQ(place_of_area({{"origin", nullptr}}, ""), "");
 }
 
 TEST(Meanings, NameTheThresholdAndTheStepLength) {
