@@ -17,8 +17,8 @@
 
 #include "firmware/host/file/file_descriptor.hpp"
 #include "firmware/host/program/exit_status.hpp"
+#include "tests/firmware/host/file/killed_holder.hpp"
 #include "tests/outage/restart_at_sea.hpp"
-#include "tests/support/killed_holder.hpp"
 
 namespace earshot {
 namespace {

@@ -12,7 +12,7 @@
 #include <string>
 #include <system_error>
 
-#include "tests/support/killed_holder.hpp"
+#include "tests/firmware/host/file/killed_holder.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::host {
