@@ -17,6 +17,7 @@
 
 #include "firmware/host/file/file_descriptor.hpp"
 #include "firmware/host/program/exit_status.hpp"
+#include "tests/firmware/host/file/killed_holder.hpp"
 #include "tests/outage/restart_at_sea.hpp"
 
 namespace earshot {
@@ -212,6 +213,17 @@ TEST_F(RecordAtSea, GivenABackupThatHasLockedTheRecordToReadItTheMissionGoesOn) 
   ASSERT_EQ(::flock(backup.number(), LOCK_EX | LOCK_NB), 0) << "by another program's name";
   start();
   EXPECT_TRUE(vehicle_->sails_until([&] { return is_said("goes on from") && vehicle_->turns > 5; })) << earshotd_->output();
+}
+
+TEST_F(RecordAtSea, GivenAKilledProgramWhoseRecordIsNotLetGoTheNextComesUpAtOnce) {
+  search();
+  kill();
+  const support::KilledHolder holder(folder_ / "journal.safety", "earshotd");
+  start();
+  expect_comes_up();
+  EXPECT_TRUE(
+      is_said("earshotd (process " + holder.number() + ") is writing this file, but has been killed, and does not end: a disk hangs"))
+      << earshotd_->output();
 }
 
 TEST_F(RecordAtSea, GivenAFirstProgramThatHangsTheNextComesUpAndTheFirstEndsOnceItWakes) {

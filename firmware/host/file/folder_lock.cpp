@@ -12,7 +12,7 @@
 #include <system_error>
 #include <vector>
 
-#include "firmware/host/file/process_name.hpp"
+#include "firmware/host/file/process.hpp"
 
 namespace earshot::host {
 namespace {
@@ -70,15 +70,19 @@ void mark_as_written(const FileDescriptor& file, const std::filesystem::path& pa
   if (::flock(file.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) refuse(file, path, "this file");
 }
 
-bool may_be_marked_by_this_program(const FileDescriptor& file) {
+MarkedBy marked_by(const FileDescriptor& file) {
   struct stat status {};
-  if (::fstat(file.number(), &status) != 0) return true;
-  const std::vector<Holder> holders = holders_of(status.st_ino);
+  if (::fstat(file.number(), &status) != 0) return MarkedBy::kThisProgram;
+  std::vector<Holder> holders = holders_of(status.st_ino);
+  if (holders.empty()) return MarkedBy::kThisProgram;
   const std::string own = program_of("self");
-  return holders.empty() || std::ranges::any_of(holders, [&](const Holder& holder) {
-           const std::string program = program_of(holder.process);
-           return holder.is_alone && (program.empty() || program == own);
-         });
+  std::erase_if(holders, [&](const Holder& holder) {
+    const std::string program = program_of(holder.process);
+    return !holder.is_alone || (!program.empty() && program != own);
+  });
+  if (holders.empty()) return MarkedBy::kAnotherProgram;
+  const auto is_killed_holder = [](const Holder& holder) { return is_killed("/proc/" + holder.process); };
+  return std::ranges::all_of(holders, is_killed_holder) ? MarkedBy::kTheKilled : MarkedBy::kThisProgram;
 }
 
 void require_not_being_written(const std::filesystem::path& path) {

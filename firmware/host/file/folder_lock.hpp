@@ -26,9 +26,14 @@ class FolderInUse : public BadInput {
 /// @throws FolderInUse
 void mark_as_written(const FileDescriptor& file, const std::filesystem::path& path);
 
-/// Whether a file that somebody has marked may be marked by another process of this program, for all that the kernel's list of locks and
-/// the processes' names tell: one that only reads it (a backup) has a lock that is shared, or another name.
-[[nodiscard]] bool may_be_marked_by_this_program(const FileDescriptor& file);
+enum class MarkedBy {
+  kThisProgram,     ///< by another process of it, or it cannot be told
+  kAnotherProgram,  ///< one that only reads it (a backup): its lock is shared, or it has another name
+  kTheKilled,       ///< by a process of this program that has been killed and runs no more (is_killed()): a disk that hangs keeps its locks
+};
+
+/// Who has marked a file that somebody has marked, by the kernel's list of locks and the processes' names.
+[[nodiscard]] MarkedBy marked_by(const FileDescriptor& file);
 
 /// @throws FolderInUse when somebody has marked this file as one that is being written
 void require_not_being_written(const std::filesystem::path& path);

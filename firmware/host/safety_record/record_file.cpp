@@ -11,7 +11,6 @@
 
 #include "firmware/core/big_endian.hpp"
 #include "firmware/core/crc32.hpp"
-#include "firmware/host/file/folder_lock.hpp"
 
 namespace earshot::host {
 namespace {
@@ -114,8 +113,8 @@ bool RecordFile::claim() {
   return is_claimed_ || errno != EWOULDBLOCK;
 }
 
-bool RecordFile::holder_may_fly() const {
-  return may_be_marked_by_this_program(file_);
+MarkedBy RecordFile::marked_by() const {
+  return host::marked_by(file_);
 }
 
 std::string RecordFile::holder() const {

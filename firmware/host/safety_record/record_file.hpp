@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "firmware/host/file/file_descriptor.hpp"
+#include "firmware/host/file/folder_lock.hpp"
 #include "firmware/host/safety_record/safety_record.hpp"
 
 namespace earshot::host {
@@ -43,7 +44,7 @@ class RecordFile {
   [[nodiscard]] bool is_unreadable() const { return is_unreadable_; }
   /// What a file that is_anybodys() states: true of nothing but of whom it is.
   [[nodiscard]] const std::optional<SafetyRecord>& unbelieved() const { return unbelieved_; }
-  /// Marks it as this process's, as long as this is kept. False: another process has it, which may only read it (holder_may_fly()).
+  /// Marks it as this process's, as long as this is kept. False: another process has it, which may only read it (marked_by()).
   [[nodiscard]] bool claim();
   /// The newest record that is whole. Reads it anew.
   [[nodiscard]] std::optional<SafetyRecord> newest() const;
@@ -64,9 +65,9 @@ class RecordFile {
   void let_go();
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// Whether whoever has it may be another process of this program.
-  [[nodiscard]] bool holder_may_fly() const;
-  /// Who has it that another process's claim is; for a message.
+  /// Who has it that another process's claim is.
+  [[nodiscard]] MarkedBy marked_by() const;
+  /// Likewise; for a message.
   [[nodiscard]] std::string holder() const;
 
  private:

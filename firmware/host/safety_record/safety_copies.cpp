@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "firmware/host/file/folder_lock.hpp"
 #include "firmware/host/safety_record/record_file.hpp"
 
 namespace earshot::host {
@@ -81,7 +82,7 @@ struct SafetyCopies::Writers {
       note_unread(copy.file, path);
       return;
     }
-    if (claim == Claim::kNeeded && !copy.file.claim() && copy.file.holder_may_fly()) throw RecordInUse(copy.file.holder());
+    if (claim == Claim::kNeeded && !copy.file.claim()) refuse_if_used(copy.file);
     const std::optional<SafetyRecord> newest = copy.file.newest();
     is_damaged = is_damaged || !newest;
     if (!newest) return;
@@ -91,6 +92,11 @@ struct SafetyCopies::Writers {
     } else {
       left_out.push_back(path + ": it is of another vehicle, or of another folder's flights");
     }
+  }
+
+  static void refuse_if_used(const RecordFile& file) {
+    const MarkedBy holder = file.marked_by();
+    if (holder != MarkedBy::kAnotherProgram) throw RecordInUse(file.holder(), holder == MarkedBy::kTheKilled);
   }
 
   void note_unread(const RecordFile& file, const std::string& path) {

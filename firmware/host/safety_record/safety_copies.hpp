@@ -18,7 +18,13 @@ namespace earshot::host {
 /// Another process flies with one of the copies; the message says which.
 class RecordInUse : public BadInput {
  public:
-  using BadInput::BadInput;
+  RecordInUse(const std::string& holder, bool is_killed) : BadInput(holder), is_killed_(is_killed) {}
+
+  /// It flies no more: it has been killed, and its files are not closed yet.
+  [[nodiscard]] bool is_killed() const { return is_killed_; }
+
+ private:
+  bool is_killed_;
 };
 
 /// A copy of the record.

@@ -14,7 +14,7 @@
 #include <system_error>
 #include <utility>
 
-#include "firmware/host/file/process_name.hpp"
+#include "firmware/host/file/process.hpp"
 #include "firmware/host/transport/lcm_url.hpp"
 
 namespace earshot::host {

@@ -40,8 +40,9 @@ void read_copies(const Options& o, host::Claim claim, std::optional<host::Safety
   safety.emplace(safety_places(o.out, o.safety_copies, SafetyFolders::of_this_process()), record_owner(o.out), claim);
 }
 
+constexpr const char* kIsKilled = "but has been killed, and does not end: a disk hangs";
 constexpr const char* kHangs = "but has not written the record for half a minute: it hangs, or does not fly";
-/// Between two looks at a record that may be left alone.
+/// Between two looks at a record that may be left alone, or whose killed owner may have ended by then.
 constexpr std::chrono::seconds kBetweenLooks{2};
 
 /// For how long nobody has written it, at the least.
@@ -61,6 +62,23 @@ bool is_left_alone(const Options& o, const HostClock& host, std::optional<host::
     first = safety->found();
   }
   return true;
+}
+
+/// Likewise, and whoever has its record has been killed, so that nobody commands the vehicle.
+bool is_left_by_the_killed(const Options& o, std::optional<host::SafetyCopies>& safety) {
+  read_copies(o, host::Claim::kWaived, safety);
+  return is_under_way(*safety);
+}
+
+/// A process that has been killed ends within a moment, unless a disk holds it.
+void claim_copies(const Options& o, std::optional<host::SafetyCopies>& safety) {
+  try {
+    read_copies(o, host::Claim::kNeeded, safety);
+  } catch (const host::RecordInUse& e) {
+    if (!o.resume || !e.is_killed()) throw;
+    std::this_thread::sleep_for(kBetweenLooks);
+    read_copies(o, host::Claim::kNeeded, safety);
+  }
 }
 
 /// A service's limit of open files may be low, and more be allowed.
@@ -88,9 +106,11 @@ int fly_at_sea(const Options& o, const HostClock& host, const std::function<int(
   std::optional<host::SafetyCopies> safety;
   try {
     try {
-      read_copies(o, host::Claim::kNeeded, safety);
+      claim_copies(o, safety);
     } catch (const host::RecordInUse& e) {
-      if (o.resume && is_left_alone(o, host, safety)) return bring_up(o, *safety, host, std::string(e.what()) + ", " + kHangs);
+      const char* const why = e.is_killed() ? kIsKilled : kHangs;
+      if (o.resume && (e.is_killed() ? is_left_by_the_killed(o, safety) : is_left_alone(o, host, safety)))
+        return bring_up(o, *safety, host, std::string(e.what()) + ", " + why);
       std::cerr << "earshotd: " << host::printable(e.what()) << ": it commands the vehicle\n";
       return o.resume ? program::kLost : program::kBadInput;  // a service tries again
     }

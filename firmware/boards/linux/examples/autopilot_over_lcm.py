@@ -43,9 +43,11 @@ def on_setpoint(_channel, data):
 
 def on_acknowledgement(_channel, data):
     acknowledgement = command_acknowledgement_t.decode(data)
-    if not answers and (acknowledgement.issuer, acknowledgement.number) == (start.issuer, start.number):
-        answers.append(outcome_of(acknowledgement.outcome))
-        print("START:", answers[0], flush=True)
+    outcome = outcome_of(acknowledgement.outcome)
+    is_of_start = (acknowledgement.issuer, acknowledgement.number) == (start.issuer, start.number)
+    if not answers and is_of_start and marker.is_final(outcome):
+        answers.append(outcome)
+        print("START:", outcome, flush=True)
 
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C ends it without a traceback

@@ -6,6 +6,7 @@ import hmac
 import pathlib
 import struct
 import sys
+from dataclasses import dataclass
 
 from earshot import challenge_t, operator_command_t
 
@@ -60,16 +61,27 @@ def order_bytes(order: operator_command_t) -> bytes:
     return struct.pack("<qqIIB3d", *numbers, *limits)
 
 
+@dataclass
+class Start:
+    """Of the vehicle: its newest challenge, when it was heard, and how many orders were marked for it."""
+
+    challenge: challenge_t
+    heard: int
+    tries: int = 0
+
+
 class Marker:
     """Marks orders for the vehicle that is meant, as it tells its challenge; without a key with zeros."""
+
+    MOST_TRIES = 12  # of one start, while the vehicle refuses the marks
 
     def __init__(self, said: argparse.Namespace):
         """From the options of add_options()."""
         self.key = read_key(said.key_file) if said.key_file else None
         self.vehicle = said.vehicle_id.encode("ascii", "replace").ljust(32, b"\0")
         self.mission = hashlib.sha256(said.mission.read_bytes()).digest() if said.mission else None
-        self.challenge: challenge_t | None = None
-        self.last_told: dict[bytes, int] = {}  # of each start of the vehicle
+        self.starts: dict[bytes, Start] = {}  # by nonce
+        self.count = 0  # of challenges that were kept
         self.heard: set[str] = set()
 
     @staticmethod
@@ -87,10 +99,10 @@ class Marker:
             bus.subscribe("EARSHOT_CHALLENGE", lambda _channel, data: self.hear(challenge_t.decode(data)))
 
     def hear(self, challenge: challenge_t) -> None:
-        """Keeps that of the vehicle's present start, told by who knows the key: a made-up one gets no mark.
+        """Keeps those of the vehicle's starts, told by who knows the key: a made-up one gets no mark.
 
-        A start goes on when its date rises; one that is over does not, though somebody sends its recording. Dates of
-        two starts say nothing: a computer without a battery for its clock may begin behind.
+        A start goes on when its date rises; one that is over does not, though somebody sends its recording again. Dates
+        of two starts say nothing: a computer without a battery for its clock may begin behind.
         """
         if self.key is None:
             return
@@ -101,9 +113,22 @@ class Marker:
         if not is_true or self.mission not in (None, bytes(challenge.mission)):
             return
         nonce = bytes(challenge.nonce)
-        if challenge.utime > self.last_told.get(nonce, -1):
-            self.last_told[nonce] = challenge.utime
-            self.challenge = challenge
+        start = self.starts.get(nonce)
+        if start is None or challenge.utime > start.challenge.utime:
+            self.count += 1
+            self.starts[nonce] = Start(challenge, self.count, start.tries if start else 0)
+
+    def start(self) -> Start | None:
+        """The start to mark the next order for.
+
+        The one that was tried least: what was refused may have been marked for a recording that this program had not
+        heard before. Among equals the one whose date rose last.
+        """
+        return min(self.starts.values(), key=lambda start: (start.tries, -start.heard), default=None)
+
+    def is_final(self, outcome: str) -> bool:
+        """Whether an answer settles an order. A refused mark does once every start has been tried often."""
+        return outcome != "NOT_VERIFIED" or all(start.tries >= self.MOST_TRIES for start in self.starts.values())
 
     def silence(self, waited_s: float) -> str:
         """Why an order could not be marked in so long a time."""
@@ -123,7 +148,9 @@ class Marker:
         order.mark = bytes(16)  # always all 16: what is shorter lcm-gen's code sends short, without a word
         if self.key is None:
             return True
-        if self.challenge is None:
+        start = self.start()
+        if start is None:
             return False
-        order.mark = blake2b(self.key, b"EARSHOT ORDER2", told(self.challenge), order_bytes(order))
+        start.tries += 1
+        order.mark = blake2b(self.key, b"EARSHOT ORDER2", told(start.challenge), order_bytes(order))
         return True

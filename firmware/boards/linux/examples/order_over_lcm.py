@@ -37,12 +37,14 @@ order.command = getattr(order, said.order)
 order.max_depth_m, order.max_speed_mps, order.max_time_s = said.max_depth, said.max_speed, said.max_time
 marker = Marker(said)
 answers: list[str] = []
+refusals: list[str] = []
 
 
 def on_acknowledgement(_channel, data):
     acknowledgement = command_acknowledgement_t.decode(data)
     if not answers and (acknowledgement.issuer, acknowledgement.number) == (order.issuer, order.number):
-        answers.append(outcome_of(acknowledgement.outcome))
+        outcome = outcome_of(acknowledgement.outcome)
+        (answers if marker.is_final(outcome) else refusals).append(outcome)
 
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C ends it without a traceback
@@ -57,10 +59,9 @@ while not answers and time.monotonic() < deadline:
     # The same numbers once a second: obeyed once however often it arrives. An ABORT needs no mark.
     if time.monotonic() >= next_order and (marker.mark(order) or said.order == "ABORT"):
         bus.publish("EARSHOT_OPERATOR_COMMAND", order.encode())
-        next_order = time.monotonic() + 1.0
+        next_order = time.monotonic() + (0.25 if refusals else 1.0)
     bus.handle_timeout(200)
-unheard = marker.key is not None and marker.challenge is None
-silence = marker.silence(WAIT_S) if unheard else "nobody answers"
-outcome = answers[0] if answers else silence
+silence = marker.silence(WAIT_S) if marker.key is not None and not marker.starts else "nobody answers"
+outcome = (answers + refusals + [silence])[0]
 print(f"{said.order}:", outcome)
 sys.exit(0 if outcome in ("OBEYED", "OBEYED_NOT_DURABLE", "REPEATED") else 1)

@@ -12,6 +12,7 @@
 #include <string>
 #include <system_error>
 
+#include "tests/firmware/host/file/killed_holder.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::host {
@@ -100,6 +101,28 @@ TEST_F(FolderLock, TellsAFileThatIsBeingWrittenWhereStandardInputIsClosed) {
   int status = 0;
   ASSERT_EQ(::waitpid(reader, &status, 0), reader);
   EXPECT_EQ(WEXITSTATUS(status), 3) << "it is read while it is written";
+}
+
+TEST_F(FolderLock, OfAProcessThatWasKilledIsKnownAsSuchWhileItIsHeld) {
+  const fs::path path = folder_ / "record";
+  const support::KilledHolder holder(path, "host_file_test");
+  const FileDescriptor file(::open(path.c_str(), O_RDWR | O_CLOEXEC));
+  EXPECT_EQ(marked_by(file), MarkedBy::kTheKilled);
+}
+
+TEST_F(FolderLock, OfAnotherProgramIsKnownAsSuchThoughItWasKilled) {
+  const fs::path path = folder_ / "record";
+  const support::KilledHolder backup(path, "backup");
+  const FileDescriptor file(::open(path.c_str(), O_RDWR | O_CLOEXEC));
+  EXPECT_EQ(marked_by(file), MarkedBy::kAnotherProgram);
+}
+
+TEST_F(FolderLock, OfThisProgramIsKnownAsSuch) {
+  const fs::path path = folder_ / "record";
+  const FileDescriptor first(::open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600));
+  mark_as_written(first, path);
+  const FileDescriptor second(::open(path.c_str(), O_RDWR | O_CLOEXEC));
+  EXPECT_EQ(marked_by(second), MarkedBy::kThisProgram);
 }
 
 }  // namespace

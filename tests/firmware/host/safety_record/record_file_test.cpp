@@ -208,12 +208,12 @@ TEST_F(RecordFileTest, KnowsAHolderThatOnlyReadsFromOneThatMayFly) {
   RecordFile other(path_);
   ASSERT_TRUE(other.open());
   EXPECT_FALSE(other.claim());
-  EXPECT_TRUE(other.holder_may_fly()) << "it is this program";
+  EXPECT_EQ(other.marked_by(), MarkedBy::kThisProgram);
   file.let_go();
   const FileDescriptor reader(::open(path_.c_str(), O_RDONLY | O_CLOEXEC));
   ASSERT_EQ(::flock(reader.number(), LOCK_SH | LOCK_NB), 0);
   EXPECT_FALSE(other.claim());
-  EXPECT_FALSE(other.holder_may_fly());
+  EXPECT_EQ(other.marked_by(), MarkedBy::kAnotherProgram);
 }
 
 TEST_F(RecordFileTest, KnowsThatItsNameIsGoneOrAnothersOrItsEndIsCut) {
