@@ -7,6 +7,7 @@
 #include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/command_line/outputs.hpp"
 #include "policy/command_line/run.hpp"
@@ -49,8 +50,8 @@ void run_all(const Trainings& trainings, std::size_t threads, training::Training
 
 /// Prints the settings of every training, with --verbose.
 void print_settings(const Trainings& trainings, std::size_t threads, std::size_t ranks) {
-  program::detail() << trainings.size() << (trainings.size() == 1 ? " training, " : " trainings, ") << std::min(threads, trainings.size())
-                    << " at a time, " << ranks << (ranks == 1 ? " process\n" : " processes\n");
+  program::detail() << host::counted(trainings.size(), "training") << ", " << std::min(threads, trainings.size()) << " at a time, " << ranks
+                    << (ranks == 1 ? " process\n" : " processes\n");
   for (const auto& training : trainings) {
     const training::TrainingJob& job = training->job();
     program::detail() << job.output.string() << ", " << job.curve.string() << ", " << job.updates.string()

@@ -4,6 +4,7 @@
 
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/journal/words/wording.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/messages/dictionary/mission_words.hpp"
 #include "firmware/policy/action_draw.hpp"
@@ -62,7 +63,7 @@ std::string headline(const Flight& flight) {
   const search::Verdict verdict = search::verdict_on(account);
   std::string text = std::string("<h1 class=\"") + (verdict.is_found ? "found" : "missed") + "\">" + escaped(verdict.text) + "</h1>\n";
   if (const std::string end = search::end_to_string(account); !account.is_found && verdict.text.find(end) == std::string::npos)
-    text += "<p>The mission ended after " + std::to_string(steps) + (steps == 1 ? " step: " : " steps: ") + escaped(end) + ".</p>\n";
+    text += "<p>The mission ended after " + host::counted(static_cast<std::uint64_t>(steps), "step") + ": " + escaped(end) + ".</p>\n";
   text += kSimulationNote + unfinished_step(flight, static_cast<std::size_t>(steps));
   if (s.value("whole_steps", steps) < steps) text += "<p>The last step was cut short by the source.</p>\n";
   return text + account_paragraph(account) + "<p>Seed " + std::to_string(s.at("seed").get<std::uint64_t>()) + " &middot; mission " +

@@ -26,6 +26,7 @@
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/program/standard_streams.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/host/transport/can_socket.hpp"
 #include "hil/bus/candump/line_reader.hpp"
 #include "hil/bus/decode/dump.hpp"
@@ -119,8 +120,7 @@ class Work {
       if (size == 0 || is_enough()) break;
     }
     damage.require_log();
-    return end(damage.damaged == 0 ? "" : std::to_string(damage.damaged) + (damage.damaged == 1 ? " damaged line, " : " damaged lines, "),
-               damage.damaged == 0);
+    return end(damage.damaged == 0 ? "" : host::counted(damage.damaged, "damaged line") + ", ", damage.damaged == 0);
   }
 
   int listen(host::CanSocket& socket);

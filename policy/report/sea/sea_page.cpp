@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "firmware/host/journal/words/wording.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "policy/explain/wording.hpp"
 #include "policy/report/html.hpp"
 #include "sim/search/account/search_account.hpp"
@@ -15,7 +16,7 @@ using messages::Ending;
 using messages::MissionState;
 
 std::string ending_to_string(const SeaFlight& flight) {
-  const std::string steps = std::to_string(flight.steps_taken) + (flight.steps_taken == 1 ? " step" : " steps");
+  const std::string steps = host::counted(flight.steps_taken, "step");
   switch (flight.state) {
     case MissionState::kStandby:
       return "<h1>A flight without a search: nobody started it</h1>\n";

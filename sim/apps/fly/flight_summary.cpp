@@ -5,6 +5,7 @@
 
 #include "firmware/core/time.hpp"
 #include "firmware/host/program/wrapped.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "sim/apps/fly/flight_progress.hpp"
 #include "sim/apps/fly/search_account.hpp"
 #include "sim/search/account/numbers.hpp"
@@ -13,8 +14,8 @@
 namespace earshot::fly {
 namespace {
 
+using host::decimals;
 using nlohmann::json;
-using search::decimals;
 
 std::string km(double length_m) {
   return decimals(length_m / 1e3, 1) + " km";

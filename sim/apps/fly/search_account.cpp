@@ -3,6 +3,7 @@
 #include "firmware/config/safety.hpp"
 #include "firmware/host/journal/words/rule_event_words.hpp"
 #include "firmware/host/program/wrapped.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/messages/dictionary/mission_words.hpp"
 #include "firmware/messages/dictionary/safety_words.hpp"
 #include "sim/apps/fly/hearing/hear_option.hpp"
@@ -12,7 +13,7 @@
 namespace earshot::fly {
 namespace {
 
-using search::decimals;
+using host::decimals;
 
 nlohmann::ordered_json or_null(const std::optional<std::uint32_t>& step) {
   return step ? nlohmann::ordered_json(*step) : nlohmann::ordered_json();
@@ -85,8 +86,8 @@ std::string account_lines(const nlohmann::json& s) {
   if (s.contains("battery_percent")) text += entry("battery", decimals(s.at("battery_percent"), 1) + " % left");
   for (const search::LabelledSentence& sentence : search::sentences(search::account_in(s))) text += entry(sentence.label, sentence.text);
   if (const nlohmann::json home = value_in(s, "went_home"); !home.is_null())
-    text += entry("went home", "by " + home.at("what").get<std::string>() + ", after " +
-                                   std::to_string(home.at("step").get<std::uint32_t>()) + (home.at("step") == 1 ? " step" : " steps"));
+    text += entry("went home",
+                  "by " + home.at("what").get<std::string>() + ", after " + host::counted(home.at("step").get<std::uint32_t>(), "step"));
   if (s.contains("hearing")) text += entry("heard", hearing_of(s.at("hearing")));
   return text;
 }

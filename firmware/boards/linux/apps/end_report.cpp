@@ -11,6 +11,7 @@
 #include "firmware/host/journal/words/wording.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/messages/health_words.hpp"
 
 namespace earshot::board {
@@ -85,9 +86,9 @@ int report(const host::Journal& journal, Status closed, const std::filesystem::p
               << host::printable(last) << "\n";
   }
   if (closed == Status::kOk && counters.all_lost() == 0) return program::kDone;
-  std::cerr << "earshotd: the journal is not whole: " << journal::counted(counters.all_lost(), "record")
-            << " lost: " << journal::to_string(host::lost_records(counters.lost)) << "; "
-            << journal::counted(counters.write_errors, "write") << " failed\n";
+  std::cerr << "earshotd: the journal is not whole: " << host::counted(counters.all_lost(), "record")
+            << " lost: " << journal::to_string(host::lost_records(counters.lost)) << "; " << host::counted(counters.write_errors, "write")
+            << " failed\n";
   return program::kLost;
 }
 
