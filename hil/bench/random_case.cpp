@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <filesystem>
 #include <iomanip>
 #include <iterator>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "firmware/core/random.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/messages/dictionary/mission_words.hpp"
 
 namespace earshot::hil {
@@ -43,26 +43,19 @@ TimedFault moved(TimedFault fault, Pcg32& random) {
   return fault;
 }
 
-/// With as many digits as it takes to read the same number again.
-std::string written(double number) {
-  std::array<char, 32> text{};
-  const std::to_chars_result end = std::to_chars(text.data(), text.data() + text.size(), number);
-  return {text.data(), end.ptr};
-}
-
 std::string written(NorthEast place) {
-  return "[" + written(place.north.value) + ", " + written(place.east.value) + "]";
+  return "[" + host::shortest(place.north.value) + ", " + host::shortest(place.east.value) + "]";
 }
 
 void write_fault(std::ostream& out, const TimedFault& fault) {
   const auto index = static_cast<std::size_t>(fault.fault);
   const FaultTraits& traits = kFaultTraits.at(index);
-  out << "\n[[fault]]\nkind = \"" << traits.word << "\"\nat_s = " << written((fault.from - Time{}).to_seconds()) << "\n";
-  if (fault.until) out << "for_s = " << written((*fault.until - fault.from).to_seconds()) << "\n";
-  if (!traits.amount.empty()) out << traits.amount << " = " << written(fault.amount) << "\n";
-  if (fault.direction_deg != 0.0) out << "towards_deg = " << written(fault.direction_deg) << "\n";
+  out << "\n[[fault]]\nkind = \"" << traits.word << "\"\nat_s = " << host::shortest((fault.from - Time{}).to_seconds()) << "\n";
+  if (fault.until) out << "for_s = " << host::shortest((*fault.until - fault.from).to_seconds()) << "\n";
+  if (!traits.amount.empty()) out << traits.amount << " = " << host::shortest(fault.amount) << "\n";
+  if (fault.direction_deg != 0.0) out << "towards_deg = " << host::shortest(fault.direction_deg) << "\n";
   if (index >= kFrameFaults) return;
-  out << "share = " << written(fault.share) << "\n";
+  out << "share = " << host::shortest(fault.share) << "\n";
   if (!fault.device.empty()) out << "of = \"" << fault.device << "\"\n";
   if (fault.pgn) out << "pgn = " << *fault.pgn << "\n";
 }
@@ -126,7 +119,7 @@ std::string to_toml(const Case& c) {
   out << "given = " << std::quoted(c.given) << "\nwhen = " << std::quoted(c.when) << "\nthen = " << std::quoted(c.then) << "\n";
   if (!c.defence.empty()) out << "defence = " << std::quoted(c.defence) << "\n";
   out << "mission = " << std::quoted(std::filesystem::absolute(c.mission).lexically_normal().string()) << "\nstart_m = " << written(c.start)
-      << "\nsource_m = " << written(c.source) << "\nstart_heading_deg = " << written(c.start_heading_deg)
+      << "\nsource_m = " << written(c.source) << "\nstart_heading_deg = " << host::shortest(c.start_heading_deg)
       << "\nat_most_s = " << c.at_most.us / 1'000'000 << "\n";
   for (const TimedFault& fault : c.faults) write_fault(out, fault);
   write_expectation(out, c.expected);

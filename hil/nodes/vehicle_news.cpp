@@ -1,12 +1,11 @@
 #include "hil/nodes/vehicle_news.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "firmware/core/math.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/messages/dictionary/command_words.hpp"
 #include "firmware/messages/dictionary/mission_words.hpp"
 
@@ -14,13 +13,6 @@ namespace earshot::hil {
 namespace {
 
 constexpr double kNewCourse_rad = 0.4;  ///< about 23 degrees: less is what keeps the vehicle on its leg
-
-template <class... Values>
-std::string printed(const char* format, Values... values) {
-  std::array<char, 160> text{};
-  (void)std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
 
 long whole_degrees(Radians angle) {
   const long turned = std::lround(wrap_to_pi(angle).value * 180.0 / std::numbers::pi);
@@ -32,21 +24,21 @@ bool is_another_course(const vehicle::Command& a, const vehicle::Command& b) {
 }
 
 std::string decision_in_words(const messages::Decision& decision) {
-  return printed("step %u: at ", static_cast<unsigned>(decision.step)) + in_kilometres(decision.position) +
-         (decision.too_faint ? ", nothing heard" : printed(", SNR %.1f dB", decision.snr.value)) + "; on to " +
+  return host::formatted("step %u: at ", static_cast<unsigned>(decision.step)) + in_kilometres(decision.position) +
+         (decision.too_faint ? ", nothing heard" : host::formatted(", SNR %.1f dB", decision.snr.value)) + "; on to " +
          in_kilometres(decision.waypoint);
 }
 
 }  // namespace
 
 std::string in_kilometres(NorthEast place) {
-  return printed("%.2f km north, %.2f km east", place.north.value / 1e3, place.east.value / 1e3);
+  return host::formatted("%.2f km north, %.2f km east", place.north.value / 1e3, place.east.value / 1e3);
 }
 
 std::string on_a_watch(Duration duration) {
   const std::int64_t s = duration.us / 1'000'000;
-  return printed("%lld:%02lld:%02lld", static_cast<long long>(s / 3600), static_cast<long long>(s / 60 % 60),
-                 static_cast<long long>(s % 60));
+  return host::formatted("%lld:%02lld:%02lld", static_cast<long long>(s / 3600), static_cast<long long>(s / 60 % 60),
+                         static_cast<long long>(s % 60));
 }
 
 std::vector<std::string> VehicleNews::lines(Time now) {
@@ -64,11 +56,12 @@ void VehicleNews::tell_of_earshot(const Operator& ashore, std::vector<std::strin
   }
   if (ashore.decisions() != decisions_) {
     decisions_ = ashore.decisions();
-    lines.push_back(decision_in_words(*ashore.decision()) + printed(" (the source is %.2f km away)", vehicle_.range().value / 1e3));
+    lines.push_back(decision_in_words(*ashore.decision()) + host::formatted(" (the source is %.2f km away)", vehicle_.range().value / 1e3));
   }
   if (!ashore.health() || ashore.health()->health.state == state_) return;
   const messages::Health& health = ashore.health()->health;
-  std::string line = printed("Earshot, address %u, is in ", static_cast<unsigned>(*ashore.vehicle())) + messages::to_string(health.state);
+  std::string line =
+      host::formatted("Earshot, address %u, is in ", static_cast<unsigned>(*ashore.vehicle())) + messages::to_string(health.state);
   if (health.end_reason != messages::EndReason::kNone) line += std::string(": ") + messages::to_string(health.end_reason);
   lines.push_back(line);
   state_ = health.state;
@@ -77,20 +70,20 @@ void VehicleNews::tell_of_earshot(const Operator& ashore, std::vector<std::strin
 void VehicleNews::tell_of_course(const Autopilot& autopilot, std::vector<std::string>& lines) {
   const vehicle::Command& command = autopilot.command();
   if (autopilot.is_forsaken() && !is_forsaken_)
-    lines.push_back(printed("autopilot: no set-point for %.0f s: stops and comes up", kAutopilotPatience.to_seconds()));
+    lines.push_back(host::formatted("autopilot: no set-point for %.0f s: stops and comes up", kAutopilotPatience.to_seconds()));
   is_forsaken_ = autopilot.is_forsaken();
   if (autopilot.is_weight_released() && !is_weight_released_) lines.emplace_back("autopilot: releases the drop weight");
   is_weight_released_ = autopilot.is_weight_released();
   if (autopilot.taken() == 0 || is_forsaken_ || (course_ && !is_another_course(command, *course_))) return;
   course_ = command;
-  lines.push_back(printed("autopilot: steers %03ld degrees, %.1f m/s, %.0f m deep", whole_degrees(command.heading), command.speed.value,
-                          command.depth.value));
+  lines.push_back(host::formatted("autopilot: steers %03ld degrees, %.1f m/s, %.0f m deep", whole_degrees(command.heading),
+                                  command.speed.value, command.depth.value));
 }
 
 std::string VehicleNews::summary(Time now) const {
-  std::string text = printed("sailed %.2f km in ", vehicle_.sailed().value / 1e3) + on_a_watch(now - began_);
+  std::string text = host::formatted("sailed %.2f km in ", vehicle_.sailed().value / 1e3) + on_a_watch(now - began_);
   if (const Autopilot* const autopilot = vehicle_.autopilot())
-    text += printed(", %llu set-points taken", static_cast<unsigned long long>(autopilot->taken()));
+    text += host::formatted(", %llu set-points taken", static_cast<unsigned long long>(autopilot->taken()));
   return text;
 }
 

@@ -16,6 +16,7 @@
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/program/wrapped.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/apps/evaluate_mission.hpp"
 #include "policy/apps/evaluate_tables.hpp"
@@ -318,10 +319,9 @@ std::vector<evaluate::Row> fly_in_all(std::span<const evaluate::WorldFile> world
       if (ranks.rank() == 0) rows.push_back(evaluate::row_of(world.name, candidate.name, flights, pace, world.seed));
     }
     if (ranks.rank() > 0) continue;
-    std::ostringstream head;
-    head << world.name << ": " << world.what << "; " << o.episodes << " searches, seed " << world.seed << ", steps of " << pace.step_s
-         << " s";
-    program::say() << program::wrapped_lines(head.str()) << evaluate::as_text(std::span(rows).subspan(first_row)) << std::endl;
+    const std::string head = world.name + ": " + world.what + "; " + std::to_string(o.episodes) + " searches, seed " +
+                             std::to_string(world.seed) + ", steps of " + host::significant(pace.step_s, 6) + " s";
+    program::say() << program::wrapped_lines(head) << evaluate::as_text(std::span(rows).subspan(first_row)) << std::endl;
   }
   return rows;
 }
@@ -363,7 +363,7 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
     for (const std::string& warning : warnings) std::cerr << "earshot evaluate: warning: " << host::printable(warning) << "\n";
     for (const evaluate::Candidate& c : candidates) print_details(c);
     program::detail() << environment_file.string() << ": " << environment.name << "; the vehicle " << task.depth.value << " m deep\n"
-                      << ranks.size() << (ranks.size() == 1 ? " process\n" : " processes\n");
+                      << host::counted(ranks.size(), "process", "processes") << "\n";
     program::say() << program::wrapped_lines((mission ? evaluate::to_string(*mission) : "") + what_is_searched(o.search, task));
   }
   std::optional<policy::ActionDraw> draw;

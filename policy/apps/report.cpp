@@ -11,6 +11,7 @@
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/command_line/outputs.hpp"
 #include "policy/command_line/run.hpp"
@@ -49,10 +50,9 @@ void tell_others(const std::filesystem::path& folder, const report::Flight& flig
 
 /// "8 steps, 9 decisions": a mission may end within a step.
 std::string steps_and_decisions(const report::Flight& flight) {
-  const auto counted = [](std::size_t count, const char* what) { return std::to_string(count) + " " + what + (count == 1 ? "" : "s"); };
-  const std::string decisions = counted(flight.journal.decisions.size(), "decision");
-  if (flight.sea) return counted(flight.sea->steps_taken, "step") + ", " + decisions;
-  return flight.summary.is_null() ? decisions : counted(flight.summary.at("steps").get<std::size_t>(), "step") + ", " + decisions;
+  const std::string decisions = host::counted(flight.journal.decisions.size(), "decision");
+  if (flight.sea) return host::counted(flight.sea->steps_taken, "step") + ", " + decisions;
+  return flight.summary.is_null() ? decisions : host::counted(flight.summary.at("steps").get<std::size_t>(), "step") + ", " + decisions;
 }
 
 int write_report(const std::filesystem::path& folder, host::Replace replace) try {

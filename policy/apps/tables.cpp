@@ -18,6 +18,7 @@
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/program/version.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/host/trust/key_pair.hpp"
 #include "firmware/host/trust/signed_bytes.hpp"
 #include "firmware/policy/format/envelope.hpp"
@@ -200,12 +201,6 @@ std::string checksum_of(const std::vector<tables::BelievedOcean>& oceans) {
   return host::crc32_text(host::crc32_of(checksums));
 }
 
-std::string tenths(double value) {
-  char text[32];
-  (void)std::snprintf(text, sizeof text, "%.1f", value);
-  return text;
-}
-
 std::unique_ptr<policy::OceanTables> tables_of(const Files& files, const Oceans& oceans, const Options& o) {
   const tables::CurvePlan plan = plan_of(o);
   const std::vector<tables::BelievedOcean> every = all_of(oceans);
@@ -217,7 +212,7 @@ std::unique_ptr<policy::OceanTables> tables_of(const Files& files, const Oceans&
   const tables::Merged merged = tables::merge_beside(curves.unmerged, curves.others, o.at_most);
   if (merged.curves.size() < all.size())
     program::say() << all.size() << " curves became " << merged.curves.size() << " tables; none is further than "
-                   << tenths(merged.most_difference_db) << " dB rms from its own, where it is audible\n";
+                   << host::decimals(merged.most_difference_db, 1) << " dB rms from its own, where it is audible\n";
   const std::size_t environments = files.expected.size() + files.variants.size() + files.others.size();
   std::vector<std::pair<std::string, std::string>> provenance{{"made_by", "earshot tables " + program::version()},
                                                               {"commit", program::build_commit()},
@@ -227,7 +222,7 @@ std::unique_ptr<policy::OceanTables> tables_of(const Files& files, const Oceans&
                                                               {"curves", std::to_string(all.size())},
                                                               {"expected", std::to_string(curves.unmerged.expected.size())},
                                                               {"variants", std::to_string(curves.unmerged.variants.size())},
-                                                              {"merged_within_db", tenths(merged.most_difference_db)}};
+                                                              {"merged_within_db", host::decimals(merged.most_difference_db, 1)}};
   if (o.origin) provenance.emplace_back("origin", *o.origin);
   return tables::make_tables(merged.curves, all, plan, every.front().environment.source.frequency, provenance);
 }
@@ -291,8 +286,7 @@ void make(const Options& o) {
   tables::describe(program::say(), *tables);
   if (o.plot) tables::plot_curves(*o.plot, *tables);
   program::detail() << o.key.key << ": signed with it; a vehicle trusts " << host::public_file_of(o.key.key).string() << "\n";
-  program::say() << *o.output << ": " << bytes.size() << " bytes, " << tables->tables.size()
-                 << (tables->tables.size() == 1 ? " table\n" : " tables\n");
+  program::say() << *o.output << ": " << bytes.size() << " bytes, " << host::counted(tables->tables.size(), "table") << "\n";
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <iomanip>
 #include <memory>
 #include <ostream>
 #include <sstream>
@@ -7,6 +6,7 @@
 #include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/command_line/outputs.hpp"
 #include "policy/command_line/run.hpp"
@@ -49,8 +49,8 @@ void run_all(const Trainings& trainings, std::size_t threads, training::Training
 
 /// Prints the settings of every training, with --verbose.
 void print_settings(const Trainings& trainings, std::size_t threads, std::size_t ranks) {
-  program::detail() << trainings.size() << (trainings.size() == 1 ? " training, " : " trainings, ") << std::min(threads, trainings.size())
-                    << " at a time, " << ranks << (ranks == 1 ? " process\n" : " processes\n");
+  program::detail() << host::counted(trainings.size(), "training") << ", " << std::min(threads, trainings.size()) << " at a time, "
+                    << host::counted(ranks, "process", "processes") << "\n";
   for (const auto& training : trainings) {
     const training::TrainingJob& job = training->job();
     program::detail() << job.output.string() << ", " << job.curve.string() << ", " << job.updates.string()
@@ -88,7 +88,7 @@ void print_summary(const Trainings& trainings, double seconds) {
                    << of_seeds(found, 100.0) << " %\n";
   }
   if (program::stop_requested) program::say() << "interrupted; go on with earshot train --resume\n";
-  program::say() << "trained for " << std::fixed << std::setprecision(1) << seconds << " s\n";
+  program::say() << "trained for " << host::decimals(seconds, 1) << " s\n";
 }
 
 /// "Reward in training: source changing, state belief, seed 1"

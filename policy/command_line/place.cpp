@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/program/command_line.hpp"
+#include "firmware/host/text/numbers.hpp"
 
 namespace earshot::command_line {
 namespace {
@@ -41,11 +41,10 @@ NorthEast north_east_of(const std::string& option, const std::string& text) {
   const NorthEast place{north->length, east->length};
   const double further = std::max(std::abs(place.north.value), std::abs(place.east.value));
   if (north->has_unit || east->has_unit || further == 0.0 || further >= kLooksLikeKilometres) return place;
-  char meant[160];
-  (void)std::snprintf(meant, sizeof meant, "metres are meant: did you mean %.10g,%.10g (or %.10gkm,%.10gkm)? If not, write %.10gm,%.10gm",
-                      1000.0 * place.north.value, 1000.0 * place.east.value, place.north.value, place.east.value, place.north.value,
-                      place.east.value);
-  throw BadInput(option + " " + text + ": " + meant);
+  throw BadInput(option + " " + text + ": " +
+                 host::formatted("metres are meant: did you mean %.10g,%.10g (or %.10gkm,%.10gkm)? If not, write %.10gm,%.10gm",
+                                 1000.0 * place.north.value, 1000.0 * place.east.value, place.north.value, place.east.value,
+                                 place.north.value, place.east.value));
 }
 
 }  // namespace earshot::command_line

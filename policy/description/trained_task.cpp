@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "firmware/host/text/numbers.hpp"
+
 namespace earshot::description {
 namespace {
 
@@ -59,12 +61,6 @@ std::optional<std::uint32_t> steps_of(std::string_view provenance) {
   return steps && *steps >= 1 ? steps : std::nullopt;
 }
 
-std::string in_text(double number) {
-  std::array<char, 32> text{};
-  const auto written = std::to_chars(text.data(), text.data() + text.size(), number);
-  return {text.data(), written.ptr};
-}
-
 }  // namespace
 
 TrainedTask trained_task(std::string_view provenance) {
@@ -84,15 +80,15 @@ TrainedTask trained_task(std::string_view provenance) {
 
 Lines source_place_lines(const search::SearchSettings& settings) {
   if (settings.placement == search::SourcePlacement::kChanging) return {};
-  return {{"source_north_m", in_text(settings.source.north.value)}, {"source_east_m", in_text(settings.source.east.value)}};
+  return {{"source_north_m", host::shortest(settings.source.north.value)}, {"source_east_m", host::shortest(settings.source.east.value)}};
 }
 
 Lines task_lines(const search::SearchSettings& settings, Meters vehicle_depth) {
-  Lines lines{{"vehicle_depth_m", in_text(vehicle_depth.value)}, {"source", std::string(search::name_of(settings.placement))}};
+  Lines lines{{"vehicle_depth_m", host::shortest(vehicle_depth.value)}, {"source", std::string(search::name_of(settings.placement))}};
   for (auto& line : source_place_lines(settings)) lines.push_back(std::move(line));
-  lines.emplace_back("start_margin_m", in_text((settings.start_region.south_west.north - settings.domain.south_west.north).value));
-  lines.emplace_back("border_width_m", in_text(settings.border_width.value));
-  lines.emplace_back("border_reward", in_text(settings.border_reward));
+  lines.emplace_back("start_margin_m", host::shortest((settings.start_region.south_west.north - settings.domain.south_west.north).value));
+  lines.emplace_back("border_width_m", host::shortest(settings.border_width.value));
+  lines.emplace_back("border_reward", host::shortest(settings.border_reward));
   lines.emplace_back("max_steps", std::to_string(settings.max_steps));
   return lines;
 }

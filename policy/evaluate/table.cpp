@@ -1,37 +1,25 @@
 #include "policy/evaluate/table.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <utility>
 #include <vector>
 
+#include "firmware/host/text/numbers.hpp"
 #include "policy/evaluate/csv.hpp"
 #include "sim/plot/gnuplot.hpp"
 
 namespace earshot::evaluate {
 namespace {
 
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-  std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
-
 /// A number so many characters wide; "-" where there is none.
 std::string known(const std::string& before, int width, double value) {
-  return before + (std::isfinite(value) ? formatted("%*.2f", width, value) : formatted("%*s", width, "-"));
+  return before + (std::isfinite(value) ? host::formatted("%*.2f", width, value) : host::formatted("%*s", width, "-"));
 }
 
 std::string shortest(double value) {
-  if (std::isnan(value)) return "";
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return {text.data(), end};
+  return std::isnan(value) ? "" : host::shortest(value);
 }
 
 /// Cells of a row, without its name.
@@ -41,24 +29,24 @@ std::string found_and_time(const Row& row) {
   const TimeToFind& t = row.time_to_find;
   const Interval& steps_95 = row.intervals.restricted_mean_steps;
   const auto in_hours = [&row](double steps) { return hours(steps, row.pace); };
-  return formatted(" %6.1f  %5.1f to %5.1f", 100.0 * row.summary.found_fraction, 100.0 * row.found_fraction_95.low,
-                   100.0 * row.found_fraction_95.high) +
+  return host::formatted(" %6.1f  %5.1f to %5.1f", 100.0 * row.summary.found_fraction, 100.0 * row.found_fraction_95.low,
+                         100.0 * row.found_fraction_95.high) +
          known(" ", 7, in_hours(t.median)) + known("  ", 5, in_hours(t.lower_quartile)) + known(" to ", 5, in_hours(t.upper_quartile)) +
-         formatted(" %6.2f  %5.2f to %5.2f", in_hours(t.restricted_mean), in_hours(steps_95.low), in_hours(steps_95.high));
+         host::formatted(" %6.2f  %5.2f to %5.2f", in_hours(t.restricted_mean), in_hours(steps_95.low), in_hours(steps_95.high));
 }
 
 std::string reward(const Row& row) {
   const Summary& s = row.summary;
   const Interval& mean_95 = row.intervals.mean_reward;
-  return formatted(" %8.2f  %7.2f to %7.2f", s.mean_reward, mean_95.low, mean_95.high) +
-         formatted(" %8.2f  %7.2f to %7.2f", s.median_reward, s.lower_quartile_reward, s.upper_quartile_reward);
+  return host::formatted(" %8.2f  %7.2f to %7.2f", s.mean_reward, mean_95.low, mean_95.high) +
+         host::formatted(" %8.2f  %7.2f to %7.2f", s.median_reward, s.lower_quartile_reward, s.upper_quartile_reward);
 }
 
 std::string way_and_decisions(const Row& row) {
   return known(" ", 9, row.path_over_straight) +
-         formatted(" %7.1f %9.1f", 100.0 * row.summary.left_domain_fraction, row.summary.mean_detections) +
+         host::formatted(" %7.1f %9.1f", 100.0 * row.summary.left_domain_fraction, row.summary.mean_detections) +
          known(" ", 9, 100.0 * row.surprises.fraction) + known(" ", 7, row.surprises.median_look) +
-         formatted(" %9.2f %10.2f", 1e6 * row.decision_s, 1e6 * row.pondering_s);
+         host::formatted(" %9.2f %10.2f", 1e6 * row.decision_s, 1e6 * row.pondering_s);
 }
 
 constexpr std::size_t kLongestName = 28;
@@ -85,9 +73,9 @@ std::string said_by(const Row& row) {
   if (!row.declarations) return "";
   const DeclarationShares& d = *row.declarations;
   return row.policy + " declared\n" +
-         formatted("   falsely in %.1f %% of the searches (further than 1.5 step lengths off in %.1f %%),\n", 100.0 * d.falsely,
-                   100.0 * d.far_off) +
-         "   nothing in " + (std::isfinite(d.missed) ? formatted("%.1f", 100.0 * d.missed) : "-") +
+         host::formatted("   falsely in %.1f %% of the searches (further than 1.5 step lengths off in %.1f %%),\n", 100.0 * d.falsely,
+                         100.0 * d.far_off) +
+         "   nothing in " + (std::isfinite(d.missed) ? host::formatted("%.1f", 100.0 * d.missed) : "-") +
          " % of those that ended a step within a step length of the source\n";
 }
 
@@ -114,7 +102,8 @@ const char* colour_of(std::size_t policy) {
 /// The place of one policy's points, and its mark: colour and shape both distinguish it from its neighbours.
 std::string points_of(std::size_t policy) {
   constexpr std::array<int, 6> kShapes{7, 5, 9, 13, 11, 15};  // disc, square, triangle, diamond, triangle on its head, pentagon
-  return formatted(" using 1:2:3:4 with yerrorbars pt %d ps 1.1 lw 1.5 lc rgb '%s'", kShapes[policy % kShapes.size()], colour_of(policy));
+  return host::formatted(" using 1:2:3:4 with yerrorbars pt %d ps 1.1 lw 1.5 lc rgb '%s'", kShapes[policy % kShapes.size()],
+                         colour_of(policy));
 }
 
 /// Where a policy's point stands along the axis: policies side by side within their world.
@@ -152,13 +141,14 @@ std::string reward_axis(std::span<const Row> rows) {
     const auto policy = static_cast<std::size_t>(std::ranges::find(policies, row.policy) - policies.begin());
     const double place = place_of(row, policy, policies.size(), worlds);
     if (row.summary.mean_reward < least_usual)
-      labels += formatted("set label '%.1f' at first %g, graph 0.03 left rotate by 90 offset 0,0.6 point pt 11 ps 1.1 lc rgb '%s'\n",
-                          row.summary.mean_reward, place, colour_of(policy));
+      labels += host::formatted("set label '%.1f' at first %g, graph 0.03 left rotate by 90 offset 0,0.6 point pt 11 ps 1.1 lc rgb '%s'\n",
+                                row.summary.mean_reward, place, colour_of(policy));
     else if (row.intervals.mean_reward.low < low)
-      labels += formatted("set label 'to %.1f' at first %g, graph 0.03 left rotate by 90 offset 0.8,0.6 point pt 10 ps 1.1 lc rgb '%s'\n",
+      labels +=
+          host::formatted("set label 'to %.1f' at first %g, graph 0.03 left rotate by 90 offset 0.8,0.6 point pt 10 ps 1.1 lc rgb '%s'\n",
                           row.intervals.mean_reward.low, place, colour_of(policy));
   }
-  return formatted("set yrange [%g:0]\n", low) + labels;
+  return host::formatted("set yrange [%g:0]\n", low) + labels;
 }
 
 /// One panel: a point with its interval for every row; policies side by side within their world.
@@ -174,7 +164,7 @@ std::string panel(std::span<const Row> rows, const std::string& label, bool is_n
     for (const Row& row : rows) {
       if (row.policy != policies[p]) continue;
       const std::array<double, 3> v = value(row);
-      data += formatted("%g %g %g %g\n", place_of(row, p, policies.size(), worlds), v[0], v[1], v[2]);
+      data += host::formatted("%g %g %g %g\n", place_of(row, p, policies.size(), worlds), v[0], v[1], v[2]);
     }
     data += "e\n";
   }
@@ -273,7 +263,7 @@ std::string as_plot(std::span<const Row> all, const std::string& title) {
                             " noenhanced\nset grid ytics lt 1 lw 0.5 lc rgb '#cccccc'\nset key at screen 0.99,0.94 right top noenhanced "
                             "reverse Left\nset tics out nomirror\nset lmargin at screen 0.07\nset rmargin at screen " +
                             (has_legend ? "0.82" : "0.97") +
-                            "\nset xrange [-0.5:" + formatted("%g", static_cast<double>(worlds.size()) - 0.5) + "]\n";
+                            "\nset xrange [-0.5:" + host::formatted("%g", static_cast<double>(worlds.size()) - 0.5) + "]\n";
   return setup + "set bmargin at screen 0.68\nset tmargin at screen 0.94\nset yrange [0:105]\n" + tics_of(worlds, false) +
          panel(rows, "sources found, % (95 %)", has_legend,
                [](const Row& r) {

@@ -2,8 +2,9 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
+
+#include "firmware/host/text/numbers.hpp"
 
 namespace earshot::explain {
 namespace {
@@ -72,9 +73,7 @@ std::string_view to_string(Subject subject) {
 }
 
 std::string degrees_to_string(double degrees) {
-  std::array<char, 16> text{};
-  (void)std::snprintf(text.data(), text.size(), "%03.0f\u00B0", std::fmod(std::round(std::fmod(degrees + 360.0, 360.0)), 360.0));
-  return text.data();
+  return host::formatted("%03.0f\u00B0", std::fmod(std::round(std::fmod(degrees + 360.0, 360.0)), 360.0));
 }
 
 std::string compass_point(double degrees) {
@@ -165,9 +164,7 @@ std::string value_of(const policy::ObservationElement& element, float value) {
 }
 
 std::string fixed(double x, int digits) {
-  std::array<char, 64> text{};
-  (void)std::snprintf(text.data(), text.size(), "%.*f", digits, x);
-  const std::string written = text.data();
+  const std::string written = host::decimals(x, digits);
   return written.find_first_not_of("-0.") == std::string::npos && written.front() == '-' ? written.substr(1) : written;
 }
 

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iomanip>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/text/numbers.hpp"
 
 namespace earshot::own_search {
 namespace {
@@ -70,10 +69,9 @@ std::string TemplateText::text() const {
 }
 
 std::string toml_number(double value) {
-  std::ostringstream text;
-  text << std::setprecision(std::numeric_limits<double>::digits10) << value;
-  const bool is_whole = text.str().find_first_of(".e") == std::string::npos;
-  return text.str() + (is_whole ? ".0" : "");
+  const std::string text = host::significant(value, std::numeric_limits<double>::digits10);
+  const bool is_whole = text.find_first_of(".e") == std::string::npos;
+  return text + (is_whole ? ".0" : "");
 }
 
 std::string toml_text(std::string_view text) {

@@ -1,7 +1,6 @@
 #include "policy/ppo/training_run.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <charconv>
 #include <limits>
@@ -10,6 +9,7 @@
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/host/listening/listening_words.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "sim/search/scenario/placement.hpp"
 
@@ -82,15 +82,13 @@ std::string in_text(const Value& value) {
 
 /// Six digits, as long as they say it exactly; otherwise as many more as it takes.
 std::string in_text(double value) {
-  std::array<char, 32> digits{};
-  std::string_view text;
+  std::string text;
   for (int precision = 6; precision <= std::numeric_limits<double>::max_digits10; ++precision) {
-    const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, precision);
-    text = {digits.data(), written.ptr};
+    text = host::significant(value, precision);
     double read = 0.0;
-    if (std::from_chars(digits.data(), written.ptr, read).ec == std::errc() && read == value) break;
+    if (std::from_chars(text.data(), text.data() + text.size(), read).ec == std::errc() && read == value) break;
   }
-  return std::string(text);
+  return text;
 }
 
 }  // namespace

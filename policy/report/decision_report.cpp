@@ -1,5 +1,6 @@
 #include "policy/report/decision_report.hpp"
 
+#include "firmware/host/text/duration.hpp"
 #include "policy/report/belief_pictures.hpp"
 #include "policy/report/explanation.hpp"
 #include "policy/report/html.hpp"
@@ -13,7 +14,7 @@ constexpr std::size_t kRows = 8;  ///< of the observation, shown in a report
 
 std::string subtitle(const DecisionReport& report) {
   const explain::RecordedDecision& d = report.account.decision;
-  return duration(d.time_s - report.looks().front().time_s) + " after the first decision, " + fixed(d.position.north.value / 1e3, 2) +
+  return host::duration(d.time_s - report.looks().front().time_s) + " after the first decision, " + fixed(d.position.north.value / 1e3, 2) +
          " km north, " + fixed(d.position.east.value / 1e3, 2) + " km east. Journal " + report.flight.journal_path.string() + ", policy " +
          report.flight.policy_path.string() + ": replayed, and every decision up to the last comes out bit for bit.";
 }

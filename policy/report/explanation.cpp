@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "firmware/core/math.hpp"
+#include "firmware/host/text/duration.hpp"
 #include "policy/report/html.hpp"
 
 namespace earshot::report {
@@ -255,7 +256,7 @@ std::string looks_table(std::span<const explain::RecordedDecision> looks) {
   std::string text = "<div class=\"table\"><table>\n<tr><th>step</th><th>at</th><th>north (km)</th><th>east (km)</th><th>SNR</th></tr>\n";
   for (std::size_t i = looks.size(); i > 0 && looks.size() - i < kLooksShown; --i) {
     const explain::RecordedDecision& look = looks[i - 1];
-    text += "<tr><td>" + std::to_string(look.step) + "</td><td>" + duration(look.time_s - looks.front().time_s) + "</td><td>" +
+    text += "<tr><td>" + std::to_string(look.step) + "</td><td>" + host::duration(look.time_s - looks.front().time_s) + "</td><td>" +
             fixed(look.position.north.value / 1e3, 2) + "</td><td>" + fixed(look.position.east.value / 1e3, 2) + "</td><td" +
             (look.detected ? " class=\"heard\"" : "") + ">" + to_string(look.reception) + (look.detected ? " &#9679;" : "") +
             "</td></tr>\n";

@@ -14,6 +14,7 @@
 #include "firmware/host/journal/journal_parts.hpp"
 #include "firmware/host/journal/reading/record_source.hpp"
 #include "firmware/host/journal/words/sentences.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/messages/health.hpp"
 #include "policy/description/json_fault.hpp"
@@ -140,7 +141,7 @@ explain::RecordedDecision decision_of(const messages::Decision& m) {
 }
 
 std::string bytes_to_string(const host::JournalDamage& damage) {
-  return std::to_string(damage.bytes) + (damage.bytes == 1 ? " byte" : " bytes") + " from byte " + std::to_string(damage.offset) + " on" +
+  return host::counted(damage.bytes, "byte") + " from byte " + std::to_string(damage.offset) + " on" +
          (damage.part.empty() ? "" : " of " + damage.part);
 }
 

@@ -69,10 +69,4 @@ std::string signed_bar_cell(double share) {
          "\" style=\"--share:" + explain::fixed(std::abs(share), 3) + "\"></i></b></td>";
 }
 
-std::string duration(double s) {
-  if (s < 120.0) return std::to_string(std::lround(s)) + " s";
-  const int minutes = static_cast<int>(std::lround(s / 60.0));
-  return minutes < 60 ? std::to_string(minutes) + " min" : std::to_string(minutes / 60) + " h " + std::to_string(minutes % 60) + " min";
-}
-
 }  // namespace earshot::report

@@ -25,7 +25,4 @@ using plot::escaped;
 /// @param share  of the longest bar in the column, -1 to 1
 [[nodiscard]] std::string signed_bar_cell(double share);
 
-/// "90 s", "47 min" or "1 h 12 min"
-[[nodiscard]] std::string duration(double s);
-
 }  // namespace earshot::report

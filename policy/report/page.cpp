@@ -4,6 +4,8 @@
 
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/journal/words/wording.hpp"
+#include "firmware/host/text/duration.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/messages/dictionary/mission_words.hpp"
 #include "firmware/policy/action_draw.hpp"
@@ -66,7 +68,7 @@ std::string headline(const Flight& flight) {
   const search::Verdict verdict = search::verdict_on(account);
   std::string text = std::string("<h1 class=\"") + (verdict.is_found ? "found" : "missed") + "\">" + escaped(verdict.text) + "</h1>\n";
   if (const std::string end = search::end_to_string(account); !account.is_found && verdict.text.find(end) == std::string::npos)
-    text += "<p>The mission ended after " + std::to_string(steps) + (steps == 1 ? " step: " : " steps: ") + escaped(end) + ".</p>\n";
+    text += "<p>The mission ended after " + host::counted(static_cast<std::uint64_t>(steps), "step") + ": " + escaped(end) + ".</p>\n";
   text += kSimulationNote + unfinished_step(flight, static_cast<std::size_t>(steps));
   if (s.value("whole_steps", steps) < steps) text += "<p>The last step was cut short by the source.</p>\n";
   return text + account_paragraph(account) + "<p>Seed " + std::to_string(s.at("seed").get<std::uint64_t>()) + " &middot; mission " +
@@ -109,7 +111,7 @@ std::string facts(const Flight& flight) {
          fact("declared", account.declared_step ? "at step " + std::to_string(*account.declared_step) : "no", search::kDeclaredMeans) +
          fact("distance", fixed(s.at("distance_m").get<double>() / 1e3, 1) + " km") +
          (s.contains("battery_percent") ? fact("battery left", fixed(s.at("battery_percent"), 1) + " %") : "") +
-         fact("time at sea", duration(sim),
+         fact("time at sea", host::duration(sim),
               "in simulated time; computed in " + fixed(wall, 2) + " s, " + (wall > 0 ? fixed(sim / wall, 0) : "-") + " times real time") +
          "</dl>\n";
 }
@@ -133,7 +135,7 @@ std::string cell(std::string_view name, const std::string& value, const char* of
 /// @param began_s  from when the page counts its times
 std::string row(const explain::RecordedDecision& d, double began_s, const std::vector<std::string>& directions) {
   std::string text =
-      "<tr class=\"step\">" + cell("step", std::to_string(d.step)) + cell("at", duration(d.time_s - began_s)) +
+      "<tr class=\"step\">" + cell("step", std::to_string(d.step)) + cell("at", host::duration(d.time_s - began_s)) +
       cell("north (km)", fixed(d.position.north.value / 1e3, 2)) + cell("east (km)", fixed(d.position.east.value / 1e3, 2)) +
       cell("SNR (dB)", (d.reception.too_faint ? "&lt; " : "") + fixed(d.reception.snr.value, 1) + (d.detected ? " &#9679;" : ""),
            d.detected ? "heard" : "");

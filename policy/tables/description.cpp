@@ -1,10 +1,10 @@
 #include "policy/tables/description.hpp"
 
-#include <cstdio>
 #include <ostream>
 #include <string>
 
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/text/numbers.hpp"
 
 namespace earshot::tables {
 namespace {
@@ -12,13 +12,8 @@ namespace {
 constexpr Decibels kThreshold{10.0};
 
 std::string from_to(policy::DepthRange depths) {
-  char text[80];
-  if (depths.least == depths.most) {
-    (void)std::snprintf(text, sizeof text, "%.10g m", depths.least.value);
-  } else {
-    (void)std::snprintf(text, sizeof text, "%.10g to %.10g m", depths.least.value, depths.most.value);
-  }
-  return text;
+  const std::string least = depths.least == depths.most ? "" : host::significant(depths.least.value, 10) + " to ";
+  return least + host::significant(depths.most.value, 10) + " m";
 }
 
 }  // namespace
@@ -30,17 +25,15 @@ Meters heard_to(const policy::OceanTable& table, const policy::OceanTables& tabl
 }
 
 void describe(std::ostream& out, const policy::OceanTables& tables) {
-  char line[160];
-  (void)std::snprintf(line, sizeof line, "%.10g Hz heard at %.10g m from sources at %s; sea floors at %s; %u ranges, every %.10g m\n",
-                      tables.frequency.value, tables.receiver_depth.value, from_to(tables.source_depth).c_str(),
-                      from_to(tables.sea_depth).c_str(), unsigned{tables.range_count}, tables.range_step.value);
-  out << line << "sea floor m   prior   10 dB to km   name\n";
+  out << host::formatted("%.10g Hz heard at %.10g m from sources at %s; sea floors at %s; %u ranges, every %.10g m\n",
+                         tables.frequency.value, tables.receiver_depth.value, from_to(tables.source_depth).c_str(),
+                         from_to(tables.sea_depth).c_str(), unsigned{tables.range_count}, tables.range_step.value)
+      << "sea floor m   prior   10 dB to km   name\n";
   for (const policy::OceanTable& table : tables.tables) {
     const Meters heard = heard_to(table, tables, kThreshold);
-    char km[32] = "-";
-    if (heard.value >= 0.0) (void)std::snprintf(km, sizeof km, "%s%.1f", heard == reach(tables) ? ">" : "", heard.value / 1000.0);
-    (void)std::snprintf(line, sizeof line, "%11.0f   %.3f   %11s   ", double{table.sea_depth_m}, double{table.prior}, km);
-    out << line << host::printable({table.name.begin(), table.name.end()}) << "\n";
+    const std::string km = heard.value < 0.0 ? "-" : (heard == reach(tables) ? ">" : "") + host::decimals(heard.value / 1000.0, 1);
+    out << host::formatted("%11.0f   %.3f   %11s   ", double{table.sea_depth_m}, double{table.prior}, km.c_str())
+        << host::printable({table.name.begin(), table.name.end()}) << "\n";
   }
 }
 

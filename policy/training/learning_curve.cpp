@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "firmware/host/text/numbers.hpp"
 #include "policy/evaluate/evaluation.hpp"
 
 namespace earshot::training {
@@ -20,10 +21,7 @@ constexpr std::string_view kUpdatesHeader =
 /// The shortest digits that read back as the same number.
 template <class Number>
 void append(std::string& text, Number value, char end) {
-  std::array<char, 32> digits{};
-  const auto done = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  text.append(digits.data(), done.ptr);
-  text += end;
+  text += host::shortest(value) + end;
 }
 
 template <class Number>
@@ -91,9 +89,7 @@ void LearningCurve::add(const ppo::UpdateReport& update, std::uint64_t steps) {
 
 std::string to_string(const LearningCurve::Recent& recent) {
   if (recent.episodes == 0) return "median reward -, found - %";
-  std::array<char, 80> text{};
-  (void)std::snprintf(text.data(), text.size(), "median reward %.1f, found %.0f %%", recent.median_reward, 100.0 * recent.found_fraction);
-  return text.data();
+  return host::formatted("median reward %.1f, found %.0f %%", recent.median_reward, 100.0 * recent.found_fraction);
 }
 
 LearningCurve::Recent LearningCurve::recent_of_all(std::span<const Recent> trainings) {

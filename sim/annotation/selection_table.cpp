@@ -13,6 +13,7 @@
 
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/input_file.hpp"
+#include "firmware/host/text/numbers.hpp"
 
 namespace earshot::annotation {
 namespace {
@@ -85,12 +86,6 @@ std::string_view column_of(std::string_view header) {
     if (plain.ends_with(seconds)) plain.replace(plain.size() - seconds.size(), seconds.size(), "s");
   const auto* const found = std::ranges::find(kAliases, plain, &Alias::name);
   return found == kAliases.end() ? header : found->column;
-}
-
-std::string fixed(double value, int digits) {
-  std::array<char, 64> text{};
-  const int size = std::snprintf(text.data(), text.size(), "%.*f", digits, value);
-  return {text.data(), static_cast<std::size_t>(size)};
 }
 
 /// A name may hold what parts columns and lines.
@@ -217,7 +212,7 @@ class TableParser {
     if (text.empty() && otherwise) return *otherwise;
     const std::optional<double> value = number_of(std::string(text), separator_ != ',');
     if (value && *value >= 0.0 && *value <= highest) return *value;
-    note(column, "must be a number from 0 to " + fixed(highest, 0));
+    note(column, "must be a number from 0 to " + host::decimals(highest, 0));
     return 0.0;
   }
 
@@ -277,9 +272,9 @@ std::string to_text(const SelectionTable& table) {
   text += '\n';
   std::size_t number = 0;
   for (const Selection& s : table.selections) {
-    text += std::to_string(++number) + "\tSpectrogram 1\t" + std::to_string(s.channel) + "\t" + fixed(s.begin_s, 6) + "\t" +
-            fixed(s.end_s, 6) + "\t" + fixed(s.low_hz, 3) + "\t" + fixed(s.high_hz, 3) + "\t" + one_cell(s.begin_file) + "\t" +
-            fixed(s.file_offset_s, 6);
+    text += std::to_string(++number) + "\tSpectrogram 1\t" + std::to_string(s.channel) + "\t" + host::decimals(s.begin_s, 6) + "\t" +
+            host::decimals(s.end_s, 6) + "\t" + host::decimals(s.low_hz, 3) + "\t" + host::decimals(s.high_hz, 3) + "\t" +
+            one_cell(s.begin_file) + "\t" + host::decimals(s.file_offset_s, 6);
     for (const std::string& value : s.values) text += "\t" + one_cell(value);
     text += '\n';
   }

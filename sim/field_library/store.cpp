@@ -1,11 +1,10 @@
 #include "sim/field_library/store.hpp"
 
-#include <array>
-#include <cstdio>
 #include <limits>
 #include <string>
 #include <utility>
 
+#include "firmware/host/file/checksum_text.hpp"
 #include "sim/netcdf/units.hpp"
 #include "sim/sonar/field_attributes.hpp"
 
@@ -21,15 +20,13 @@ netcdf::VariableLayout scalar(const std::string& name, const std::string& long_n
 }
 
 netcdf::Attributes attributes_of(const LibraryPlan& plan) {
-  std::array<char, 11> crc{};
-  std::snprintf(crc.data(), crc.size(), "0x%08x", static_cast<unsigned>(plan.file_crc32));
   netcdf::Attributes attributes = {{"Conventions", "CF-1.8"},
                                    {"title", "Sound fields of a region: " + plan.name},
                                    {"source", "Earshot, one-way parabolic equation"},
                                    {"history", "earshot field --library"},
                                    {"environment", plan.environment.name},
                                    {"environment_crc32", sonar::crc32_text(plan.environment)},
-                                   {"library_crc32", crc.data()},
+                                   {"library_crc32", "0x" + host::crc32_text(plan.file_crc32)},
                                    {"interpolation", "each radial is a vertical plane of its own (N x 2D)"}};
   if (const auto water = unmeasured_water(plan)) attributes.emplace_back("unmeasured_water", to_string(*water));
   return attributes;

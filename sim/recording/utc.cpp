@@ -1,8 +1,9 @@
 #include "sim/recording/utc.hpp"
 
-#include <array>
 #include <chrono>
-#include <cstdio>
+
+#include "firmware/host/text/numbers.hpp"
+#include "firmware/host/text/utc.hpp"
 
 namespace earshot::recording {
 
@@ -17,17 +18,9 @@ std::optional<Time> utc(const Calendar& c) {
 }
 
 std::string to_iso(Time utc) {
-  using namespace std::chrono;
-  const sys_time<milliseconds> instant{round<milliseconds>(microseconds{utc.us})};
-  const auto midnight = floor<days>(instant);
-  const year_month_day date{midnight};
-  const hh_mm_ss clock{instant - midnight};
-  std::array<char, 64> text{};
-  const int size = std::snprintf(text.data(), text.size(), "%04d-%02u-%02uT%02d:%02d:%02d.%03dZ", static_cast<int>(date.year()),
-                                 static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
-                                 static_cast<int>(clock.hours().count()), static_cast<int>(clock.minutes().count()),
-                                 static_cast<int>(clock.seconds().count()), static_cast<int>(clock.subseconds().count()));
-  return {text.data(), static_cast<std::size_t>(size)};
+  constexpr std::int64_t kHalfMillisecond_us = 500;
+  const host::CivilTime t = host::civil_time(Time{utc.us + kHalfMillisecond_us});
+  return host::formatted("%04d-%02u-%02uT%02u:%02u:%02u.%03uZ", t.year, t.month, t.day, t.hour, t.minute, t.second, t.millisecond);
 }
 
 }  // namespace earshot::recording

@@ -8,7 +8,7 @@ install(CODE "execute_process(COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/pack_documents
 install(DIRECTORY ${packed}/ DESTINATION ${documents}/earshot COMPONENT runtime)
 
 # What of others is compiled into a component's programs and libraries (included/). tests/toolchains/copyright_test holds it against the compiler's list of headers.
-set(included_runtime cli11 json lcm tomlplusplus)
+set(included_runtime cli11 json tomlplusplus)
 set(included_sil ${included_runtime} boost_math eigen geographiclib)
 set(included_tools ${included_sil})
 set(included_hil ${included_runtime} eigen geographiclib)

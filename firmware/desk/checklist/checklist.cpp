@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "firmware/desk/checklist/budgets.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/mission/rule_words.hpp"
+#include "firmware/host/text/duration.hpp"
 #include "firmware/host/text/numbers.hpp"
 #include "firmware/runtime/runtime.hpp"
 #include "firmware/safety/supervisor.hpp"
@@ -23,13 +23,6 @@ std::string row(std::string_view what, const std::string& value) {
   std::string name(what);
   name.resize(std::max(name.size(), kNameWidth), ' ');
   return "  " + name + " " + value + "\n";
-}
-
-/// "13 h 53 min"
-std::string in_hours(double seconds) {
-  const auto minutes = static_cast<long long>(std::llround(seconds / 60.0));
-  if (minutes < 1) return host::formatted("%.0f s", seconds);
-  return minutes < 60 ? host::formatted("%lld min", minutes) : host::formatted("%lld h %02lld min", minutes / 60, minutes % 60);
 }
 
 std::string roles_of(const host::PortSettings& port) {
@@ -52,9 +45,9 @@ std::string signer(const std::filesystem::path& key) {
 
 /// "20 Hz, the vehicle at 300 m, 96 oceans as far as 35.4 km"
 std::string sound_of(const policy::OceanTables& tables) {
-  const std::size_t oceans = tables.tables.size();
-  return host::formatted("%g Hz, the vehicle at %g m, %zu %s as far as %.1f km", tables.frequency.value, tables.receiver_depth.value,
-                         oceans, oceans == 1 ? "ocean" : "oceans", policy::reach(tables).value / 1e3);
+  return host::significant(tables.frequency.value, 6) + " Hz, the vehicle at " + host::significant(tables.receiver_depth.value, 6) +
+         " m, " + host::counted(tables.tables.size(), "ocean") + " as far as " + host::decimals(policy::reach(tables).value / 1e3, 1) +
+         " km";
 }
 
 std::string oceans(const host::SignedSearch& search, const Signatures& signatures) {
@@ -125,7 +118,7 @@ std::string way_up(const config::Mission& mission) {
   if (!(v.ascent_speed > MetersPerSecond{})) return "floats up by itself";
   return host::formatted("by going round at %.2f m/s, rising at least %.2f m/s; it is up at %.1f m or less; from %.0f m within ",
                          v.ascent_speed.value, v.ascent_rate.value, v.surface_depth.value, mission.max_depth.value) +
-         in_hours(mission.max_depth.value / v.ascent_rate.value + kTimeToTurnUp_s);
+         host::duration(mission.max_depth.value / v.ascent_rate.value + kTimeToTurnUp_s);
 }
 
 std::string vehicle(const config::Mission& mission) {
@@ -174,12 +167,12 @@ std::string energy(const config::Mission& mission) {
 }
 
 std::string budgets(const config::Mission& mission) {
-  std::string time = in_hours(seconds_for_all_steps(mission)) + " for all steps in still water";
+  std::string time = host::duration(seconds_for_all_steps(mission)) + " for all steps in still water";
   if (mission.safety.vehicle.max_current > MetersPerSecond{})
-    time += ", " + in_hours(seconds_against_current(mission)) + " against the current all along";
+    time += ", " + host::duration(seconds_against_current(mission)) + " against the current all along";
   std::string way = host::formatted("%.1f km for all steps", way_of_all_steps(mission).value * 1e-3);
   if (mission.safety.safe_point) way += host::formatted(", %.1f km for the longest way home", longest_way_home(mission).value * 1e-3);
-  return "budgets\n" + row("time", time + "; the search ends after " + in_hours(mission.max_time.to_seconds())) + row("way", way) +
+  return "budgets\n" + row("time", time + "; the search ends after " + host::duration(mission.max_time.to_seconds())) + row("way", way) +
          row("energy", energy(mission));
 }
 

@@ -13,6 +13,7 @@
 #include "firmware/host/journal/words/wording.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/text/utc.hpp"
 
 namespace earshot::journal {
 namespace {
@@ -29,7 +30,7 @@ bool is_empty_or_missing(const fs::path& journal) {
 /// Of simulated flights alone a new one takes an old one's place.
 bool is_of_simulation(const fs::path& journal) {
   host::JournalRecord first;
-  return host::JournalReader(journal).next(first) && !is_dated(first.time);
+  return host::JournalReader(journal).next(first) && !host::is_dated(first.time);
 }
 
 std::optional<fs::path> flight_under_way_beside(const fs::path& journal) {

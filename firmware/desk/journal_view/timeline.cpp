@@ -9,6 +9,8 @@
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/journal/words/rule_event_words.hpp"
 #include "firmware/host/journal/words/wording.hpp"
+#include "firmware/host/text/numbers.hpp"
+#include "firmware/host/text/utc.hpp"
 #include "firmware/messages/health_words.hpp"
 
 namespace earshot::journal {
@@ -32,9 +34,9 @@ bool Timeline::Grown::is_news(std::uint64_t now) {
 
 std::string to_line(const Event& event, Time began) {
   constexpr std::size_t kSecondsWidth = 9;  // a day has 86400.0
-  std::string seconds = decimal((event.time - began).to_seconds(), 1);
+  std::string seconds = host::decimals((event.time - began).to_seconds(), 1);
   seconds.insert(0, seconds.size() < kSecondsWidth ? kSecondsWidth - seconds.size() : 0, ' ');
-  return (is_dated(event.time) ? utc(event.time) + " " : "") + seconds + " s  " + event.text;
+  return (host::is_dated(event.time) ? utc(event.time) + " " : "") + seconds + " s  " + event.text;
 }
 
 std::vector<Event> Timeline::take(const Entry& entry) {
@@ -68,7 +70,7 @@ void Timeline::tell_repetitions() {
   for (Order& order : orders_) {
     if (order.times == order.told_times) continue;
     order.told_times = order.times;
-    events_.push_back({.severity = order.severity, .time = now_, .text = order.text + " (" + counted(order.times, "time") + ")"});
+    events_.push_back({.severity = order.severity, .time = now_, .text = order.text + " (" + host::counted(order.times, "time") + ")"});
   }
 }
 
@@ -121,12 +123,12 @@ void Timeline::note_content(const messages::MissionRecord& mission, const Record
 }
 
 void Timeline::note_content(const PolicyBytes& policy, const Record& /*record*/) {
-  note_bytes("policy: " + counted(policy.size, "byte"), policy.crc32, policy_crc32_);
+  note_bytes("policy: " + host::counted(policy.size, "byte"), policy.crc32, policy_crc32_);
 }
 
 void Timeline::note_content(const TablesBytes& tables, const Record& /*record*/) {
   if (tables.size == 0 && tables.crc32 == tables_crc32_.value_or(0)) return;  // the policy needs none
-  note_bytes("ocean tables: " + counted(tables.size, "byte"), tables.crc32, tables_crc32_);
+  note_bytes("ocean tables: " + host::counted(tables.size, "byte"), tables.crc32, tables_crc32_);
 }
 
 /// @param named  by the mission
@@ -173,7 +175,7 @@ void Timeline::note_content(const messages::Health& health, const Record& /*reco
   if (const std::string state = to_string(health, is_surprise_told_ || is_surprised, aborted_by_); state_.changes_to(state))
     tell(is_abort ? Severity::kWarning : Severity::kInformation, state);
   if (is_surprised && !std::exchange(is_surprise_told_, true))
-    warn(std::string(messages::kIsSurprised) + " (model-mismatch score " + decimal(double{health.surprise_bits}, 1) + " bits)");
+    warn(std::string(messages::kIsSurprised) + " (model-mismatch score " + host::decimals(double{health.surprise_bits}, 1) + " bits)");
   is_over_ = health.end_reason != messages::EndReason::kNone;
   note_refused(health);
 }
@@ -181,14 +183,15 @@ void Timeline::note_content(const messages::Health& health, const Record& /*reco
 void Timeline::note_refused(const messages::Health& health) {
   const auto tell_of = [this](Grown& counter, std::uint64_t count, const char* what) {
     if (counter.is_news(count))
-      warn(std::string(what) + ": " + counted(counter.seen, "message") + " refused so far, for their date, their order or what is in them");
+      warn(std::string(what) + ": " + host::counted(counter.seen, "message") +
+           " refused so far, for their date, their order or what is in them");
   };
   tell_of(navigation_refused_, health.counters.navigation_refused, "navigation");
   tell_of(snr_refused_, health.counters.snr_refused, "SNR");
   tell_of(status_refused_, health.counters.status_refused, "status");
   tell_of(bearings_refused_, health.counters.bearings_refused, "bearing");
   if (bearings_of_others_.is_news(health.counters.bearings_of_others))
-    warn("bearing: " + counted(bearings_of_others_.seen, "message") + " of a second sender not taken so far");
+    warn("bearing: " + host::counted(bearings_of_others_.seen, "message") + " of a second sender not taken so far");
 }
 
 void Timeline::note_content(const messages::ClosingRecord& closing, const Record& /*record*/) {
@@ -219,7 +222,7 @@ void Timeline::note_input(const messages::PortReport& report, std::uint8_t /*por
 }
 
 void Timeline::note_input(const messages::UnsentSetpoints& unsent, std::uint8_t /*port*/) {
-  if (unsent_setpoints_.is_news(unsent.count)) warn("so far " + counted(unsent.count, "set-point") + " could not be sent");
+  if (unsent_setpoints_.is_news(unsent.count)) warn("so far " + host::counted(unsent.count, "set-point") + " could not be sent");
 }
 
 void Timeline::note_input(const messages::VehicleStatus& status, std::uint8_t /*port*/) {

@@ -13,8 +13,6 @@
 namespace earshot::replay_view {
 namespace {
 
-using journal::counted;
-
 double seconds_since(Time began, Time time) {
   return static_cast<double>((time - began).us) / 1e6;
 }
@@ -70,7 +68,8 @@ std::string where_they_part(std::span<const StepPair> pairs, std::uint32_t from_
   const std::string first = std::to_string(pairs.front().step);
   const StepPair* const parts = parting(pairs);
   if (parts == nullptr)
-    return "the decisions do not part: " + counted(pairs.size(), "step") + " from step " + first + " on send the vehicle the same ways";
+    return "the decisions do not part: " + host::counted(pairs.size(), "step") + " from step " + first +
+           " on send the vehicle the same ways";
   const bool is_listed = parts->step >= from_step;
   return "the decisions part at step " + std::to_string(parts->step) + (is_listed ? "" : ", before step " + std::to_string(from_step)) +
          ": then " + one_way(parts->then, began) + "; now " + one_way(parts->now, began);

@@ -7,12 +7,12 @@
 #include "firmware/desk/journal_view/export/fields.hpp"
 #include "firmware/host/journal/reading/decode_record.hpp"
 #include "firmware/host/journal/words/wording.hpp"
+#include "firmware/host/text/numbers.hpp"
 
 namespace earshot::replay_view {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using journal::counted;
 
 /// By what is printed: a NaN, which is null there, is what a NaN was.
 void compare(const std::string& name, const Json& then, const Json& now, std::vector<FieldDifference>& differences) {
@@ -31,7 +31,8 @@ void compare(const std::string& name, const Json& then, const Json& now, std::ve
 
 /// What no field shows: a date, the sign of a zero, a record that cannot be read.
 FieldDifference byte_difference(std::span<const std::uint8_t> then, std::span<const std::uint8_t> now) {
-  if (then.size() != now.size()) return {.field = "its length", .then = counted(then.size(), "byte"), .now = counted(now.size(), "byte")};
+  if (then.size() != now.size())
+    return {.field = "its length", .then = host::counted(then.size(), "byte"), .now = host::counted(now.size(), "byte")};
   const auto at = static_cast<std::size_t>(std::ranges::mismatch(then, now).in1 - then.begin());
   return {.field = "byte " + std::to_string(at) + " of its message", .then = std::to_string(then[at]), .now = std::to_string(now[at])};
 }
@@ -53,7 +54,7 @@ std::string to_string(std::span<const FieldDifference> differences) {
   std::string text;
   for (const FieldDifference& d : differences.first(std::min(kMostTold, differences.size())))
     text += (text.empty() ? "" : "; ") + d.field + " is " + d.then + " in the journal, " + d.now + " now";
-  if (differences.size() > kMostTold) text += "; and " + counted(differences.size() - kMostTold, "field") + " more";
+  if (differences.size() > kMostTold) text += "; and " + host::counted(differences.size() - kMostTold, "field") + " more";
   return text;
 }
 

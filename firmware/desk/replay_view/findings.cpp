@@ -14,7 +14,6 @@ namespace {
 
 using board::Playback;
 using board::ReplayResult;
-using journal::counted;
 using End = host::JournalReader::End;
 
 std::string what_is_wrong(const Playback::Difference& difference) {
@@ -33,8 +32,8 @@ std::string damage_to_string(const ReplayResult& result, std::size_t i) {
 FieldDifference date_difference(Time then, Time now) {
   constexpr int kMicroseconds = 6;
   return {.field = "time_s",
-          .then = journal::decimal(journal::seconds_of(then), kMicroseconds),
-          .now = journal::decimal(journal::seconds_of(now), kMicroseconds)};
+          .then = host::decimals(journal::seconds_of(then), kMicroseconds),
+          .now = host::decimals(journal::seconds_of(now), kMicroseconds)};
 }
 
 /// What follows a difference or a gap is not given to the runtime, which would not be as it was.
@@ -44,7 +43,8 @@ constexpr const char* kRestIsOpen = "; what follows was not given again";
 
 std::string figures(const ReplayResult& result, double took_s) {
   const double mission_s = static_cast<double>((result.ended - result.began).us) / 1e6;
-  return counted(result.inputs, "input") + ", " + counted(result.turns, "turn") + " and " + counted(result.decisions, "decision") +
+  return host::counted(result.inputs, "input") + ", " + host::counted(result.turns, "turn") + " and " +
+         host::counted(result.decisions, "decision") +
          host::formatted("; %.1f s of mission in %.2f s, %.0f times real time", mission_s, took_s, mission_s / std::max(took_s, 1e-6));
 }
 
@@ -66,11 +66,11 @@ std::vector<std::string> findings(const ReplayResult& result) {
   if (result.difference) lines.push_back(to_string(*result.difference, result.began) + kRestIsOpen);
   if (result.gap) lines.push_back("record " + std::to_string(*result.gap) + " is missing" + kRestIsOpen);
   if (result.records_behind_end > 0)
-    lines.push_back("behind the record that ends the journal: " + counted(result.records_behind_end, "record") +
+    lines.push_back("behind the record that ends the journal: " + host::counted(result.records_behind_end, "record") +
                     " of something else, not given again");
   for (std::size_t i = 0; i < std::min(kMostDamages, result.damages.size()); ++i) lines.push_back(damage_to_string(result, i));
   if (result.damages.size() > kMostDamages)
-    lines.push_back("and " + counted(result.damages.size() - kMostDamages, "damaged place") + " more");
+    lines.push_back("and " + host::counted(result.damages.size() - kMostDamages, "damaged place") + " more");
   if (!result.closing && !result.difference)
     lines.emplace_back("the journal's end is missing: its program was killed, lost its power, or writes it still");
   return lines;

@@ -10,6 +10,7 @@
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/listening/listening_words.hpp"
 #include "firmware/host/policy/policy_bytes.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/host/trust/signed_bytes.hpp"
 #include "firmware/policy/format/policy_format.hpp"
@@ -21,9 +22,7 @@ using host::to_string;  // beside the two here
 using Bytes = std::vector<std::uint8_t>;
 
 std::string to_string(double value) {
-  std::ostringstream text;
-  text << std::setprecision(10) << value;
-  return text.str();
+  return significant(value, 10);
 }
 
 std::string to_string(NorthEast size) {

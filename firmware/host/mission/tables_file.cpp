@@ -7,6 +7,7 @@
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/policy/tables_bytes.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/host/trust/signed_bytes.hpp"
 
 namespace earshot::host {
@@ -15,9 +16,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 std::string words(double value) {
-  std::ostringstream text;
-  text << std::setprecision(10) << value;
-  return text.str();
+  return significant(value, 10);
 }
 
 /// "is of a vehicle at 300 m (270 to 330 m): not of one at 200 m"

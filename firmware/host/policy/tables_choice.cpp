@@ -1,14 +1,13 @@
 #include "firmware/host/policy/tables_choice.hpp"
 
 #include <algorithm>
-#include <iomanip>
 #include <map>
 #include <set>
-#include <sstream>
 #include <utility>
 
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/policy/tables_bytes.hpp"
+#include "firmware/host/text/numbers.hpp"
 
 namespace earshot::host {
 namespace {
@@ -36,30 +35,31 @@ std::pair<double, double> distance(const policy::OceanTables& tables, const poli
   return {ratio(tables.receiver_depth.value, sound.vehicle_depth.value), ratio(tables.frequency.value, sound.frequency.value)};
 }
 
+std::string written(double number) {
+  return significant(number, 10);
+}
+
 /// "20 Hz at 30, 100, 300 m as far as 35400 m; 35 Hz at ..."
 std::string all_there_are(std::span<const TablesFile> files) {
   std::map<std::pair<double, double>, std::set<double>> depths;  // by frequency and reach
   for (const TablesFile& file : files)
     depths[{file.tables->frequency.value, policy::reach(*file.tables).value}].insert(file.tables->receiver_depth.value);
-  std::ostringstream text;
-  text << std::setprecision(10);
+  std::string text;
   const char* between = "";
   for (const auto& [kind, of_kind] : depths) {
-    text << std::exchange(between, "; ") << kind.first << " Hz";
+    text += std::exchange(between, "; ") + written(kind.first) + " Hz";
     const char* before = " at ";
-    for (const double depth : of_kind) text << std::exchange(before, ", ") << depth;
-    text << " m as far as " << kind.second << " m";
+    for (const double depth : of_kind) text += std::exchange(before, ", ") + written(depth);
+    text += " m as far as " + written(kind.second) + " m";
   }
-  return text.str();
+  return text;
 }
 
 std::string complaint(std::span<const TablesFile> files, const policy::SearchedSound& sound) {
-  std::ostringstream text;
-  text << std::setprecision(10) << " is listened to at " << sound.frequency.value << " Hz, " << sound.vehicle_depth.value << " m deep, "
-       << sound.furthest.value << " m far; none of the tables are of that, but " << all_there_are(files) << " (depths within "
-       << 100.0 * policy::kDepthTolerance << " %, frequencies within " << 100.0 * policy::kFrequencyTolerance
-       << " %); earshot tables makes others, and earshot init --depth-m M --frequency-hz F a search with a README on how to do it";
-  return text.str();
+  return " is listened to at " + written(sound.frequency.value) + " Hz, " + written(sound.vehicle_depth.value) + " m deep, " +
+         written(sound.furthest.value) + " m far; none of the tables are of that, but " + all_there_are(files) + " (depths within " +
+         written(100.0 * policy::kDepthTolerance) + " %, frequencies within " + written(100.0 * policy::kFrequencyTolerance) +
+         " %); earshot tables makes others, and earshot init --depth-m M --frequency-hz F a search with a README on how to do it";
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include "firmware/host/program/progress_bar.hpp"
 
-#include <array>
 #include <cstddef>
-#include <cstdio>
 #include <utility>
+
+#include "firmware/host/text/numbers.hpp"
 
 namespace earshot::program {
 
@@ -14,9 +14,8 @@ void ProgressBar::update(double fraction) {
   constexpr double kWidth = 30.0;
   const auto filled = static_cast<std::size_t>(kWidth * fraction);
   const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  std::array<char, 64> numbers{};
-  (void)std::snprintf(numbers.data(), numbers.size(), "] %3.0f %%, %.0f s left", 100.0 * fraction, elapsed_s * (1.0 - fraction) / fraction);
-  line_.draw(label_ + " [" + std::string(filled, '#') + std::string(static_cast<std::size_t>(kWidth) - filled, '.') + numbers.data());
+  line_.draw(label_ + " [" + std::string(filled, '#') + std::string(static_cast<std::size_t>(kWidth) - filled, '.') +
+             host::formatted("] %3.0f %%, %.0f s left", 100.0 * fraction, elapsed_s * (1.0 - fraction) / fraction));
 }
 
 }  // namespace earshot::program

@@ -1,5 +1,7 @@
 #include "firmware/host/text/numbers.hpp"
 
+#include <cstdarg>
+#include <cstdio>
 #include <system_error>
 
 namespace earshot::host {
@@ -14,8 +16,23 @@ std::string significant(double number, int digits) {
   return formatted("%.*g", digits, number);
 }
 
-std::string counted(std::uint64_t count, std::string_view what) {
-  return std::to_string(count) + " " + std::string(what) + (count == 1 ? "" : "s");
+std::string formatted(const char* format, ...) {
+  std::va_list values;
+  va_start(values, format);
+  std::va_list again;
+  va_copy(again, values);
+  const int size = std::vsnprintf(nullptr, 0, format, values);
+  va_end(values);
+  std::string text(size > 0 ? static_cast<std::size_t>(size) : 0, '\0');
+  (void)std::vsnprintf(text.data(), text.size() + 1, format, again);
+  va_end(again);
+  return text;
+}
+
+std::string counted(std::uint64_t count, std::string_view what, std::string_view plural) {
+  std::string text = std::to_string(count) + " ";
+  if (count == 1) return text.append(what);
+  return plural.empty() ? text.append(what) + "s" : text.append(plural);
 }
 
 }  // namespace earshot::host

@@ -4,7 +4,6 @@
 #include <charconv>
 #include <concepts>
 #include <cstdint>
-#include <cstdio>
 #include <string>
 #include <string_view>
 
@@ -25,15 +24,10 @@ requires std::integral<Number> || std::floating_point<Number>
   return {digits.data(), written.ptr};
 }
 
-/// "1 record", "12 records"
-[[nodiscard]] std::string counted(std::uint64_t count, std::string_view what);
+/// "1 record", "12 records"; "2 processes" where the plural is given.
+[[nodiscard]] std::string counted(std::uint64_t count, std::string_view what, std::string_view plural = "");
 
-/// What std::printf would print, up to 511 characters.
-template <class... Values>
-[[nodiscard]] std::string formatted(const char* format, Values... values) {
-  std::array<char, 512> text{};
-  (void)std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
+/// What std::printf would print; the compiler compares the format with what follows it.
+[[nodiscard, gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
 
 }  // namespace earshot::host

@@ -1,8 +1,8 @@
 #include "firmware/host/toml/range.hpp"
 
 #include <cmath>
-#include <iomanip>
-#include <sstream>
+
+#include "firmware/host/text/numbers.hpp"
 
 namespace earshot::host {
 namespace {
@@ -10,10 +10,7 @@ namespace {
 /// As a person would write it: 1000000, not 1e+06; what has more digits than one counts at a glance stays short (1e+30).
 std::string written(double x) {
   constexpr double kLongest = 1e10;
-  std::ostringstream text;
-  if (std::trunc(x) == x && std::abs(x) < kLongest) text << std::fixed << std::setprecision(0);
-  text << x;
-  return text.str();
+  return std::trunc(x) == x && std::abs(x) < kLongest ? decimals(x, 0) : significant(x, 6);
 }
 
 }  // namespace
@@ -24,14 +21,13 @@ bool Range::allows(double x) const {
 }
 
 std::string to_string(const Range& range) {
-  std::ostringstream text;
   const bool low = std::isfinite(range.lowest);
   const bool high = std::isfinite(range.highest);
-  text << "must be a finite number";
-  if (low) text << (range.lower == Range::Lower::kAbove ? " above " : " of at least ") << written(range.lowest);
-  if (low && high) text << " and";
-  if (high) text << " at most " << written(range.highest);
-  return text.str();
+  std::string text = "must be a finite number";
+  if (low) text += (range.lower == Range::Lower::kAbove ? " above " : " of at least ") + written(range.lowest);
+  if (low && high) text += " and";
+  if (high) text += " at most " + written(range.highest);
+  return text;
 }
 
 }  // namespace earshot::host

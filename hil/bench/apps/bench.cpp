@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <iomanip>
 #include <iostream>
 #include <limits>
 #include <optional>
@@ -21,6 +20,7 @@
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "hil/bench/before_flight.hpp"
 #include "hil/bench/bench_flight.hpp"
 #include "hil/bench/disarmed.hpp"
@@ -113,7 +113,7 @@ std::vector<std::string> verdict(const hil::Case& c, const Flown& f) {
 
 void tell(const hil::Case& c, const Flown& f, const std::vector<std::string>& wrong) {
   program::say() << (wrong.empty() ? "passed " : "FAILED ") << c.name << ", " << f.flight.last.us / 1'000'000 << " s at sea in "
-                 << std::fixed << std::setprecision(1) << f.flight.wall_s << " s\n";
+                 << host::decimals(f.flight.wall_s, 1) << " s\n";
   for (const std::string& what : wrong) program::say() << "       " << what << "\n";
   program::say() << std::flush;
 }

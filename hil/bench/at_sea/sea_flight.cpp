@@ -6,7 +6,6 @@
 #include <cmath>
 #include <fstream>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -16,6 +15,7 @@
 
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/program/exit_status.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/host/transport/bus_lock.hpp"
 #include "firmware/messages/operator_command.hpp"
 #include "hil/bench/at_sea/bus_listener.hpp"
@@ -41,9 +41,7 @@ constexpr Duration kToBegin = Duration::seconds(60);  ///< until the search has 
 constexpr Duration kToEnd = Duration::seconds(20);    ///< until a program that was told to end has ended
 
 std::string written(double number) {
-  std::ostringstream text;
-  text << std::fixed << number;
-  return text.str();
+  return host::decimals(number, 6);
 }
 
 std::string written(NorthEast place) {

@@ -26,6 +26,7 @@
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/program/standard_streams.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/host/transport/can_socket.hpp"
 #include "hil/bus/candump/line_reader.hpp"
 #include "hil/bus/decode/dump.hpp"
@@ -71,8 +72,8 @@ struct Damage {
   /// @throws host::BadInput of a file in which there is nothing else
   void require_log() const {
     if (is_of_log || damaged == 0) return;
-    throw host::BadInput(host::printable(file) + ": is no log that is read here: of its " + std::to_string(line) +
-                         (line == 1 ? " line" : " lines") + " none holds a frame or a message");
+    throw host::BadInput(host::printable(file) + ": is no log that is read here: of its " + host::counted(line, "line") +
+                         " none holds a frame or a message");
   }
   /// @return what the line says; nothing: it is empty or damaged
   std::optional<std::variant<hil::LogEntry, hil::Remark>> read(const hil::TextLine& text, hil::LogReader& reader) {
@@ -119,8 +120,7 @@ class Work {
       if (size == 0 || is_enough()) break;
     }
     damage.require_log();
-    return end(damage.damaged == 0 ? "" : std::to_string(damage.damaged) + (damage.damaged == 1 ? " damaged line, " : " damaged lines, "),
-               damage.damaged == 0);
+    return end(damage.damaged == 0 ? "" : host::counted(damage.damaged, "damaged line") + ", ", damage.damaged == 0);
   }
 
   int listen(host::CanSocket& socket);
@@ -185,14 +185,14 @@ class Work {
     }
     const hil::DecoderCounters counters = dump_.counters();
     if (is_complete && lost_before_ == 0 && program::talk() == program::Talk::kQuiet) return program::kDone;
-    const auto plural = [](std::uint64_t count, const char* what) { return std::to_string(count) + what + (count == 1 ? "" : "s"); };
-    std::cerr << "earshot candump: " << what_is_wrong << plural(counters.frames, " frame") << ", " << plural(counters.messages, " message")
-              << " (" << counters.unknown << " unknown)";
-    if (counters.other_frames > 0) std::cerr << ", " << plural(counters.other_frames, " frame") << " of another kind than NMEA 2000's";
-    if (counters.incomplete > 0) std::cerr << ", " << plural(counters.incomplete, " piece") << " of fast packets that were not whole";
-    if (lost_before_ > 0) std::cerr << ", " << plural(lost_before_, " frame") << " lost by who recorded (DROPCOUNT)";
-    if (dump_.unrecorded() > 0) std::cerr << ", " << plural(dump_.unrecorded(), " message") << " too long for a recording";
-    if (record_ != nullptr) std::cerr << "; " << plural(record_->frames(), " frame") << " recorded";
+    std::cerr << "earshot candump: " << what_is_wrong << host::counted(counters.frames, "frame") << ", "
+              << host::counted(counters.messages, "message") << " (" << counters.unknown << " unknown)";
+    if (counters.other_frames > 0)
+      std::cerr << ", " << host::counted(counters.other_frames, "frame") << " of another kind than NMEA 2000's";
+    if (counters.incomplete > 0) std::cerr << ", " << host::counted(counters.incomplete, "piece") << " of fast packets that were not whole";
+    if (lost_before_ > 0) std::cerr << ", " << host::counted(lost_before_, "frame") << " lost by who recorded (DROPCOUNT)";
+    if (dump_.unrecorded() > 0) std::cerr << ", " << host::counted(dump_.unrecorded(), "message") << " too long for a recording";
+    if (record_ != nullptr) std::cerr << "; " << host::counted(record_->frames(), "frame") << " recorded";
     std::cerr << "\n";
     return is_complete ? program::kDone : program::kIncomplete;
   }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/host/transport/interface_name.hpp"
 #include "hil/bus/candump/log_fields.hpp"
 
@@ -180,11 +180,9 @@ LineOr read_line(std::string_view line) {
 }
 
 std::string log_line(Time time, std::string_view interface, const n2k::Frame& frame) {
-  std::array<char, 64> head{};
   const std::int64_t us = std::max<std::int64_t>(time.us, 0);
-  const int size = std::snprintf(head.data(), head.size(), "(%010lld.%06lld) ", static_cast<long long>(us / kMicroseconds),
-                                 static_cast<long long>(us % kMicroseconds));
-  std::string line(head.data(), static_cast<std::size_t>(size));
+  std::string line =
+      host::formatted("(%010lld.%06lld) ", static_cast<long long>(us / kMicroseconds), static_cast<long long>(us % kMicroseconds));
   line += interface;
   constexpr std::string_view kDigits = "0123456789ABCDEF";
   line += ' ';

@@ -1,12 +1,12 @@
 #include "hil/bus/decode/printer.hpp"
 
 #include <array>
-#include <cstdio>
 #include <ctime>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/text/numbers.hpp"
 
 namespace earshot::hil {
 
@@ -26,11 +26,9 @@ std::string in_hexadecimal(const std::vector<std::uint8_t>& bytes) {
 }
 
 std::string in_seconds(std::int64_t us) {
-  std::array<char, 40> text{};
   const std::int64_t size = us < 0 ? -us : us;
-  (void)std::snprintf(text.data(), text.size(), "%s%lld.%06lld", us < 0 ? "-" : "", static_cast<long long>(size / kMicroseconds),
-                      static_cast<long long>(size % kMicroseconds));
-  return text.data();
+  return host::formatted("%s%lld.%06lld", us < 0 ? "-" : "", static_cast<long long>(size / kMicroseconds),
+                         static_cast<long long>(size % kMicroseconds));
 }
 
 std::string as_date(std::int64_t us, bool is_local) {

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 #include <optional>
 
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/wire/n2k/text.hpp"
 #include "hil/bus/decode/text.hpp"
 
@@ -19,17 +18,9 @@ namespace {
 using n2k::Message;
 using n2k::Signal;
 
-std::string in_digits(double number) {
-  std::array<char, 32> digits{};
-  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), number);
-  return {digits.data(), error == std::errc() ? end : digits.data()};
-}
-
 /// A raw step of 1e-4 rad is 0.006 degrees.
 std::string in_degrees(double radians) {
-  std::array<char, 64> text{};
-  (void)std::snprintf(text.data(), text.size(), "%.2f deg", radians * 180.0 / std::numbers::pi);
-  return text.data();
+  return host::decimals(radians * 180.0 / std::numbers::pi, 2) + " deg";
 }
 
 /// The field as its bits stand, with no raw value taken for anything but a number.
@@ -125,7 +116,7 @@ std::vector<Value> values_of(const Message& message, std::span<const std::uint8_
 std::string without_unit(const Value& value) {
   switch (value.kind) {
     case Value::Kind::kNumber:
-      return in_digits(value.number);
+      return host::shortest(value.number);
     case Value::Kind::kWord:
       return value.text;
     case Value::Kind::kText:
@@ -137,7 +128,7 @@ std::string without_unit(const Value& value) {
     case Value::Kind::kReserved:
       return "reserved";
     case Value::Kind::kNotAllowed:
-      return "not allowed: " + in_digits(value.number);
+      return "not allowed: " + host::shortest(value.number);
     case Value::Kind::kUnreadable:
       return "unreadable";
     case Value::Kind::kMissing:

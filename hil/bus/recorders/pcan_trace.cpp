@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 #include <utility>
 
+#include "firmware/host/text/utc.hpp"
 #include "hil/bus/candump/log_fields.hpp"
 #include "hil/bus/recorders/recorded_frame.hpp"
 
@@ -57,10 +57,9 @@ std::optional<Time> PcanTraceReader::time_of(std::string_view milliseconds) cons
   const std::int64_t seconds = begin_days_ * kSecondsOfADay + begin_us_ / kMicroseconds;
   std::optional<Time> begin = Time{seconds * kMicroseconds};
   if (!is_utc_) {
-    const std::time_t clock = seconds;
-    std::tm date{};
-    if (::gmtime_r(&clock, &date) == nullptr) return std::nullopt;
-    begin = local_time({date.tm_year + 1900, date.tm_mon + 1, date.tm_mday, date.tm_hour, date.tm_min, date.tm_sec});
+    const host::CivilTime date = host::civil_time(*begin);
+    begin = local_time({date.year, static_cast<int>(date.month), static_cast<int>(date.day), static_cast<int>(date.hour),
+                        static_cast<int>(date.minute), static_cast<int>(date.second)});
   }
   return begin ? std::optional(Time{begin->us + begin_us_ % kMicroseconds + *offset_us}) : std::nullopt;
 }

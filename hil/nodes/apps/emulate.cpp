@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <iomanip>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -19,6 +18,7 @@
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "hil/nodes/bus_connection.hpp"
 #include "hil/nodes/emulated_vehicle.hpp"
 #include "hil/nodes/scaled_clock.hpp"
@@ -142,7 +142,7 @@ void introduce(const std::string& interface, const hil::VehicleSetup& setup, con
   }
   for (const std::string_view name : vehicle.devices()) out << (name == vehicle.devices().front() ? " " : ", ") << name;
   out << "\nit lies at " << hil::in_kilometres(setup.start.position) << ", the source at " << hil::in_kilometres(setup.source.position)
-      << ", where its SNR is " << std::fixed << std::setprecision(1) << setup.source.snr(vehicle.range()).value << " dB\n"
+      << ", where its SNR is " << host::decimals(setup.source.snr(vehicle.range()).value, 1) << " dB\n"
       << "waiting for Earshot on that bus, as long as it takes; Ctrl-C ends it\n"
       << std::flush;
 }

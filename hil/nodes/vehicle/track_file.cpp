@@ -2,9 +2,10 @@
 
 #include <cerrno>
 #include <charconv>
-#include <iomanip>
 #include <string>
 #include <system_error>
+
+#include "firmware/host/text/numbers.hpp"
 
 namespace earshot::hil {
 namespace {
@@ -25,14 +26,13 @@ bool take_number(std::string_view& line, double& number) {
 TrackFile::TrackFile(const std::filesystem::path& path) : file_(path, std::ios::app) {
   if (!file_) throw std::system_error(errno, std::generic_category(), path.string());
   if (file_.tellp() == 0) file_ << kTrackHeader << "\n" << std::flush;
-  file_ << std::fixed;
 }
 
 void TrackFile::note(Time now, Time host, const vehicle::State& state) {
   if (last_ && now - *last_ < kEvery) return;
   last_ = now;
-  file_ << std::setprecision(6) << (host - Time{}).to_seconds() << std::setprecision(3) << "," << state.position.north.value << ","
-        << state.position.east.value << "," << state.depth.value << "\n"
+  file_ << host::decimals((host - Time{}).to_seconds(), 6) << "," << host::decimals(state.position.north.value, 3) << ","
+        << host::decimals(state.position.east.value, 3) << "," << host::decimals(state.depth.value, 3) << "\n"
         << std::flush;
 }
 

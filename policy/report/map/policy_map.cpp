@@ -9,6 +9,7 @@
 #include "firmware/host/policy/tables_bytes.hpp"
 #include "firmware/host/policy/unverified_policy.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/command_line/outputs.hpp"
 #include "policy/command_line/place.hpp"
@@ -74,9 +75,8 @@ NorthEast source_in(const policy::FrozenPolicy& policy, const std::string& text)
   const NorthEast source = command_line::north_east_of("--source", text);
   const auto is_within = [](Meters x, Meters most) { return x.value >= 0.0 && x <= most; };
   if (is_within(source.north, policy.area_size.north) && is_within(source.east, policy.area_size.east)) return source;
-  char area[80];
-  (void)std::snprintf(area, sizeof area, "0,0 to %.10g,%.10g m", policy.area_size.north.value, policy.area_size.east.value);
-  throw BadInput("--source " + text + ": outside the policy's area, " + area);
+  throw BadInput("--source " + text + ": outside the policy's area, " +
+                 host::formatted("0,0 to %.10g,%.10g m", policy.area_size.north.value, policy.area_size.east.value));
 }
 
 /// Empty for a policy that needs none.

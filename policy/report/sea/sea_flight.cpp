@@ -10,6 +10,8 @@
 #include "firmware/host/journal/words/rule_event_words.hpp"
 #include "firmware/host/journal/words/wording.hpp"
 #include "firmware/host/safety_record/words/record_words.hpp"
+#include "firmware/host/text/numbers.hpp"
+#include "firmware/host/text/utc.hpp"
 #include "firmware/messages/health_words.hpp"
 #include "firmware/messages/input.hpp"
 #include "firmware/messages/safety_event.hpp"
@@ -112,7 +114,7 @@ class Listener {
   }
 
   void note(const messages::JournalResumed& resumed) {
-    tell(journal::to_string(resumed) + "; " + journal::decimal(silence_s_, 0) + " s after the last record");
+    tell(journal::to_string(resumed) + "; " + host::decimals(silence_s_, 0) + " s after the last record");
   }
 
   void note(const messages::Decision& decision) { flight_.account.believes = decision.belief.has_value(); }
@@ -133,7 +135,7 @@ const char* SeaFlight::why_it_ended() const {
 }
 
 bool SeaFlight::is_dated() const {
-  return journal::is_dated(began);
+  return host::is_dated(began);
 }
 
 Meters SeaFlight::distance() const {

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "firmware/host/journal/words/wording.hpp"
+#include "firmware/host/text/duration.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "policy/explain/wording.hpp"
 #include "policy/report/html.hpp"
 #include "sim/search/account/search_account.hpp"
@@ -15,7 +17,7 @@ using messages::Ending;
 using messages::MissionState;
 
 std::string ending_to_string(const SeaFlight& flight) {
-  const std::string steps = std::to_string(flight.steps_taken) + (flight.steps_taken == 1 ? " step" : " steps");
+  const std::string steps = host::counted(flight.steps_taken, "step");
   switch (flight.state) {
     case MissionState::kStandby:
       return "<h1>A flight without a search: nobody started it</h1>\n";
@@ -68,9 +70,9 @@ std::string sea_facts(const SeaFlight& flight, const JournalledSearch& journal) 
   std::string text = "<dl>\n" + fact("frequency searched for", fixed(flight.frequency.value, 1) + " Hz") +
                      fact("depth of the search", fixed(flight.depth.value, 0) + " m") +
                      fact("speed of the search", fixed(flight.speed.value, 1) + " m/s") +
-                     fact("time in the journal", duration(flight.ended_s));
+                     fact("time in the journal", host::duration(flight.ended_s));
   if (flight.search_began_s)
-    text += fact("of it searching", duration(flight.search_ended_s.value_or(flight.ended_s) - *flight.search_began_s)) +
+    text += fact("of it searching", host::duration(flight.search_ended_s.value_or(flight.ended_s) - *flight.search_began_s)) +
             fact("sailed in the search", fixed(flight.distance().value / 1e3, 1) + " km");
   text += fact("decisions", std::to_string(journal.decisions.size())) +
           fact("detections", std::to_string(detections), search::detection_means(flight.threshold.value)) +
@@ -83,7 +85,7 @@ std::string events_table(std::span<const SeaFlight::Event> events) {
   std::string text =
       "<div class=\"table\"><table class=\"events\">\n<thead><tr><th>at</th><th class=\"left\">what</th></tr></thead>\n<tbody>\n";
   for (const SeaFlight::Event& event : events)
-    text += "<tr><td>" + duration(event.time_s) + "</td><td class=\"left\">" + escaped(event.what) + "</td></tr>\n";
+    text += "<tr><td>" + host::duration(event.time_s) + "</td><td class=\"left\">" + escaped(event.what) + "</td></tr>\n";
   return text + "</tbody></table></div>\n";
 }
 

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -12,6 +11,7 @@
 
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "sim/apps/field/modes.hpp"
 #include "sim/parallel/ordered_tasks.hpp"
 #include "sim/plot/field_plot.hpp"
@@ -35,9 +35,7 @@ std::optional<sonar::HorizontalMap> map_of(const FieldArguments& arguments, cons
 
 /// "25 km or further" where the computation ends there.
 std::string range_to_string(const sonar::Fan& fan, double range_m) {
-  std::ostringstream text;
-  text << std::setprecision(4) << range_m / 1000.0 << " km" << (sonar::is_heard_to_the_end(fan, range_m) ? " or further" : "");
-  return text.str();
+  return host::significant(range_m / 1000.0, 4) + " km" + (sonar::is_heard_to_the_end(fan, range_m) ? " or further" : "");
 }
 
 /// Of the bearings where it is heard. @param furthest_m  one or more

@@ -4,6 +4,7 @@
 #include "firmware/host/file/output_file.hpp"
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "sim/apps/field/modes.hpp"
 #include "sim/field_library/library.hpp"
 #include "sim/field_library/plan.hpp"
@@ -20,7 +21,7 @@ void print_summary(const FieldArguments& arguments, const field_library::Library
   if (summary.found > 0) program::say() << ", " << summary.found << " found from before";
   if (summary.without_water > 0) program::say() << ", " << summary.without_water << " on land or too shallow";
   if (!sonar::differs_with_place(plan.environment)) program::say() << "; one march for all: this ocean is the same everywhere";
-  program::say() << "; " << ranks << (ranks == 1 ? " process" : " processes") << " of " << threads << " threads\n"
+  program::say() << "; " << host::counted(ranks, "process", "processes") << " of " << threads << " threads\n"
                  << "written: " << arguments.output << '\n';
   warn(field_library::unmeasured_water(plan));
 }

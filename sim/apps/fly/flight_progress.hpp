@@ -21,10 +21,7 @@ struct FlightProgress {
 };
 
 /// For the person who watches: "1 h 12 min at sea, step 9 of 100, SNR 14.2 dB, source believed 6.3 km away". The step is the one under way.
-/// "0 h 01 min at sea, learning the noise of the sea before the search begins"
+/// "65 s at sea, learning the noise of the sea before the search begins"
 [[nodiscard]] std::string to_string(const FlightProgress& progress);
-
-/// Whole minutes that have passed: "1 h 12 min".
-[[nodiscard]] std::string hours_and_minutes(Duration duration);
 
 }  // namespace earshot::fly

@@ -1,11 +1,11 @@
 #include "sim/apps/fly/flight_summary.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "firmware/core/time.hpp"
 #include "firmware/host/program/wrapped.hpp"
-#include "sim/apps/fly/flight_progress.hpp"
+#include "firmware/host/text/duration.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "sim/apps/fly/search_account.hpp"
 #include "sim/search/account/numbers.hpp"
 #include "sim/search/account/search_account.hpp"
@@ -13,8 +13,8 @@
 namespace earshot::fly {
 namespace {
 
+using host::decimals;
 using nlohmann::json;
-using search::decimals;
 
 std::string km(double length_m) {
   return decimals(length_m / 1e3, 1) + " km";
@@ -54,7 +54,7 @@ std::string steps_to_string(const json& s) {
 std::string time_to_string(const json& s) {
   const double sim_time_s = s.at("sim_time_s");
   const double wall_time_s = s.at("wall_time_s");
-  return hours_and_minutes(Duration::milliseconds(std::llround(1e3 * sim_time_s))) + " at sea, simulated in " + decimals(wall_time_s, 2) +
+  return host::duration(sim_time_s) + " at sea, simulated in " + decimals(wall_time_s, 2) +
          " s: " + decimals(sim_time_s / std::max(wall_time_s, 1e-9), 0) + " times real time";
 }
 

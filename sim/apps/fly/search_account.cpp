@@ -3,6 +3,7 @@
 #include "firmware/config/safety.hpp"
 #include "firmware/host/journal/words/rule_event_words.hpp"
 #include "firmware/host/program/wrapped.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/messages/dictionary/mission_words.hpp"
 #include "firmware/messages/dictionary/safety_words.hpp"
 #include "sim/apps/fly/hearing/hear_option.hpp"
@@ -12,7 +13,7 @@
 namespace earshot::fly {
 namespace {
 
-using search::decimals;
+using host::decimals;
 
 nlohmann::ordered_json or_null(const std::optional<std::uint32_t>& step) {
   return step ? nlohmann::ordered_json(*step) : nlohmann::ordered_json();

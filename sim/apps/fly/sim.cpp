@@ -24,6 +24,7 @@
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
+#include "firmware/host/text/utc.hpp"
 #include "sim/apps/fly/autopilot_bus.hpp"
 #include "sim/apps/fly/flight_folder.hpp"
 #include "sim/apps/fly/flight_plan.hpp"
@@ -182,12 +183,8 @@ nlohmann::ordered_json hearing_of(const Options& o, const FlightResult& result) 
 
 /// "2026-11-22 15:04:05": when the flight was simulated.
 std::string utc_now() {
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  std::tm parts{};
-  std::array<char, 32> text{};
-  (void)::gmtime_r(&now, &parts);
-  (void)std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M:%S", &parts);
-  return text.data();
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return host::date_and_time(Time{std::chrono::duration_cast<std::chrono::microseconds>(now).count()});
 }
 
 /// The mission's origin, where its north-east plane has its zero.

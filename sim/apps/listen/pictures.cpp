@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <iomanip>
 #include <sstream>
 
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "sim/apps/listen/outputs.hpp"
 #include "sim/plot/operating_curve_plot.hpp"
 #include "sim/plot/spectrogram_plot.hpp"
@@ -17,24 +17,15 @@ std::string title_of(const Plan& plan) {
 }
 
 std::string settings_text(const Plan& plan, const Arguments& arguments) {
-  std::ostringstream text;
-  text << std::setprecision(4) << arguments.preset << ", " << plan.settings.band.low.value << " to " << plan.settings.band.high.value
-       << " Hz";
-  return text.str();
+  return arguments.preset + ", " + host::significant(plan.settings.band.low.value, 4) + " to " +
+         host::significant(plan.settings.band.high.value, 4) + " Hz";
 }
 
 /// "5 min listened to", "27.5 h listened to"
 std::string listened_text(double listened_s) {
-  std::ostringstream text;
-  text << std::setprecision(3);
-  if (listened_s < 60.0)
-    text << listened_s << " s";
-  else if (listened_s < 3600.0)
-    text << listened_s / 60.0 << " min";
-  else
-    text << listened_s / 3600.0 << " h";
-  text << " listened to";
-  return text.str();
+  if (listened_s < 60.0) return host::significant(listened_s, 3) + " s listened to";
+  if (listened_s < 3600.0) return host::significant(listened_s / 60.0, 3) + " min listened to";
+  return host::significant(listened_s / 3600.0, 3) + " h listened to";
 }
 
 }  // namespace

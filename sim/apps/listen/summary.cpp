@@ -5,6 +5,7 @@
 
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/program/version.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "sim/apps/listen/outputs.hpp"
 #include "sim/recording/utc.hpp"
 
@@ -124,9 +125,7 @@ void print_rows(std::ostream& out, const Result& result) {
 
 std::string share(double value) {
   if (!std::isfinite(value)) return "none";
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << 100.0 * value << " %";
-  return text.str();
+  return host::decimals(100.0 * value, 1) + " %";
 }
 
 void print_score(std::ostream& out, const annotation::Score& score, double tolerance_s) {

@@ -1,18 +1,11 @@
-#include <array>
-#include <cstdio>
 
+#include "firmware/host/text/numbers.hpp"
 #include "sim/annotation/selection_table.hpp"
 #include "sim/apps/listen/outputs.hpp"
 #include "sim/recording/utc.hpp"
 
 namespace earshot::listen {
 namespace {
-
-std::string fixed(double value, int digits) {
-  std::array<char, 64> text{};
-  const int size = std::snprintf(text.data(), text.size(), "%.*f", digits, value);
-  return {text.data(), static_cast<std::size_t>(size)};
-}
 
 /// RFC 4180: a cell that holds a comma, a quotation mark or a line break stands between quotation marks.
 std::string csv_cell(const std::string& text) {
@@ -33,9 +26,10 @@ std::string csv_of(const Result& result) {
   std::string text = "begin_s,duration_s,begin_utc,peak_s,snr_db," + level + ",file,file_offset_s,validity\n";
   for (const Row& row : result.heard.rows) {
     const recording::Part& part = result.plan.sequence.parts()[row.place.part];
-    text += fixed(row.begin_s, 3) + "," + fixed(row.duration_s, 3) + "," + (row.place.utc ? recording::to_iso(*row.place.utc) : "") + "," +
-            fixed(row.peak_s, 3) + "," + fixed(row.snr_db, 2) + "," + fixed(row.level_db, 2) + "," + csv_cell(part.path.string()) + "," +
-            fixed(row.place.offset.to_seconds(), 3) + "," + validity(row) + "\n";
+    text += host::decimals(row.begin_s, 3) + "," + host::decimals(row.duration_s, 3) + "," +
+            (row.place.utc ? recording::to_iso(*row.place.utc) : "") + "," + host::decimals(row.peak_s, 3) + "," +
+            host::decimals(row.snr_db, 2) + "," + host::decimals(row.level_db, 2) + "," + csv_cell(part.path.string()) + "," +
+            host::decimals(row.place.offset.to_seconds(), 3) + "," + validity(row) + "\n";
   }
   return text;
 }
@@ -51,7 +45,7 @@ std::string raven_of(const Result& result) {
                                 .channel = static_cast<int>(plan.channel) + 1,
                                 .begin_file = plan.sequence.parts()[row.place.part].path.filename().string(),
                                 .file_offset_s = row.place.offset.to_seconds(),
-                                .values = {fixed(row.snr_db, 2), fixed(row.level_db, 2), validity(row)}});
+                                .values = {host::decimals(row.snr_db, 2), host::decimals(row.level_db, 2), validity(row)}});
   }
   return annotation::to_text(table);
 }

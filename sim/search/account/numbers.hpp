@@ -4,9 +4,6 @@
 
 namespace earshot::search {
 
-/// "12.35" of two decimals.
-[[nodiscard]] std::string decimals(double value, int places);
-
 /// "38.500 N, 28.000 W"
 /// @param degrees  what stands behind each number, before its direction
 [[nodiscard]] std::string geographic(double latitude_deg, double longitude_deg, const std::string& degrees = "");

@@ -7,6 +7,7 @@
 
 #include "firmware/config/safety.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/messages/dictionary/mission_words.hpp"
 #include "firmware/messages/health.hpp"
 #include "sim/search/account/numbers.hpp"
@@ -42,16 +43,12 @@ std::string step_to_string(std::uint32_t step) {
   return "step " + std::to_string(step);
 }
 
-std::string steps_to_string(std::uint32_t steps) {
-  return std::to_string(steps) + (steps == 1 ? " step" : " steps");
-}
-
 std::string meters_to_string(double length_m) {
-  return decimals(length_m, 0) + " m";
+  return host::decimals(length_m, 0) + " m";
 }
 
 std::string step_length_to_string(std::optional<double> length_m) {
-  return length_m ? decimals(*length_m / 1e3, 1) + " km" : "one step length";
+  return length_m ? host::decimals(*length_m / 1e3, 1) + " km" : "one step length";
 }
 
 /// An earlier version's summary calls the source that was reached "found", and a declaration "declared_found".
@@ -78,8 +75,8 @@ std::string loss_to_string(const std::string& reason) {
 }
 
 std::string mismatch_sentence(const SearchAccount& a) {
-  const std::string score = " (model-mismatch score " + decimals(a.surprise_bits, 1) + " bits at the end; from " +
-                            decimals(static_cast<double>(messages::kSurprising_bits), 2) + " on it is a mismatch).";
+  const std::string score = " (model-mismatch score " + host::decimals(a.surprise_bits, 1) + " bits at the end; from " +
+                            host::decimals(static_cast<double>(messages::kSurprising_bits), 2) + " on it is a mismatch).";
   if (a.surprised_step)
     return "From " + step_to_string(*a.surprised_step) + " on, the SNR that it measured was unlikely in every ocean of its tables" + score;
   if (a.swept_in_silence())
@@ -103,7 +100,7 @@ std::string declared_sentence(const SearchAccount& a) {
 }
 
 std::string way_home_sentence(const SearchAccount::WayHome& way_home) {
-  return "After " + steps_to_string(way_home.steps) + " a safety rule sent the vehicle " +
+  return "After " + host::counted(way_home.steps, "step") + " a safety rule sent the vehicle " +
          (way_home.is_to_surface ? "to the surface" : "home") + ": " + way_home.rule + ".";
 }
 
@@ -151,7 +148,7 @@ SearchAccount account_in(const nlohmann::json& summary) {
 
 std::string end_to_string(const SearchAccount& a) {
   if (is_end(a, EndReason::kCompleted)) return "the vehicle came within " + step_length_to_string(a.step_length_m) + " of the source";
-  if (is_end(a, EndReason::kStepsUsedUp)) return "all " + steps_to_string(a.steps) + " were taken";
+  if (is_end(a, EndReason::kStepsUsedUp)) return "all " + host::counted(a.steps, "step") + " were taken";
   if (is_end(a, EndReason::kFound)) return messages::to_string(EndReason::kFound);
   if (const std::string loss = loss_to_string(a.end_reason); !loss.empty()) return loss;
   const std::string reason = host::spelled_apart(a.end_reason);
@@ -161,16 +158,16 @@ std::string end_to_string(const SearchAccount& a) {
 
 Verdict verdict_on(const SearchAccount& a) {
   if (a.is_found)
-    return {true, "Source found after " + steps_to_string(a.steps) + ": the vehicle came within " + step_length_to_string(a.step_length_m) +
-                      " of it"};
+    return {true, "Source found after " + host::counted(a.steps, "step") + ": the vehicle came within " +
+                      step_length_to_string(a.step_length_m) + " of it"};
   if (!loss_to_string(a.end_reason).empty())
-    return {false, "The flight was lost after " + steps_to_string(a.steps) + ": " + end_to_string(a)};
+    return {false, "The flight was lost after " + host::counted(a.steps, "step") + ": " + end_to_string(a)};
   const std::string declared = a.declared_range_m
                                    ? "at " + step_to_string(*a.declared_step) + (a.declared_wrongly() ? ", wrongly, " : ", ") +
                                          meters_to_string(*a.declared_range_m) + " from it"
                                    : "";
   if (!declared.empty() && !a.declared_wrongly()) return {true, "Source found: the vehicle declared it found " + declared};
-  const std::string missed = "Source not found in " + steps_to_string(a.steps) + ": ";
+  const std::string missed = "Source not found in " + host::counted(a.steps, "step") + ": ";
   return {false, missed + (declared.empty() ? end_to_string(a) : "the vehicle declared it found " + declared)};
 }
 
@@ -204,7 +201,7 @@ std::string place_of_area(const nlohmann::json& summary, const std::string& degr
 }
 
 std::string detection_means(double threshold_db) {
-  return "a step that ends with an SNR of " + decimals(threshold_db, 0) + " dB or more";
+  return "a step that ends with an SNR of " + host::decimals(threshold_db, 0) + " dB or more";
 }
 
 std::string found_means(std::optional<double> step_length_m) {

@@ -1,6 +1,5 @@
 #include "firmware/boards/linux/apps/end_report.hpp"
 
-#include <iomanip>
 #include <iostream>
 #include <string>
 
@@ -11,6 +10,7 @@
 #include "firmware/host/journal/words/wording.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/messages/health_words.hpp"
 
 namespace earshot::board {
@@ -77,17 +77,17 @@ int report(const MemoryProof& proof, const PortSet& ports) {
 int report(const host::Journal& journal, Status closed, const std::filesystem::path& wanted, bool is_at_sea) {
   const host::JournalCounters counters = journal.counters();
   if (is_at_sea && is_talkative())
-    std::cerr << "earshotd: every record that is in the journal was there within " << std::fixed << std::setprecision(3)
-              << journal.longest_wait_s() << " s, which is what a power cut could have cost\n";
+    std::cerr << "earshotd: every record that is in the journal was there within " << host::decimals(journal.longest_wait_s(), 3)
+              << " s, which is what a power cut could have cost\n";
   if (counters.deleted > 0) {
     const std::string last = host::named(wanted, {.journal = counters.last_deleted}).string();
     std::cerr << "earshotd: " << counters.deleted << " journals of earlier flights were deleted to stay within --journal-budget-mb, up to "
               << host::printable(last) << "\n";
   }
   if (closed == Status::kOk && counters.all_lost() == 0) return program::kDone;
-  std::cerr << "earshotd: the journal is not whole: " << journal::counted(counters.all_lost(), "record")
-            << " lost: " << journal::to_string(host::lost_records(counters.lost)) << "; "
-            << journal::counted(counters.write_errors, "write") << " failed\n";
+  std::cerr << "earshotd: the journal is not whole: " << host::counted(counters.all_lost(), "record")
+            << " lost: " << journal::to_string(host::lost_records(counters.lost)) << "; " << host::counted(counters.write_errors, "write")
+            << " failed\n";
   return program::kLost;
 }
 

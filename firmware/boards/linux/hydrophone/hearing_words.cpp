@@ -1,8 +1,8 @@
 #include "firmware/boards/linux/hydrophone/hearing_words.hpp"
 
 #include <cstddef>
-#include <iomanip>
-#include <sstream>
+
+#include "firmware/host/text/numbers.hpp"
 
 namespace earshot::board {
 namespace {
@@ -42,9 +42,7 @@ const char* remedy_of(Hearing hearing) {
 }
 
 std::string seconds(Duration duration) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(duration < Duration::seconds(10) ? 1 : 0) << duration.to_seconds() << " s";
-  return text.str();
+  return host::decimals(duration.to_seconds(), duration < Duration::seconds(10) ? 1 : 0) + " s";
 }
 
 Duration sum_of(const Ear::Account& account) {
@@ -73,11 +71,9 @@ std::string to_string(const Ear::Account& account) {
 }
 
 std::string to_string(const detector::SoundSettings& settings) {
-  std::ostringstream text;
-  text << "hears " << settings.band.low.value << " to " << settings.band.high.value << " Hz; a sample of full scale is " << std::fixed
-       << std::setprecision(1) << detector::full_scale_level(settings.calibration, Decibels{}).value
-       << " dB re 1 uPa, less what gain its blocks name";
-  return text.str();
+  return "hears " + host::significant(settings.band.low.value, 6) + " to " + host::significant(settings.band.high.value, 6) +
+         " Hz; a sample of full scale is " + host::decimals(detector::full_scale_level(settings.calibration, Decibels{}).value, 1) +
+         " dB re 1 uPa, less what gain its blocks name";
 }
 
 }  // namespace earshot::board

@@ -28,7 +28,7 @@ void write_chain(TextInto& line, const HeardChain& chain) {
   }
   line << "hears ";
   line.decimal(chain.band.low.value, 1) << " to ";
-  line.decimal(chain.band.high.value, 1) << " Hz of " << chain.channels << (chain.channels == 1 ? " channel" : " channels") << " at ";
+  line.decimal(chain.band.high.value, 1) << " Hz of " << Counted{chain.channels, "channel"} << " at ";
   line.decimal(chain.sample_rate.value, 1) << " Hz: full scale ";
   line.decimal(chain.full_scale_level.value, 1) << ", the ADC's own noise ";
   line.decimal(chain.adc_noise_level.value, 1) << " dB re 1 uPa; SNR measurements lag by ";
@@ -243,8 +243,7 @@ void FlightNews::tell_state(Time now, const messages::Health& health) {
   const bool is_stopped = is_stopping_ && health.end_reason == messages::EndReason::kOperatorAbort;
   const bool is_over = health.end_reason != messages::EndReason::kNone;
   if (is_over) line << ", " << (is_stopped ? kToldToStop : to_string(health.end_reason));
-  if (is_over && messages::counts_steps(health.end_reason))
-    line << ", after " << health.steps_taken << (health.steps_taken == 1 ? " step" : " steps");
+  if (is_over && messages::counts_steps(health.end_reason)) line << ", after " << Counted{health.steps_taken, "step"};
   if (!remark.empty()) line << ", " << remark;
   const bool is_aborted = health.state == messages::MissionState::kAbort;
   say({.severity = is_aborted ? Severity::kError : Severity::kNotice, .event = "state", .time = now, .message = line.text()});
@@ -255,7 +254,7 @@ void FlightNews::tell_refused(Time now, std::string_view sensor, std::uint64_t c
   if (count == refused.told || refused.is_told_in_state) return;
   refused = {.told = count, .is_told_in_state = true};
   TextLine line;
-  line << sensor << ": " << count << (count == 1 ? " message" : " messages")
+  line << sensor << ": " << Counted{count, "message"}
        << " refused so far, for their date, their order or what is in them; check their sender's clock "
           "(of CAN messages, which bear no date: at two ports that bring the same)";
   say({.severity = Severity::kWarning, .event = "refused", .time = now, .message = line.text()});
@@ -265,7 +264,7 @@ void FlightNews::tell_others(Time now, std::uint64_t count) {
   if (count == others_bearing_.told || others_bearing_.is_told_in_state) return;
   others_bearing_ = {.told = count, .is_told_in_state = true};
   TextLine line;
-  line << "bearing: " << count << (count == 1 ? " message" : " messages")
+  line << "bearing: " << Counted{count, "message"}
        << " of a second sender not taken so far: the first that was heard is listened to, until it is silent for "
        << static_cast<std::uint64_t>(detector::kBearingHandover.to_seconds()) << " s";
   say({.severity = Severity::kWarning, .event = "refused", .time = now, .message = line.text()});

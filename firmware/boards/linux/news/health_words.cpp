@@ -1,5 +1,6 @@
 #include "firmware/boards/linux/news/health_words.hpp"
 
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/messages/health_words.hpp"
 
 namespace earshot::board {
@@ -10,7 +11,7 @@ std::string state_and(const char* reason, const messages::Health& health) {
   std::string text = messages::to_string(health.state);
   if (health.end_reason != messages::EndReason::kNone) text += std::string(", ") + reason;
   if (!counts_steps(health.end_reason)) return text;
-  return text + ", after " + std::to_string(health.steps_taken) + (health.steps_taken == 1 ? " step" : " steps");
+  return text + ", after " + host::counted(health.steps_taken, "step");
 }
 
 }  // namespace

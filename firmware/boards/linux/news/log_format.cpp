@@ -10,6 +10,7 @@
 #include <string>
 
 #include "firmware/boards/linux/news/text_line.hpp"
+#include "firmware/host/text/utc.hpp"
 
 namespace earshot::board {
 namespace {
@@ -18,17 +19,13 @@ constexpr Time kLongAgo{
     std::chrono::microseconds(std::chrono::sys_days(std::chrono::year(2000) / std::chrono::January / 1).time_since_epoch()).count()};
 
 void write_date(TextInto& to, Time time, std::string_view between, std::string_view zone) {
-  using namespace std::chrono;
-  const sys_time<microseconds> utc{microseconds(time.us)};
-  const sys_days day = floor<days>(utc);
-  const year_month_day date{day};
-  const hh_mm_ss clock{floor<seconds>(utc) - day};
-  to << static_cast<int>(date.year()) << "-";
-  to.two_digits(static_cast<unsigned>(date.month())) << "-";
-  to.two_digits(static_cast<unsigned>(date.day())) << between;
-  to.two_digits(static_cast<unsigned>(clock.hours().count())) << ":";
-  to.two_digits(static_cast<unsigned>(clock.minutes().count())) << ":";
-  to.two_digits(static_cast<unsigned>(clock.seconds().count())) << zone;
+  const host::CivilTime t = host::civil_time(time);
+  to << t.year << "-";
+  to.two_digits(t.month) << "-";
+  to.two_digits(t.day) << between;
+  to.two_digits(t.hour) << ":";
+  to.two_digits(t.minute) << ":";
+  to.two_digits(t.second) << zone;
 }
 
 std::string_view word_of(Severity severity) {

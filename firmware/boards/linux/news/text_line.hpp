@@ -5,6 +5,7 @@
 #include <charconv>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string_view>
 #include <system_error>
@@ -15,6 +16,12 @@ namespace earshot::board {
 [[nodiscard]] constexpr bool goes_on(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
 }
+
+/// "1 step", "12 steps"
+struct Counted {
+  std::uint64_t count = 0;
+  std::string_view what;
+};
 
 /// Text in the making, in memory of somebody else's; what does not fit is left out, whole characters only. Allocates nothing.
 class TextInto {
@@ -33,6 +40,7 @@ class TextInto {
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
     return *this << std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data()));
   }
+  TextInto& operator<<(Counted things) { return *this << things.count << " " << things.what << (things.count == 1 ? "" : "s"); }
   /// A number too long for its field stands as "?".
   TextInto& decimal(double number, int places) {
     std::array<char, 32> digits{};

@@ -80,7 +80,7 @@ void ServiceManager::say_state(const messages::Health& health) const {
   TextLine message;
   message << (is_ready_ ? "" : "READY=1\n") << "STATUS=" << messages::to_string(health.state);
   if (health.end_reason != messages::EndReason::kNone) message << ", " << messages::to_string(health.end_reason);
-  message << ", after " << health.steps_taken << (health.steps_taken == 1 ? " step" : " steps");
+  message << ", after " << Counted{health.steps_taken, "step"};
   say(message.text());
 }
 

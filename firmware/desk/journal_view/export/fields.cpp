@@ -8,6 +8,7 @@
 
 #include "firmware/host/file/checksum_text.hpp"
 #include "firmware/host/journal/words/wording.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/messages/dictionary/every_message.hpp"
 
 namespace earshot::journal {

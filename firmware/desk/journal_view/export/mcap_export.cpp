@@ -7,6 +7,7 @@
 #include "firmware/desk/journal_view/export/foxglove.hpp"
 #include "firmware/host/journal/words/wording.hpp"
 #include "firmware/host/program/version.hpp"
+#include "firmware/host/text/numbers.hpp"
 
 namespace earshot::journal {
 namespace {
@@ -93,7 +94,7 @@ void McapExport::write_log(std::span<const Event> events) {
 }
 
 std::string McapExport::what() const {
-  return counted(file_.messages(), "message");
+  return host::counted(file_.messages(), "message");
 }
 
 }  // namespace earshot::journal

@@ -2,6 +2,7 @@
 
 #include "firmware/desk/journal_view/export/fields.hpp"
 #include "firmware/host/journal/words/wording.hpp"
+#include "firmware/host/text/numbers.hpp"
 
 namespace earshot::journal {
 
@@ -18,7 +19,7 @@ void RecordLines::take(const Entry& entry, std::span<const Event> /*events*/) {
 }
 
 std::string RecordLines::what() const {
-  return counted(records_, "record");
+  return host::counted(records_, "record");
 }
 
 }  // namespace earshot::journal

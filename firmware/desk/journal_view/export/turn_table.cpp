@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +9,8 @@
 
 #include "firmware/core/math.hpp"
 #include "firmware/host/journal/words/wording.hpp"
+#include "firmware/host/text/numbers.hpp"
+#include "firmware/host/text/utc.hpp"
 #include "firmware/messages/dictionary/output_fields.hpp"
 
 namespace earshot::journal {
@@ -65,12 +66,10 @@ std::string text_of(const Value& value) {
   } else if constexpr (std::is_unsigned_v<Value>) {
     return std::to_string(value);
   } else if constexpr (std::is_same_v<Value, Time> || std::is_same_v<Value, Duration>) {
-    return decimal(static_cast<double>(value.us) * 1e-6, 6);
+    return host::decimals(static_cast<double>(value.us) * 1e-6, 6);
   } else {
     const auto number = static_cast<double>(messages::plain(value));
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-    return is_finite(number) ? std::string(digits.data(), end) : std::string();
+    return is_finite(number) ? host::shortest(number) : std::string();
   }
 }
 
@@ -83,7 +82,7 @@ class Row {
     return *this;
   }
   /// What is no number is empty.
-  Row& cell(double number, int places) { return cell(is_finite(number) ? decimal(number, places) : std::string()); }
+  Row& cell(double number, int places) { return cell(is_finite(number) ? host::decimals(number, places) : std::string()); }
   Row& empty(int cells) {
     for (; cells > 0; --cells) cell("");
     return *this;
@@ -156,9 +155,9 @@ void TurnTable::note(const messages::Input& input) {
 void TurnTable::write_row(Time time, const messages::Health& health) {
   Row row;
   row.cell(std::to_string(health.turn))
-      .cell(decimal(seconds_of(time), kMicroseconds))
+      .cell(host::decimals(seconds_of(time), kMicroseconds))
       .cell((time - *began_).to_seconds(), kMicroseconds)
-      .cell(is_dated(time) ? utc(time) : "")
+      .cell(host::is_dated(time) ? utc(time) : "")
       .cell(messages::to_string(health.state))
       .cell(std::to_string(health.steps_taken));
   row.cell(messages::is_known(health.response) ? messages::key_of(health.response) : std::string_view());
@@ -187,7 +186,7 @@ void TurnTable::write_row(Time time, const messages::Health& health) {
 }
 
 std::string TurnTable::what() const {
-  return counted(rows_, "turn");
+  return host::counted(rows_, "turn");
 }
 
 }  // namespace earshot::journal

@@ -1,30 +1,19 @@
 #include "firmware/host/journal/words/rule_event_words.hpp"
 
-#include <array>
-#include <charconv>
 #include <cstddef>
-#include <system_error>
 
 #include "firmware/config/safety.hpp"
+#include "firmware/host/text/numbers.hpp"
 
 namespace earshot::journal {
 namespace {
 
 constexpr int kMostDecimals = 6;
 
-std::string decimal(double number, int places) {
-  std::array<char, 400> digits{};  // 1.8e308 written out has 309
-  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), number, std::chars_format::fixed, places);
-  return error == std::errc{} ? std::string(digits.data(), end) : "?";
-}
-
 /// As fixed decimals of so many places; what does not fit is told apart by nothing.
 bool reads_the_same(double a, double b, int places) {
-  std::array<char, 32> of_a{};
-  std::array<char, 32> of_b{};
-  const auto end_of_a = std::to_chars(of_a.data(), of_a.data() + of_a.size(), a, std::chars_format::fixed, places);
-  const auto end_of_b = std::to_chars(of_b.data(), of_b.data() + of_b.size(), b, std::chars_format::fixed, places);
-  return end_of_a.ec == std::errc{} && end_of_b.ec == std::errc{} && of_a == of_b;
+  const std::string text = host::decimals(a, places);
+  return text.size() < 32 && text == host::decimals(b, places);
 }
 
 }  // namespace
@@ -73,10 +62,11 @@ std::string to_string(const messages::SafetyEvent& event) {
   if (!event.begins) return text + ": no longer";
   const int places = decimals_apart(event.measure, event.limit);
   const std::optional<MeasureWords> words = words_of_measure(event.condition);
-  const std::string measure = decimal(event.measure, places);
+  const std::string measure = host::decimals(event.measure, places);
   if (traits.kind != ConditionTraits::Kind::kFlag)
     text += ": " + (words ? std::string(words->before) + measure + std::string(words->behind) : measure);
-  if (names_limit(event)) text += (traits.kind == ConditionTraits::Kind::kAbove ? ", above " : ", below ") + decimal(event.limit, places);
+  if (names_limit(event))
+    text += (traits.kind == ConditionTraits::Kind::kAbove ? ", above " : ", below ") + host::decimals(event.limit, places);
   text += ": " + std::string(config::kResponseWords.at(response));
   return words ? text + "; " + std::string(words->look_at) : text;
 }

@@ -6,6 +6,7 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/journal/words/wording.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/messages/dictionary/command_words.hpp"
 #include "firmware/messages/dictionary/journal_fields.hpp"
 #include "firmware/messages/health_words.hpp"
@@ -23,14 +24,14 @@ std::string command_name(messages::Order order, std::uint32_t number, std::uint3
 std::string limits_in(const messages::OperatorLimits& limits) {
   std::string text;
   const auto say = [&text](const std::string& limit) { text += (text.empty() ? " to " : ", ") + limit; };
-  if (limits.max_depth) say(decimal(limits.max_depth->value, 1) + " m depth");
-  if (limits.max_speed) say(decimal(limits.max_speed->value, 2) + " m/s");
-  if (limits.max_time_s) say(decimal(*limits.max_time_s, 0) + " s of search");
+  if (limits.max_depth) say(host::decimals(limits.max_depth->value, 1) + " m depth");
+  if (limits.max_speed) say(host::decimals(limits.max_speed->value, 2) + " m/s");
+  if (limits.max_time_s) say(host::decimals(*limits.max_time_s, 0) + " s of search");
   return text;
 }
 
 std::string bytes_to_string(const DamagedBytes& damage) {
-  return counted(damage.bytes, "byte") + " from byte " + std::to_string(damage.offset) + " on" +
+  return host::counted(damage.bytes, "byte") + " from byte " + std::to_string(damage.offset) + " on" +
          (damage.part.empty() ? "" : " of " + damage.part);
 }
 
@@ -40,11 +41,11 @@ std::string to_string(const messages::MissionRecord& record) {
   constexpr double kMetersPerKilometer = 1000.0;
   const config::Mission& m = record.mission;
   const NorthEast size = m.operating_area.north_east - m.operating_area.south_west;
-  return "mission begins: area of " + decimal(size.north.value / kMetersPerKilometer, 1) + " km x " +
-         decimal(size.east.value / kMetersPerKilometer, 1) + " km, at " + decimal(m.search_depth.value, 0) + " m depth and " +
-         decimal(m.search_speed.value, 1) + " m/s, up to " + counted(m.max_steps, "step") + " of " + decimal(m.step_length.value, 0) +
-         " m in " + decimal(m.max_time.to_seconds(), 0) + " s; heard from " + decimal(m.detection_threshold.value, 1) + " dB; flown by " +
-         host::printable(std::string(messages::text_of(record.build)));
+  return "mission begins: area of " + host::decimals(size.north.value / kMetersPerKilometer, 1) + " km x " +
+         host::decimals(size.east.value / kMetersPerKilometer, 1) + " km, at " + host::decimals(m.search_depth.value, 0) + " m depth and " +
+         host::decimals(m.search_speed.value, 1) + " m/s, up to " + host::counted(m.max_steps, "step") + " of " +
+         host::decimals(m.step_length.value, 0) + " m in " + host::decimals(m.max_time.to_seconds(), 0) + " s; heard from " +
+         host::decimals(m.detection_threshold.value, 1) + " dB; flown by " + host::printable(std::string(messages::text_of(record.build)));
 }
 
 std::string to_string(const messages::OperatorCommand& command, std::uint8_t port) {
@@ -64,25 +65,25 @@ std::string to_string(const messages::Bearing& bearing) {
     text += " or " + compass(mirrored, 0) + " deg";
   }
   constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
-  return text + ", give or take " + decimal(bearing.deviation.value * kDegreesPerRadian, 0) + " deg";
+  return text + ", give or take " + host::decimals(bearing.deviation.value * kDegreesPerRadian, 0) + " deg";
 }
 
 std::string to_string(const messages::Decision& m) {
   const NorthEast leg = m.waypoint - m.position;
   std::string bearing = compass(bearing_of(leg.north.value, leg.east.value), 0);
   bearing.insert(0, bearing.size() < 3 ? 3 - bearing.size() : 0, '0');
-  std::string text = "step " + std::to_string(m.step) + ": SNR " + (m.too_faint ? "below " : "") + decimal(m.snr.value, 1) + " dB" +
+  std::string text = "step " + std::to_string(m.step) + ": SNR " + (m.too_faint ? "below " : "") + host::decimals(m.snr.value, 1) + " dB" +
                      (m.detected ? ", heard" : ", not heard") + (m.bearing ? ", from " + to_string(*m.bearing) : "") + "; from " +
-                     to_string(m.position) + " goes " + decimal(length_of(leg).value, 0) + " m towards " + bearing + " deg";
+                     to_string(m.position) + " goes " + host::decimals(length_of(leg).value, 0) + " m towards " + bearing + " deg";
   if (m.sweeping) text += ", of a sweep";
   if (m.overridden) text += ", as the safety layer changed it";
   if (m.belief)
     text += "; the source is likeliest at " + to_string(m.belief->likeliest) + ", the belief spread over " +
-            decimal(m.belief->spread.value, 0) + " m";
+            host::decimals(m.belief->spread.value, 0) + " m";
   if (m.found)
-    text += "; declares the source found: within a step with a probability of " + decimal(m.found->probability, 2) + ", at least " +
-            decimal(m.found->least_snr.value, 1) + " dB expected there, the likeliest place " +
-            decimal(m.found->closest_approach.value, 0) + " m away";
+    text += "; declares the source found: within a step with a probability of " + host::decimals(m.found->probability, 2) + ", at least " +
+            host::decimals(m.found->least_snr.value, 1) + " dB expected there, the likeliest place " +
+            host::decimals(m.found->closest_approach.value, 0) + " m away";
   return text;
 }
 
@@ -94,7 +95,7 @@ const char* why_it_ended(EndReason reason, AbortedBy by) {
 std::string to_string(MissionState state, EndReason reason, std::uint32_t steps, AbortedBy by) {
   std::string text = messages::to_string(state);
   if (reason != EndReason::kNone) text += std::string(": ") + why_it_ended(reason, by);
-  return messages::counts_steps(reason) ? text + ", after " + counted(steps, "step") : text;
+  return messages::counts_steps(reason) ? text + ", after " + host::counted(steps, "step") : text;
 }
 
 std::string to_string(const messages::Health& m, bool was_surprised, AbortedBy by) {
@@ -111,14 +112,14 @@ std::string to_string(const messages::LostRecords& lost) {
 std::string to_string(const messages::ClosingRecord& closing, AbortedBy by) {
   const messages::LostRecords& lost = closing.lost;
   const std::string what =
-      lost.all() == 0 ? "no record was lost" : counted(lost.all(), "record") + " lost on a full or slow disk: " + to_string(lost);
+      lost.all() == 0 ? "no record was lost" : host::counted(lost.all(), "record") + " lost on a full or slow disk: " + to_string(lost);
   return std::string("end: ") + messages::to_string(closing.ending) + "; " +
          to_string(closing.state, closing.end_reason, closing.steps_taken, by) + "; " + what;
 }
 
 std::string to_string(const messages::JournalResumed& resumed) {
   return "another process goes on from here (earshotd --resume): the one before was killed or lost its power; " +
-         counted(resumed.cut_bytes, "byte") + " that it left behind were cut off";
+         host::counted(resumed.cut_bytes, "byte") + " that it left behind were cut off";
 }
 
 std::string to_string(const messages::ControllerTrouble& trouble) {
@@ -144,7 +145,7 @@ std::string to_string(const MissingRecords& missing) {
   const std::string which = missing.count == 1
                                 ? "number " + std::to_string(missing.first)
                                 : "numbers " + std::to_string(missing.first) + " to " + std::to_string(missing.first + missing.count - 1);
-  return counted(missing.count, "record") + (missing.count == 1 ? " is" : " are") + " missing, " + which + why_missing(missing);
+  return host::counted(missing.count, "record") + (missing.count == 1 ? " is" : " are") + " missing, " + which + why_missing(missing);
 }
 
 std::string to_string(const DamagedBytes& damage) {

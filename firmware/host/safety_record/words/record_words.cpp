@@ -1,13 +1,13 @@
 #include "firmware/host/safety_record/words/record_words.hpp"
 
-#include <array>
-#include <cstdio>
 #include <system_error>
 
 #include "firmware/core/time.hpp"
 #include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/journal/words/wording.hpp"
 #include "firmware/host/safety_record/record_file.hpp"
+#include "firmware/host/text/numbers.hpp"
+#include "firmware/host/text/utc.hpp"
 #include "firmware/messages/health_words.hpp"
 
 namespace earshot::host {
@@ -35,11 +35,10 @@ std::string what_follows(const SafetyRecord& record) {
 }  // namespace
 
 std::string to_string(const SafetyRecord& record) {
-  std::array<char, 64> depth{};
-  (void)std::snprintf(depth.data(), depth.size(), "; depth at most %g m", record.max_depth.value);
-  const std::string starts = record.starts == 0 ? "" : "; " + std::to_string(record.starts) + (record.starts == 1 ? " start" : " starts");
-  return "safety record, " + (journal::is_dated(record.utc) ? journal::utc(record.utc) : "at no date") + ": " + standing(record) +
-         depth.data() + starts + ". " + what_follows(record);
+  const std::string depth = "; depth at most " + host::significant(record.max_depth.value, 6) + " m";
+  const std::string starts = record.starts == 0 ? "" : "; " + host::counted(record.starts, "start");
+  return "safety record, " + (host::is_dated(record.utc) ? journal::utc(record.utc) : "at no date") + ": " + standing(record) + depth +
+         starts + ". " + what_follows(record);
 }
 
 std::optional<std::string> safety_record_beside(const std::filesystem::path& journal) {

@@ -1,22 +1,14 @@
 #include "sim/apps/fly/hearing/hearing_record.hpp"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "firmware/host/file/output_file.hpp"
+#include "firmware/host/text/numbers.hpp"
 
 namespace earshot::fly {
 namespace {
 
 constexpr std::size_t kColumns = SpectrogramStrip::kHighest_hz - SpectrogramStrip::kLowest_hz + 1;
-
-template <class... Values>
-void append(std::string& text, const char* format, Values... values) {
-  std::array<char, 160> part{};
-  (void)std::snprintf(part.data(), part.size(), format, values...);
-  text += part.data();
-}
 
 }  // namespace
 
@@ -56,13 +48,14 @@ void SpectrogramStrip::join_rows() {
 
 std::string SpectrogramStrip::table() const {
   std::string text = "time_s";
-  for (std::size_t hz = kLowest_hz; hz <= kHighest_hz; ++hz) append(text, ",%zu", hz);
+  for (std::size_t hz = kLowest_hz; hz <= kHighest_hz; ++hz) text += host::formatted(",%zu", hz);
   text += "\n";
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Row& row = rows_[i];
     if (row.windows == 0) continue;
-    append(text, "%.1f", (static_cast<double>(i) + 0.5) * row_s_);
-    for (const double sum : row.sum) append(text, ",%.1f", 10.0 * std::log10(std::max(sum / row.windows, 1e-30)) + full_scale_.value);
+    text += host::formatted("%.1f", (static_cast<double>(i) + 0.5) * row_s_);
+    for (const double sum : row.sum)
+      text += host::formatted(",%.1f", 10.0 * std::log10(std::max(sum / row.windows, 1e-30)) + full_scale_.value);
     text += "\n";
   }
   return text;
@@ -71,8 +64,8 @@ std::string SpectrogramStrip::table() const {
 void HearingRecord::add(const detector::Estimate& look, const policy::Reception& modelled) {
   ++looks_;
   too_faint_ += look.too_faint ? 1U : 0U;
-  append(rows_, "%.6f,%.4f,%d,%.4f,%d,%.3f,%.3f\n", (look.time - Time{}).to_seconds(), look.snr.value, look.too_faint ? 1 : 0,
-         modelled.snr.value, modelled.too_faint ? 1 : 0, look.level.value, look.floor.value);
+  rows_ += host::formatted("%.6f,%.4f,%d,%.4f,%d,%.3f,%.3f\n", (look.time - Time{}).to_seconds(), look.snr.value, look.too_faint ? 1 : 0,
+                           modelled.snr.value, modelled.too_faint ? 1 : 0, look.level.value, look.floor.value);
 }
 
 void HearingRecord::write(const std::filesystem::path& folder) const {

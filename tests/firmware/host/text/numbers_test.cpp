@@ -34,11 +34,14 @@ TEST(HostNumbers, CountOneThingAndMore) {
   EXPECT_EQ(counted(0, "record"), "0 records");
   EXPECT_EQ(counted(1, "record"), "1 record");
   EXPECT_EQ(counted(12, "record"), "12 records");
+  EXPECT_EQ(counted(1, "process", "processes"), "1 process");
+  EXPECT_EQ(counted(2, "process", "processes"), "2 processes");
 }
 
-TEST(HostNumbers, AreFormattedAsPrintfDoesUpToTheLongestLine) {
+TEST(HostNumbers, AreFormattedAsPrintfDoesHoweverLongTheyAre) {
   EXPECT_EQ(formatted("%3d of %s", 7, "nine"), "  7 of nine");
-  EXPECT_EQ(formatted("%600d", 1).size(), 511U);
+  EXPECT_EQ(formatted("%s", ""), "");
+  EXPECT_EQ(formatted("%6000d", 1).size(), 6'000U);
 }
 
 }  // namespace

@@ -20,13 +20,13 @@ TEST(FlightProgress, TellsNoRangeWithoutABeliefAndNoSnrThatWasNotMeasured) {
                                 .max_steps = 100,
                                 .reception = {.snr = Decibels{-5.0}, .too_faint = true},
                                 .believed_range = {}};
-  EXPECT_EQ(to_string(progress), "0 h 01 min at sea, step 100 of 100, SNR below -5.0 dB");
+  EXPECT_EQ(to_string(progress), "65 s at sea, step 100 of 100, SNR below -5.0 dB");
 }
 
 TEST(FlightProgress, TellsOfAVehicleThatLearnsTheNoiseThatItHasHeardNothingYet) {
   const FlightProgress progress{
       .at_sea = Duration::seconds(65), .max_steps = 100, .reception = {}, .is_learning_noise = true, .believed_range = {}};
-  EXPECT_EQ(to_string(progress), "0 h 01 min at sea, learning the noise of the sea before the search begins");
+  EXPECT_EQ(to_string(progress), "65 s at sea, learning the noise of the sea before the search begins");
 }
 
 }  // namespace

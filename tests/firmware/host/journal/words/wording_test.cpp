@@ -1,4 +1,6 @@
 #include "firmware/host/journal/words/wording.hpp"
+#include "firmware/host/text/numbers.hpp"
+#include "firmware/host/text/utc.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,23 +18,23 @@ TEST(JournalWording, SaysADateOfAClockThatHasOne) {
 }
 
 TEST(JournalWording, TakesASimulatorsClockAndAnImpossibleOneForUndated) {
-  EXPECT_FALSE(is_dated(Time{}));
-  EXPECT_FALSE(is_dated(Time{-1}));
-  EXPECT_FALSE(is_dated(Time{946'684'799'999'999}));
-  EXPECT_TRUE(is_dated(Time{946'684'800'000'000}));  // 2000-01-01
-  EXPECT_FALSE(is_dated(Time{std::numeric_limits<std::int64_t>::max()}));
+  EXPECT_FALSE(host::is_dated(Time{}));
+  EXPECT_FALSE(host::is_dated(Time{-1}));
+  EXPECT_FALSE(host::is_dated(Time{946'684'799'999'999}));
+  EXPECT_TRUE(host::is_dated(Time{946'684'800'000'000}));  // 2000-01-01
+  EXPECT_FALSE(host::is_dated(Time{std::numeric_limits<std::int64_t>::max()}));
 }
 
 TEST(JournalWording, WritesNumbersOfAnySizeWithTheirPlaces) {
-  EXPECT_EQ(decimal(12.345, 2), "12.35");
-  EXPECT_EQ(decimal(-0.5, 0), "-0");
-  EXPECT_EQ(decimal(std::numeric_limits<double>::max(), 6).size(), 316U);
-  EXPECT_EQ(decimal(std::numeric_limits<double>::quiet_NaN(), 1), "nan");
+  EXPECT_EQ(host::decimals(12.345, 2), "12.35");
+  EXPECT_EQ(host::decimals(-0.5, 0), "-0");
+  EXPECT_EQ(host::decimals(std::numeric_limits<double>::max(), 6).size(), 316U);
+  EXPECT_EQ(host::decimals(std::numeric_limits<double>::quiet_NaN(), 1), "nan");
 }
 
 TEST(JournalWording, CountsOneAndMany) {
-  EXPECT_EQ(counted(0, "record"), "0 records");
-  EXPECT_EQ(counted(1, "record"), "1 record");
+  EXPECT_EQ(host::counted(0, "record"), "0 records");
+  EXPECT_EQ(host::counted(1, "record"), "1 record");
 }
 
 // sin and cos of the quarters are exact to a rounding: a thousandth of a degree shows no more.
@@ -52,7 +54,7 @@ TEST(JournalWording, WritesAHeadingJustBelowNorthAsNorth) {
 }
 
 TEST(JournalWording, KeepsTheMicrosecondsOfADate) {
-  EXPECT_EQ(decimal(seconds_of(Time{1'795'359'847'080'925}), 6), "1795359847.080925");
+  EXPECT_EQ(host::decimals(seconds_of(Time{1'795'359'847'080'925}), 6), "1795359847.080925");
 }
 
 }  // namespace
