@@ -15,10 +15,10 @@ foreach(object IN LISTS OBJECTS)
   list(APPEND graphs ${graph})
 endforeach()
 
-# The core is all of firmware but what needs an operating system.
+# The core is all of firmware but what needs an operating system, on the vehicle or at a desk.
 if(ROOT)
   file(GLOB_RECURSE sources ${ROOT}/firmware/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "^${ROOT}/firmware/(host|boards)/")
+  list(FILTER sources EXCLUDE REGEX "^${ROOT}/firmware/(host|boards|desk)/")
   if(NOT sources)
     message(FATAL_ERROR "no source of the core under ${ROOT}")
   endif()
