@@ -235,7 +235,7 @@ TEST_F(RecordFileTest, KnowsThatItsNameIsGoneOrAnothersOrItsEndIsCut) {
 TEST_F(RecordFileTest, LeavesNothingToBeFoundOfAnotherFlightWithHigherNumbers) {
   RecordFile file(path_);
   ASSERT_TRUE(file.prepare(kKept));
-  for (const std::uint64_t sequence : {50, 51}) {
+  for (const std::uint64_t sequence : {50U, 51U}) {
     SafetyRecord before = some_record(sequence);
     before.journal_crc32 = 1;
     ASSERT_TRUE(file.write(before));
