@@ -49,7 +49,7 @@ n2k::Frame hydrophone(std::uint8_t deaf, bool has_snr, std::uint8_t source = kA)
     frame.data[3] = 0x04;
     frame.data[4] = 0xF0;
   }
-  frame.data[7] = static_cast<std::uint8_t>(0xCFU | (deaf << 4U));
+  frame.data[7] = static_cast<std::uint8_t>(0xCFU | (unsigned{deaf} << 4U));
   return frame;
 }
 

@@ -278,7 +278,7 @@ TEST_F(FlightNewsTest, TellsInEachStateOnceHowManyMessagesWereRefusedAndWhereToL
   tell(4, MissionState::kSearch, {.navigation_refused = 1, .snr_refused = 2});
   tell(5, MissionState::kSearch, {.navigation_refused = 2, .snr_refused = 2});
   tell(14, MissionState::kAbort, {.navigation_refused = 31, .snr_refused = 2});
-  for (const std::uint64_t n : {0, 7, 8})
+  for (const std::uint64_t n : {0U, 7U, 8U})
     tell(16, MissionState::kAbort, {.navigation_refused = 32, .snr_refused = 2, .bearings_refused = n + 1, .bearings_of_others = n});
   const std::string why =
       " refused so far, for their date, their order or what is in them; check their sender's clock (of CAN "
