@@ -163,7 +163,7 @@ TEST_F(TheLoop, CountsWhatItRefusesByItsKind) {
     for (int i = 0; i < 2; ++i) send(clock, sink, messages::SnrMeasurement{.time = host_.utc(), .snr = Decibels{601}});
     const messages::Bearing bearing{.direction = Radians{1}, .deviation = Radians{0.2}};
     send(clock, sink, messages::BearingMeasurement{.time = host_.utc(), .bearing = {}});
-    for (const std::uint32_t sender : {1, 2, 2}) send(clock, sink, messages::BearingMeasurement{host_.utc(), bearing, sender});
+    for (const std::uint32_t sender : {1U, 2U, 2U}) send(clock, sink, messages::BearingMeasurement{host_.utc(), bearing, sender});
   });
   for (int i = 0; i < 3; ++i) order(seconds(3.96), Order::kStart);
   stop_at(10);
