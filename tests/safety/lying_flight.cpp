@@ -168,6 +168,11 @@ double most_too_deep_m(const LyingMission& mission) {
   return most_m;
 }
 
+bool is_depth_lied(const LyingMission& mission) {
+  return std::ranges::any_of(std::array{mission.first, mission.second},
+                             [](const auto& lie) { return lie && lie->sensor == Sensor::kDepth; });
+}
+
 class LyingFlight {
  public:
   explicit LyingFlight(const LyingMission& lying)
@@ -207,7 +212,10 @@ class LyingFlight {
 
   void judge() {
     if (!began_) result_.broken = "it does not begin";
-    if (stopped_s_ < 30) result_.broken = "it is not told to stop where it came up";
+    if (stopped_s_ < 30) {
+      result_.keeps_coming_up = is_depth_lied(lying_);
+      if (!result_.keeps_coming_up) result_.broken = "it is not told to stop where it came up";
+    }
     if (result_.depth_m > kUp_m) result_.broken = "it stays " + std::to_string(result_.depth_m) + " m below";
     if (result_.beyond_halt_m > most_beyond_m(lying_, searched_at_end_s_ - lying_.lies_from_s))
       result_.broken = "it is " + std::to_string(result_.beyond_halt_m) + " m beyond the halt polygon";

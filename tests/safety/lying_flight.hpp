@@ -63,6 +63,7 @@ struct LyingResult {
   std::int64_t alarm_s = 0;                ///< of the search
   double beyond_halt_m = 0.0;              ///< the true vehicle, at most, while it searched
   double depth_m = 0.0;                    ///< the true vehicle's, when it was told to stop
+  bool keeps_coming_up = false;            ///< at the surface it is not told to stop: a false depth goes on stating that it is below
   std::string broken;                      ///< what was promised and not kept
 };
 

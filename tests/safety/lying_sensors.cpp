@@ -29,6 +29,8 @@ class Campaign {
     for (const auto& [ended, count] : ended_) std::printf("%-24s %9llu\n", ended.c_str(), static_cast<unsigned long long>(count));
     std::printf("beyond the halt polygon, at most %.0f m (--seed %llu)\n", most_beyond_m_,
                 static_cast<unsigned long long>(most_beyond_seed_));
+    std::printf("kept at the surface by its propeller, for a false depth goes on stating that it is below: %llu\n",
+                static_cast<unsigned long long>(keep_coming_up_));
     std::printf("%llu missions: %zu broke a promise\n", static_cast<unsigned long long>(options_.missions), broken_.size());
     return print_broken(broken_);
   }
@@ -43,6 +45,7 @@ class Campaign {
       most_beyond_m_ = result.beyond_halt_m;
       most_beyond_seed_ = seed;
     }
+    if (result.keeps_coming_up) ++keep_coming_up_;
     if (!result.broken.empty())
       broken_[seed] =
           result.broken + " (" + words_of(mission) +
@@ -56,6 +59,7 @@ class Campaign {
   std::mutex mutex_;
   std::map<std::string, std::uint64_t> ended_;
   std::map<std::uint64_t, std::string> broken_;
+  std::uint64_t keep_coming_up_ = 0;
   double most_beyond_m_ = 0.0;
   std::uint64_t most_beyond_seed_ = 0;
 };
