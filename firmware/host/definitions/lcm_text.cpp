@@ -50,9 +50,9 @@ class Definition {
  public:
   template <class Message>
   [[nodiscard]] std::string of() {
-    messages::for_each_line<Message>([this](const auto& line) { note_taken(line); });
-    messages::for_each_line<Message>([this](const auto& line) { add_values(line); });
-    messages::for_each_line<Message>([this](const auto& line) { add(line); });
+    messages::for_each_line<Message>([this](const auto& line) { this->note_taken(line); });
+    messages::for_each_line<Message>([this](const auto& line) { this->add_values(line); });
+    messages::for_each_line<Message>([this](const auto& line) { this->add(line); });
     using About = Described<Message>;
     const std::string type(About::kType);
     std::string text = comment("Generated: earshot lcm " + type + " > firmware/wire/lcm/" + type +

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <tuple>
@@ -109,19 +107,16 @@ struct Split<At<kFirst, kRest...>> {
   using Rest = At<kRest...>;
 };
 
-/// Has an address of its own for each type.
-template <class>
-inline constexpr char kMark = 0;
-
-/// How many different first steps these ways have.
-template <class... Ways>
-consteval std::size_t first_steps() {
-  const std::array<const void*, sizeof...(Ways)> marks{&kMark<typename Split<Ways>::First>...};
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < marks.size(); ++i)
-    count += std::find(marks.begin(), marks.begin() + i, marks[i]) == marks.begin() + i ? 1 : 0;
-  return count;
-}
+/// How many different types these are. Counted by types: clang evaluates too few steps of a constant expression to search through values.
+template <class Counted, class... Others>
+struct Different;
+template <class... Counted, class One, class... Others>
+struct Different<Types<Counted...>, One, Others...>
+    : Different<std::conditional_t<(std::is_same_v<Counted, One> || ...), Types<Counted...>, Types<Counted..., One>>, Others...> {};
+template <class... Counted>
+struct Different<Types<Counted...>> {
+  static constexpr std::size_t kCount = sizeof...(Counted);
+};
 
 /// What is left of the ways that begin with a step, but for those that end with it.
 template <class First, class Found, class... Ways>
@@ -135,30 +130,27 @@ struct Onwards<First, Types<Found...>, One, Others...> {
   using Type = typename Onwards<First, Next, Others...>::Type;
 };
 
-template <class Struct, class... Ways>
-consteval bool leads_everywhere(Types<Ways...> /*ways*/);
+template <class Struct, class Ways>
+struct LeadEverywhere;
 
-template <class First, class... Ways>
-consteval bool leads_on(Types<Ways...> /*ways*/) {
-  using Rest = typename Onwards<First, Types<>, Ways...>::Type;
-  if constexpr (std::is_same_v<Rest, Types<>>) {
-    return true;
-  } else {
-    return leads_everywhere<typename WithoutOptional<typename First::Value>::Type>(Rest{});
-  }
-}
+/// Whether the ways that begin with this step lead to all that is behind it.
+template <class First, class Rest>
+struct LeadOn : LeadEverywhere<typename WithoutOptional<typename First::Value>::Type, Rest> {};
+template <class First>
+struct LeadOn<First, Types<>> : std::true_type {};
 
 template <class Struct, class... Ways>
-consteval bool leads_everywhere(Types<Ways...> ways) {
-  return first_steps<Ways...>() == member_count<Struct>() && (leads_on<typename Split<Ways>::First>(ways) && ...);
-}
+struct LeadEverywhere<Struct, Types<Ways...>>
+    : std::bool_constant<
+          Different<Types<>, typename Split<Ways>::First...>::kCount == member_count<Struct>() &&
+          (LeadOn<typename Split<Ways>::First, typename Onwards<typename Split<Ways>::First, Types<>, Ways...>::Type>::value && ...)> {};
 
 }  // namespace detail
 
 /// Whether these ways lead to every member of a struct, and to every member of each of its members that they lead into.
 template <class Struct, class... Ways>
-consteval bool reaches_all_members(Types<Ways...> ways) {
-  return detail::leads_everywhere<Struct>(ways);
+consteval bool reaches_all_members(Types<Ways...> /*ways*/) {
+  return detail::LeadEverywhere<Struct, Types<Ways...>>::value;
 }
 
 }  // namespace earshot::messages

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+
 #include "firmware/messages/dictionary/message.hpp"
 #include "firmware/messages/dictionary/safety_words.hpp"
 #include "firmware/messages/journal_records.hpp"

@@ -119,16 +119,6 @@ Json json_in(const messages::RuleColumns& /*line*/, const messages::MissionRecor
   return rules;
 }
 
-void add_polygons(const messages::MissionRecord& record, Json& json) {
-  const config::Safety& safety = record.mission.safety;
-  constexpr std::array kFence{"fence_inside", "fence_save", "fence_halt"};
-  for (std::size_t place = 0; place < kFence.size(); ++place)
-    json[kFence.at(place)] = corners_of(messages::Polygons::polygon_at(safety, place));
-  Json zones = Json::array();
-  for (const config::Polygon& zone : safety.no_surface) zones.push_back(corners_of(&zone));
-  json["no_surface_zones"] = std::move(zones);
-}
-
 /// "vehicle_turn_radius_m" in the group "vehicle" is its "turn_radius_m".
 void put(const messages::Line& line, Json value, Json& json) {
   const std::string key(line.told.key.empty() ? line.name : line.told.key);
@@ -138,16 +128,25 @@ void put(const messages::Line& line, Json value, Json& json) {
     json[std::string(line.told.group)][key.substr(line.told.group.size() + 1)] = std::move(value);
 }
 
+void add(const auto& line, const auto& message, Json& json) {
+  if constexpr (requires { json_in(line, message); }) put(line, json_in(line, message), json);
+}
+
+void add(const messages::Polygons& /*line*/, const messages::MissionRecord& record, Json& json) {
+  const config::Safety& safety = record.mission.safety;
+  constexpr std::array kFence{"fence_inside", "fence_save", "fence_halt"};
+  for (std::size_t place = 0; place < kFence.size(); ++place)
+    json[kFence.at(place)] = corners_of(messages::Polygons::polygon_at(safety, place));
+  Json zones = Json::array();
+  for (const config::Polygon& zone : safety.no_surface) zones.push_back(corners_of(&zone));
+  json["no_surface_zones"] = std::move(zones);
+}
+
 template <messages::IsDescribed Message>
 Json fields(const Message& message) {
   Json json = Json::object();
   messages::for_each_line<Message>([&](const auto& line) {
-    if (!line.told.is_in_files) return;
-    if constexpr (std::is_same_v<decltype(line), const messages::Polygons&>) {
-      add_polygons(message, json);
-    } else if constexpr (requires { json_in(line, message); }) {
-      put(line, json_in(line, message), json);
-    }
+    if (line.told.is_in_files) add(line, message, json);
   });
   return json;
 }
