@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "firmware/host/file/printable.hpp"
-#include "firmware/messages/health_words.hpp"
+#include "firmware/messages/dictionary/health_words.hpp"
 #include "firmware/wire/n2k/identifier.hpp"
 #include "hil/bench/vehicle_bus.hpp"
 

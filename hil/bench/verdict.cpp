@@ -15,7 +15,7 @@
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/journal/reading/record_source.hpp"
 #include "firmware/host/program/exit_status.hpp"
-#include "firmware/messages/health_words.hpp"
+#include "firmware/messages/dictionary/health_words.hpp"
 #include "firmware/safety/fence.hpp"
 #include "hil/bench/vehicle_bus.hpp"
 

@@ -23,7 +23,7 @@
 
 #include "firmware/boards/linux/host_clock.hpp"
 #include "firmware/host/transport/can_socket.hpp"
-#include "firmware/messages/health_words.hpp"
+#include "firmware/messages/dictionary/health_words.hpp"
 #include "firmware/wire/n2k/fast_packet.hpp"
 #include "firmware/wire/n2k/identifier.hpp"
 #include "firmware/wire/n2k/navigation.hpp"

@@ -27,7 +27,7 @@
 
 #include "firmware/boards/linux/host_clock.hpp"
 #include "firmware/host/transport/lcm_endpoint.hpp"
-#include "firmware/messages/health_words.hpp"
+#include "firmware/messages/dictionary/health_words.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/bench/short_form.hpp"

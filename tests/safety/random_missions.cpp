@@ -9,7 +9,7 @@
 #include <string>
 
 #include "firmware/host/program/run.hpp"
-#include "firmware/messages/health_words.hpp"
+#include "firmware/messages/dictionary/health_words.hpp"
 #include "tests/safety/campaign.hpp"
 #include "tests/safety/flight.hpp"
 

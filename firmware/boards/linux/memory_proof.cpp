@@ -5,7 +5,7 @@
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/host/journal/record_ring.hpp"
-#include "firmware/messages/health_words.hpp"
+#include "firmware/messages/dictionary/health_words.hpp"
 #include "firmware/runtime/runtime.hpp"
 
 namespace earshot::board {

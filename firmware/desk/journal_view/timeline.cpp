@@ -11,7 +11,7 @@
 #include "firmware/host/journal/words/wording.hpp"
 #include "firmware/host/text/numbers.hpp"
 #include "firmware/host/text/utc.hpp"
-#include "firmware/messages/health_words.hpp"
+#include "firmware/messages/dictionary/health_words.hpp"
 
 namespace earshot::journal {
 

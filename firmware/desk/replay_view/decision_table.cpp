@@ -7,8 +7,8 @@
 #include "firmware/host/journal/words/sentences.hpp"
 #include "firmware/host/journal/words/wording.hpp"
 #include "firmware/host/text/numbers.hpp"
+#include "firmware/messages/dictionary/health_words.hpp"
 #include "firmware/messages/health.hpp"
-#include "firmware/messages/health_words.hpp"
 
 namespace earshot::replay_view {
 namespace {

@@ -12,7 +12,7 @@
 #include "firmware/host/safety_record/words/record_words.hpp"
 #include "firmware/host/text/numbers.hpp"
 #include "firmware/host/text/utc.hpp"
-#include "firmware/messages/health_words.hpp"
+#include "firmware/messages/dictionary/health_words.hpp"
 #include "firmware/messages/input.hpp"
 #include "firmware/messages/safety_event.hpp"
 

@@ -11,7 +11,7 @@
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/text/numbers.hpp"
-#include "firmware/messages/health_words.hpp"
+#include "firmware/messages/dictionary/health_words.hpp"
 
 namespace earshot::board {
 namespace {

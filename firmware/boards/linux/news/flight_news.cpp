@@ -8,7 +8,7 @@
 #include "firmware/boards/linux/news/text_line.hpp"
 #include "firmware/detector/bearing_listener.hpp"
 #include "firmware/host/journal/words/rule_event_words.hpp"
-#include "firmware/messages/health_words.hpp"
+#include "firmware/messages/dictionary/health_words.hpp"
 
 namespace earshot::board {
 namespace {

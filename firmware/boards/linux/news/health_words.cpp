@@ -1,7 +1,7 @@
 #include "firmware/boards/linux/news/health_words.hpp"
 
 #include "firmware/host/text/numbers.hpp"
-#include "firmware/messages/health_words.hpp"
+#include "firmware/messages/dictionary/health_words.hpp"
 
 namespace earshot::board {
 

@@ -14,7 +14,7 @@
 
 #include "firmware/boards/linux/news/text_line.hpp"
 #include "firmware/host/file/printable.hpp"
-#include "firmware/messages/health_words.hpp"
+#include "firmware/messages/dictionary/health_words.hpp"
 
 namespace earshot::board {
 namespace {

@@ -8,8 +8,8 @@
 #include "firmware/host/journal/words/wording.hpp"
 #include "firmware/host/text/numbers.hpp"
 #include "firmware/messages/dictionary/command_words.hpp"
+#include "firmware/messages/dictionary/health_words.hpp"
 #include "firmware/messages/dictionary/journal_fields.hpp"
-#include "firmware/messages/health_words.hpp"
 
 namespace earshot::journal {
 namespace {

@@ -8,7 +8,7 @@
 #include "firmware/host/safety_record/record_file.hpp"
 #include "firmware/host/text/numbers.hpp"
 #include "firmware/host/text/utc.hpp"
-#include "firmware/messages/health_words.hpp"
+#include "firmware/messages/dictionary/health_words.hpp"
 
 namespace earshot::host {
 namespace {

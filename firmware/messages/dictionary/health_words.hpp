@@ -12,7 +12,7 @@ namespace earshot::messages {
   return reason != EndReason::kOutage;
 }
 
-// What there is to report of a search besides its state and its end (dictionary/mission_words.hpp).
+// What there is to report of a search besides its state and its end (mission_words.hpp).
 inline constexpr std::string_view kSaysFound = "declares the source found";
 inline constexpr std::string_view kIsSurprised = "model mismatch: the measured SNR is unlikely in every ocean of its tables";
 inline constexpr std::string_view kSweeps = "sweeps the area: the measured SNR fits no ocean of its tables";
