@@ -12,7 +12,7 @@
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/listening/listening_words.hpp"
-#include "firmware/host/mission/authority/authority_table.hpp"
+#include "firmware/host/mission/authority_table.hpp"
 #include "firmware/host/mission/hydrophone_table.hpp"
 #include "firmware/host/mission/n2k_table.hpp"
 #include "firmware/host/mission/rule_words.hpp"

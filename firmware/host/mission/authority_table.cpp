@@ -1,4 +1,4 @@
-#include "firmware/host/mission/authority/authority_table.hpp"
+#include "firmware/host/mission/authority_table.hpp"
 
 #include <cmath>
 #include <optional>
