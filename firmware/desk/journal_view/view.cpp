@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "firmware/desk/journal_view/events/timeline.hpp"
 #include "firmware/desk/journal_view/export/export.hpp"
 #include "firmware/desk/journal_view/export/mcap_export.hpp"
 #include "firmware/desk/journal_view/export/record_lines.hpp"
 #include "firmware/desk/journal_view/export/turn_table.hpp"
 #include "firmware/desk/journal_view/followed_journal.hpp"
-#include "firmware/desk/journal_view/timeline.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/file/printable.hpp"

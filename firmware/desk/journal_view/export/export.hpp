@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "firmware/desk/journal_view/timeline.hpp"
+#include "firmware/desk/journal_view/events/timeline.hpp"
 #include "firmware/host/file/output_file.hpp"
 #include "firmware/host/journal/reading/entry.hpp"
 

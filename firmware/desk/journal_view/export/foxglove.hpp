@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "firmware/desk/journal_view/events/timeline.hpp"
 #include "firmware/desk/journal_view/export/mcap_file.hpp"
-#include "firmware/desk/journal_view/timeline.hpp"
 #include "firmware/messages/navigation.hpp"
 #include "firmware/wire/n2k/local_plane.hpp"
 

@@ -1,4 +1,4 @@
-#include "firmware/desk/journal_view/timeline.hpp"
+#include "firmware/desk/journal_view/events/timeline.hpp"
 
 #include <algorithm>
 #include <utility>
