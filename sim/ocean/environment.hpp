@@ -9,7 +9,7 @@
 
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
-#include "sim/ocean/sound_speed.hpp"
+#include "sim/ocean/water/sound_speed.hpp"
 
 namespace earshot::ocean {
 

@@ -6,7 +6,7 @@
 
 #include "firmware/core/units.hpp"
 #include "sim/ocean/environment.hpp"
-#include "sim/ocean/sound_speed.hpp"
+#include "sim/ocean/water/sound_speed.hpp"
 
 namespace earshot::ocean {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "firmware/core/units.hpp"
-#include "sim/ocean/sound_speed.hpp"
+#include "sim/ocean/water/sound_speed.hpp"
 
 namespace earshot::pe {
 

@@ -5,7 +5,7 @@
 #include "sim/ocean/charts/bathymetry.hpp"
 #include "sim/ocean/charts/climatology.hpp"
 #include "sim/ocean/charts/geography.hpp"
-#include "sim/ocean/sea_water.hpp"
+#include "sim/ocean/water/sea_water.hpp"
 
 namespace earshot::ocean {
 

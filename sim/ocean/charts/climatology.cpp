@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "sim/ocean/sea_water.hpp"
+#include "sim/ocean/water/sea_water.hpp"
 
 namespace earshot::ocean {
 namespace {

@@ -7,8 +7,8 @@
 #include "firmware/core/units.hpp"
 #include "sim/ocean/charts/geo_grid.hpp"
 #include "sim/ocean/charts/geography.hpp"
-#include "sim/ocean/sea_water.hpp"
-#include "sim/ocean/sound_speed.hpp"
+#include "sim/ocean/water/sea_water.hpp"
+#include "sim/ocean/water/sound_speed.hpp"
 
 namespace earshot::ocean {
 

@@ -6,7 +6,7 @@
 
 #include "firmware/core/units.hpp"
 #include "sim/ocean/environment.hpp"
-#include "sim/ocean/sea_water.hpp"
+#include "sim/ocean/water/sea_water.hpp"
 
 namespace earshot::ocean {
 

@@ -1,4 +1,4 @@
-#include "sim/ocean/sound_speed.hpp"
+#include "sim/ocean/water/sound_speed.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/ocean/sea_water.hpp"
+#include "sim/ocean/water/sea_water.hpp"
 
 #include <array>
 #include <cmath>
