@@ -10,7 +10,7 @@
 
 #include "firmware/policy/frozen_policy.hpp"
 #include "policy/baselines/searcher.hpp"
-#include "sim/search/episode.hpp"
+#include "sim/search/episode/episode.hpp"
 
 namespace earshot::evaluate {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "sim/search/episode.hpp"
+#include "sim/search/episode/episode.hpp"
 
 namespace earshot::evaluate {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "sim/search/episode.hpp"
+#include "sim/search/episode/episode.hpp"
 #include "sim/search/scenario/world.hpp"
 
 namespace earshot::evaluate {

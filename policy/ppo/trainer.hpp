@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "policy/ppo/learner.hpp"
-#include "sim/search/vector_search.hpp"
+#include "sim/search/episode/vector_search.hpp"
 
 namespace earshot::ppo {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "firmware/host/toml/table_reader.hpp"
-#include "sim/search/episode.hpp"
+#include "sim/search/episode/episode.hpp"
 
 namespace earshot::ppo {
 

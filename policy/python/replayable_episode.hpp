@@ -7,7 +7,7 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/random.hpp"
 #include "policy/python/search_problem.hpp"
-#include "sim/search/episode.hpp"
+#include "sim/search/episode/episode.hpp"
 
 namespace earshot::python {
 

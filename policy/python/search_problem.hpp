@@ -8,7 +8,7 @@
 
 #include "firmware/core/units.hpp"
 #include "firmware/policy/observation.hpp"
-#include "sim/search/episode.hpp"
+#include "sim/search/episode/episode.hpp"
 #include "sim/search/scenario/world.hpp"
 
 namespace earshot::python {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "policy/ppo/learner.hpp"
-#include "sim/search/episode.hpp"
+#include "sim/search/episode/episode.hpp"
 
 namespace earshot::training {
 

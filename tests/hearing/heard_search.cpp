@@ -9,7 +9,7 @@
 #include "firmware/runtime/runtime.hpp"
 #include "sim/apps/fly/flight_record.hpp"
 #include "sim/hydrophone/hydrophone.hpp"
-#include "sim/search/episode.hpp"
+#include "sim/search/episode/episode.hpp"
 #include "sim/search/scenario/surroundings.hpp"
 #include "sim/vehicle/vehicle.hpp"
 

@@ -34,7 +34,7 @@
 #include "sim/apps/fly/speed_option.hpp"
 #include "sim/link/session.hpp"
 #include "sim/link/simulator_end.hpp"
-#include "sim/search/episode.hpp"
+#include "sim/search/episode/episode.hpp"
 #include "sim/search/scenario/placement.hpp"
 #include "sim/search/scenario/world.hpp"
 #include "sim/sonar/sonar_field.hpp"

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "policy/baselines/learned.hpp"
-#include "sim/search/vector_search.hpp"
+#include "sim/search/episode/vector_search.hpp"
 
 namespace earshot::evaluate {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/apps/fly/flight_record.hpp"
-#include "sim/search/episode.hpp"
+#include "sim/search/episode/episode.hpp"
 #include "sim/vehicle/vehicle.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
 

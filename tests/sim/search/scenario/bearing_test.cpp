@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "sim/search/episode.hpp"
+#include "sim/search/episode/episode.hpp"
 #include "sim/search/scenario/surroundings.hpp"
 #include "tests/firmware/place.hpp"
 #include "tests/sim/search/scenario/scenario_rig.hpp"

@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "sim/search/episode.hpp"
+#include "sim/search/episode/episode.hpp"
 #include "tests/firmware/place.hpp"
 #include "tests/sim/search/scenario/scenario_rig.hpp"
 

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "sim/search/episode.hpp"
+#include "sim/search/episode/episode.hpp"
 #include "tests/firmware/place.hpp"
 #include "tests/sim/search/scenario/scenario_rig.hpp"
 

@@ -1,4 +1,4 @@
-#include "sim/search/vector_search.hpp"
+#include "sim/search/episode/vector_search.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,4 @@
-#include "sim/search/episode.hpp"
+#include "sim/search/episode/episode.hpp"
 
 #include <cassert>
 #include <optional>

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "sim/search/episode.hpp"
+#include "sim/search/episode/episode.hpp"
 #include "tests/firmware/place.hpp"
 
 namespace earshot::search {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/search/episode.hpp"
+#include "sim/search/episode/episode.hpp"
 
 namespace earshot::search {
 
