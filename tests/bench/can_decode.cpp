@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "firmware/wire/n2k/codec.hpp"
-#include "firmware/wire/n2k/navigation.hpp"
+#include "firmware/wire/n2k/vehicle_state/navigation.hpp"
 #include "tests/bench/short_form.hpp"
 
 namespace {

@@ -17,7 +17,7 @@
 #include "firmware/policy/golden.hpp"
 #include "firmware/policy/network.hpp"
 #include "firmware/policy/observation.hpp"
-#include "firmware/wire/n2k/navigation.hpp"
+#include "firmware/wire/n2k/vehicle_state/navigation.hpp"
 #include "tests/bits/eight_directions.hpp"
 #include "tests/cortex_m7/emulator.hpp"
 

@@ -8,7 +8,6 @@
 #include <span>
 
 #include "firmware/wire/n2k/identifier.hpp"
-#include "firmware/wire/n2k/navigation.hpp"
 #include "firmware/wire/n2k/node/node.hpp"
 #include "firmware/wire/n2k/own/conditions.hpp"
 #include "firmware/wire/n2k/own/measurements.hpp"
@@ -16,7 +15,8 @@
 #include "firmware/wire/n2k/own/reports.hpp"
 #include "firmware/wire/n2k/sensors/source_gate.hpp"
 #include "firmware/wire/n2k/setpoint.hpp"
-#include "firmware/wire/n2k/vehicle_condition.hpp"
+#include "firmware/wire/n2k/vehicle_state/navigation.hpp"
+#include "firmware/wire/n2k/vehicle_state/vehicle_condition.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 
 #include "firmware/host/mission/authority/command_proof.hpp"
 #include "firmware/wire/n2k/identifier.hpp"
-#include "firmware/wire/n2k/navigation.hpp"
+#include "firmware/wire/n2k/vehicle_state/navigation.hpp"
 
 namespace earshot::host {
 

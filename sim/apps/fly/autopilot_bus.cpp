@@ -10,8 +10,8 @@
 #include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
-#include "firmware/wire/n2k/navigation.hpp"
 #include "firmware/wire/n2k/setpoint.hpp"
+#include "firmware/wire/n2k/vehicle_state/navigation.hpp"
 
 namespace earshot::fly {
 namespace {

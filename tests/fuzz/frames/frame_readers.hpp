@@ -8,7 +8,6 @@
 #include "firmware/messages/operator_command.hpp"
 #include "firmware/messages/setpoint.hpp"
 #include "firmware/wire/n2k/fast_packet.hpp"
-#include "firmware/wire/n2k/navigation.hpp"
 #include "firmware/wire/n2k/node/information.hpp"
 #include "firmware/wire/n2k/node/node.hpp"
 #include "firmware/wire/n2k/own/conditions.hpp"
@@ -17,7 +16,8 @@
 #include "firmware/wire/n2k/own/reports.hpp"
 #include "firmware/wire/n2k/sensors/fields.hpp"
 #include "firmware/wire/n2k/setpoint.hpp"
-#include "firmware/wire/n2k/vehicle_condition.hpp"
+#include "firmware/wire/n2k/vehicle_state/navigation.hpp"
+#include "firmware/wire/n2k/vehicle_state/vehicle_condition.hpp"
 
 namespace earshot::fuzz {
 

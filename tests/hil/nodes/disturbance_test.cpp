@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "firmware/wire/n2k/codec.hpp"
-#include "firmware/wire/n2k/navigation.hpp"
 #include "firmware/wire/n2k/own/conditions.hpp"
 #include "firmware/wire/n2k/own/measurements.hpp"
 #include "firmware/wire/n2k/setpoint.hpp"
 #include "firmware/wire/n2k/table/messages.hpp"
+#include "firmware/wire/n2k/vehicle_state/navigation.hpp"
 #include "hil/nodes/emulated_vehicle.hpp"
 #include "tests/hil/nodes/listening.hpp"
 

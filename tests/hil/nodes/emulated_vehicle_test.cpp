@@ -8,10 +8,10 @@
 #include <set>
 
 #include "firmware/core/math.hpp"
-#include "firmware/wire/n2k/navigation.hpp"
 #include "firmware/wire/n2k/own/measurements.hpp"
 #include "firmware/wire/n2k/setpoint.hpp"
 #include "firmware/wire/n2k/table/messages.hpp"
+#include "firmware/wire/n2k/vehicle_state/navigation.hpp"
 #include "tests/hil/nodes/listening.hpp"
 
 namespace earshot::hil {

@@ -14,12 +14,12 @@
 #include "firmware/core/fixed_vector.hpp"
 #include "firmware/host/transport/can_socket.hpp"
 #include "firmware/wire/n2k/local_plane.hpp"
-#include "firmware/wire/n2k/navigation.hpp"
 #include "firmware/wire/n2k/node/node.hpp"
 #include "firmware/wire/n2k/own/orders.hpp"
 #include "firmware/wire/n2k/sensors/source_gate.hpp"
 #include "firmware/wire/n2k/setpoint.hpp"
-#include "firmware/wire/n2k/vehicle_condition.hpp"
+#include "firmware/wire/n2k/vehicle_state/navigation.hpp"
+#include "firmware/wire/n2k/vehicle_state/vehicle_condition.hpp"
 
 namespace earshot::board {
 

@@ -10,8 +10,8 @@
 
 #include "firmware/host/transport/can_socket.hpp"
 #include "firmware/wire/n2k/identifier.hpp"
-#include "firmware/wire/n2k/navigation.hpp"
 #include "firmware/wire/n2k/setpoint.hpp"
+#include "firmware/wire/n2k/vehicle_state/navigation.hpp"
 
 using namespace earshot;
 

@@ -1,4 +1,4 @@
-#include "firmware/wire/n2k/navigation.hpp"
+#include "firmware/wire/n2k/vehicle_state/navigation.hpp"
 #include "tests/firmware/boards/linux/can/bus_rig.hpp"
 
 namespace earshot::board {

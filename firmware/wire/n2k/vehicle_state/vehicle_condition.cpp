@@ -1,4 +1,4 @@
-#include "firmware/wire/n2k/vehicle_condition.hpp"
+#include "firmware/wire/n2k/vehicle_state/vehicle_condition.hpp"
 
 #include <algorithm>
 
