@@ -4,7 +4,7 @@
 
 #include "firmware/core/time.hpp"
 #include "hil/bench/fault.hpp"
-#include "hil/nodes/disturbance.hpp"
+#include "hil/nodes/vehicle/disturbance.hpp"
 
 namespace earshot::hil {
 

@@ -9,7 +9,7 @@
 #include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
 #include "hil/bench/bench_flight.hpp"
-#include "hil/nodes/disturbance.hpp"
+#include "hil/nodes/vehicle/disturbance.hpp"
 #include "sim/vehicle/vehicle.hpp"
 
 namespace earshot::hil {

@@ -14,10 +14,10 @@
 #include "firmware/wire/n2k/local_plane.hpp"
 #include "hil/nodes/autopilot.hpp"
 #include "hil/nodes/device.hpp"
-#include "hil/nodes/disturbance.hpp"
 #include "hil/nodes/hydrophone.hpp"
 #include "hil/nodes/instruments.hpp"
 #include "hil/nodes/operator.hpp"
+#include "hil/nodes/vehicle/disturbance.hpp"
 #include "hil/nodes/vehicle/moving_vehicle.hpp"
 #include "sim/vehicle/vehicle.hpp"
 

@@ -7,6 +7,7 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
 #include "hil/nodes/sensor.hpp"
+#include "hil/nodes/vehicle/disturbance.hpp"
 #include "sim/vehicle/vehicle.hpp"
 
 namespace earshot::hil {
@@ -18,12 +19,6 @@ using SnrOfRange = std::function<Decibels(Meters range)>;
 struct SoundSource {
   NorthEast position;
   SnrOfRange snr;
-};
-
-/// What is wrong with a hydrophone.
-struct HydrophoneFault {
-  bool is_deaf = false;  ///< it says so (65291), and no SNR
-  Decibels gain_error;   ///< of the SNR that it tells
 };
 
 /// A hydrophone with a detector of its own: the SNR of `source` at `vehicle` (65291) once a second, without any fluctuation. An SNR beyond

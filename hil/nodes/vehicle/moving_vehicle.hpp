@@ -4,7 +4,7 @@
 
 #include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
-#include "hil/nodes/disturbance.hpp"
+#include "hil/nodes/vehicle/disturbance.hpp"
 #include "sim/vehicle/battery.hpp"
 #include "sim/vehicle/vehicle.hpp"
 

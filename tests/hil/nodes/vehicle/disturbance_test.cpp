@@ -1,4 +1,4 @@
-#include "hil/nodes/disturbance.hpp"
+#include "hil/nodes/vehicle/disturbance.hpp"
 
 #include <gtest/gtest.h>
 

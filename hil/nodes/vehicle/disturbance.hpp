@@ -5,9 +5,14 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
 #include "firmware/wire/n2k/own/conditions.hpp"
-#include "hil/nodes/hydrophone.hpp"
 
 namespace earshot::hil {
+
+/// What is wrong with a hydrophone.
+struct HydrophoneFault {
+  bool is_deaf = false;  ///< it says so (65291), and no SNR
+  Decibels gain_error;   ///< of the SNR that it tells
+};
 
 /// What is wrong with a vehicle and its instruments: nothing, unless it is told.
 struct Disturbance {
