@@ -6,7 +6,7 @@
 #include <sstream>
 #include <utility>
 
-#include "policy/report/gnuplot_svg.hpp"
+#include "policy/report/gnuplot/gnuplot_svg.hpp"
 #include "policy/report/snr_surface.hpp"
 #include "sim/plot/snr_scale.hpp"
 

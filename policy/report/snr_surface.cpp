@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "policy/explain/action_map.hpp"
-#include "policy/report/gnuplot_svg.hpp"
+#include "policy/report/gnuplot/gnuplot_svg.hpp"
 
 namespace earshot::report {
 namespace {

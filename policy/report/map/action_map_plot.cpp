@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "policy/report/gnuplot_svg.hpp"
+#include "policy/report/gnuplot/gnuplot_svg.hpp"
 #include "policy/report/snr_surface.hpp"
 #include "sim/plot/gnuplot.hpp"
 #include "sim/plot/snr_scale.hpp"

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "firmware/host/journal/words/wording.hpp"
-#include "policy/report/gnuplot_svg.hpp"
+#include "policy/report/gnuplot/gnuplot_svg.hpp"
 
 namespace earshot::report {
 namespace {

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "policy/report/gnuplot_svg.hpp"
+#include "policy/report/gnuplot/gnuplot_svg.hpp"
 
 namespace earshot::report {
 namespace {

@@ -1,4 +1,4 @@
-#include "policy/report/sea/sea_page.hpp"
+#include "policy/report/sea_page.hpp"
 
 #include <algorithm>
 

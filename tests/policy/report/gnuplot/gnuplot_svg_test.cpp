@@ -1,4 +1,4 @@
-#include "policy/report/gnuplot_svg.hpp"
+#include "policy/report/gnuplot/gnuplot_svg.hpp"
 
 #include <gtest/gtest.h>
 
