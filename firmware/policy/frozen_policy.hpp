@@ -9,7 +9,7 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
 #include "firmware/policy/action_draw.hpp"
-#include "firmware/policy/format/provenance.hpp"
+#include "firmware/policy/envelope/provenance.hpp"
 #include "firmware/policy/golden.hpp"
 #include "firmware/policy/network.hpp"
 #include "firmware/policy/observation.hpp"

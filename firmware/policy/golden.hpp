@@ -7,8 +7,8 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
 #include "firmware/messages/belief_summary.hpp"
+#include "firmware/policy/belief/reception.hpp"
 #include "firmware/policy/observation.hpp"
-#include "firmware/policy/reception.hpp"
 #include "firmware/policy/tables/ocean_tables.hpp"
 
 namespace earshot::policy {

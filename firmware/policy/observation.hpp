@@ -10,8 +10,8 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/status.hpp"
 #include "firmware/core/units.hpp"
+#include "firmware/policy/belief/reception.hpp"
 #include "firmware/policy/ocean_belief/ocean_belief.hpp"
-#include "firmware/policy/reception.hpp"
 #include "firmware/policy/tables/ocean_tables.hpp"
 
 namespace earshot::policy {

@@ -7,7 +7,7 @@
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/trust/keys.hpp"
 #include "firmware/host/trust/signed_bytes.hpp"
-#include "firmware/policy/format/envelope.hpp"
+#include "firmware/policy/envelope/envelope.hpp"
 
 namespace earshot::evaluate {
 namespace {

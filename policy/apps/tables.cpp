@@ -21,7 +21,7 @@
 #include "firmware/host/text/numbers.hpp"
 #include "firmware/host/trust/key_pair.hpp"
 #include "firmware/host/trust/signed_bytes.hpp"
-#include "firmware/policy/format/envelope.hpp"
+#include "firmware/policy/envelope/envelope.hpp"
 #include "policy/command_line/outputs.hpp"
 #include "policy/command_line/run.hpp"
 #include "policy/command_line/signing_key.hpp"

@@ -5,7 +5,7 @@
 
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/random.hpp"
-#include "firmware/policy/reception.hpp"
+#include "firmware/policy/belief/reception.hpp"
 #include "firmware/policy/tables/ocean_tables.hpp"
 #include "sim/search/actions/compass_directions.hpp"
 #include "sim/search/settings.hpp"

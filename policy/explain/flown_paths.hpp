@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
+#include "firmware/policy/belief/reception.hpp"
 #include "firmware/policy/frozen_policy.hpp"
-#include "firmware/policy/reception.hpp"
 
 namespace earshot::explain {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "firmware/core/geometry.hpp"
-#include "firmware/policy/reception.hpp"
+#include "firmware/policy/belief/reception.hpp"
 
 namespace earshot::explain {
 

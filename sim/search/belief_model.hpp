@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/policy/belief_model.hpp"
+#include "firmware/policy/belief/belief_model.hpp"
 #include "sim/search/settings.hpp"
 
 namespace earshot::search {

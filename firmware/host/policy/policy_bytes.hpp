@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "firmware/policy/check/policy_fault.hpp"
+#include "firmware/policy/envelope/policy_fault.hpp"
 #include "firmware/policy/frozen_policy.hpp"
 
 namespace earshot::host {

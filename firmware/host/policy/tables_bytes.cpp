@@ -10,7 +10,7 @@
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/policy/policy_bytes.hpp"
-#include "firmware/policy/search_bounds.hpp"
+#include "firmware/policy/belief/search_bounds.hpp"
 #include "firmware/policy/tables/tables_format.hpp"
 
 namespace earshot::host {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "firmware/policy/check/policy_fault.hpp"
+#include "firmware/policy/envelope/policy_fault.hpp"
 #include "firmware/policy/tables/ocean_tables.hpp"
 
 namespace earshot::host {

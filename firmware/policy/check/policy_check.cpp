@@ -5,7 +5,7 @@
 #include <span>
 
 #include "firmware/core/math.hpp"
-#include "firmware/policy/search_bounds.hpp"
+#include "firmware/policy/belief/search_bounds.hpp"
 
 namespace earshot::policy {
 namespace {

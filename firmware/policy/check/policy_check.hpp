@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/policy/check/policy_fault.hpp"
+#include "firmware/policy/envelope/policy_fault.hpp"
 #include "firmware/policy/frozen_policy.hpp"
 
 namespace earshot::policy {

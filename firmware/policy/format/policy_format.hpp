@@ -5,8 +5,8 @@
 #include <span>
 
 #include "firmware/core/status.hpp"
-#include "firmware/policy/check/policy_fault.hpp"
-#include "firmware/policy/format/envelope.hpp"
+#include "firmware/policy/envelope/envelope.hpp"
+#include "firmware/policy/envelope/policy_fault.hpp"
 #include "firmware/policy/frozen_policy.hpp"
 
 namespace earshot::policy {

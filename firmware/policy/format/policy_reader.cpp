@@ -1,9 +1,9 @@
 #include <span>
 
 #include "firmware/policy/check/policy_check.hpp"
-#include "firmware/policy/format/byte_stream.hpp"
+#include "firmware/policy/envelope/byte_stream.hpp"
+#include "firmware/policy/envelope/provenance.hpp"
 #include "firmware/policy/format/policy_format.hpp"
-#include "firmware/policy/format/provenance.hpp"
 #include "firmware/policy/format/sections.hpp"
 
 namespace earshot::policy {

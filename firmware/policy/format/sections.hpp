@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 
-#include "firmware/policy/check/policy_fault.hpp"
-#include "firmware/policy/format/envelope.hpp"
+#include "firmware/policy/envelope/envelope.hpp"
+#include "firmware/policy/envelope/policy_fault.hpp"
 #include "firmware/policy/format/policy_format.hpp"
 
 // Layout of a policy that reader and writer share; README.md of this folder shows it as a table.

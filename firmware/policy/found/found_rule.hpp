@@ -5,9 +5,9 @@
 
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
-#include "firmware/policy/belief_model.hpp"
+#include "firmware/policy/belief/belief_model.hpp"
+#include "firmware/policy/belief/reception.hpp"
 #include "firmware/policy/likelihood/belief_grid.hpp"
-#include "firmware/policy/reception.hpp"
 
 namespace earshot::policy {
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "firmware/policy/reception.hpp"
+#include "firmware/policy/belief/reception.hpp"
 
 namespace earshot::policy {
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "firmware/config/capacities.hpp"
-#include "firmware/policy/belief_model.hpp"
+#include "firmware/policy/belief/belief_model.hpp"
 #include "firmware/policy/ocean_belief/drift.hpp"
 
 namespace earshot::policy {

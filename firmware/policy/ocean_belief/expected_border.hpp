@@ -3,8 +3,8 @@
 #include <span>
 
 #include "firmware/core/geometry.hpp"
-#include "firmware/policy/belief_model.hpp"
-#include "firmware/policy/belief_outlook.hpp"
+#include "firmware/policy/action_values/belief_outlook.hpp"
+#include "firmware/policy/belief/belief_model.hpp"
 
 namespace earshot::policy {
 

@@ -6,7 +6,7 @@
 #include "firmware/core/crc32.hpp"
 #include "firmware/core/math.hpp"
 #include "firmware/core/wide.hpp"
-#include "firmware/policy/belief_summary.hpp"
+#include "firmware/policy/belief/belief_summary.hpp"
 #include "firmware/policy/likelihood/belief_grid.hpp"
 #include "firmware/policy/likelihood/normal_table.hpp"
 #include "firmware/policy/ocean_belief/cell_places.hpp"

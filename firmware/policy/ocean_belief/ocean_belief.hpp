@@ -12,15 +12,15 @@
 #include "firmware/core/random.hpp"
 #include "firmware/messages/belief_summary.hpp"
 #include "firmware/messages/found_declaration.hpp"
-#include "firmware/policy/belief_model.hpp"
-#include "firmware/policy/belief_outlook.hpp"
+#include "firmware/policy/action_values/belief_outlook.hpp"
+#include "firmware/policy/belief/belief_model.hpp"
+#include "firmware/policy/belief/reception.hpp"
 #include "firmware/policy/found/found_rule.hpp"
 #include "firmware/policy/ocean_belief/candidates.hpp"
 #include "firmware/policy/ocean_belief/hypothesis_block.hpp"
 #include "firmware/policy/ocean_belief/lane_likelihoods.hpp"
 #include "firmware/policy/ocean_belief/silence.hpp"
 #include "firmware/policy/ocean_belief/surprise.hpp"
-#include "firmware/policy/reception.hpp"
 #include "firmware/policy/tables/ocean_tables.hpp"
 
 namespace earshot::policy {

@@ -6,8 +6,8 @@
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/core/geometry.hpp"
-#include "firmware/policy/belief_model.hpp"
-#include "firmware/policy/reception.hpp"
+#include "firmware/policy/belief/belief_model.hpp"
+#include "firmware/policy/belief/reception.hpp"
 #include "firmware/policy/tables/ocean_tables.hpp"
 
 namespace earshot::policy {

@@ -5,8 +5,8 @@
 #include <span>
 
 #include "firmware/messages/health.hpp"
+#include "firmware/policy/belief/reception.hpp"
 #include "firmware/policy/ocean_belief/hypothesis.hpp"
-#include "firmware/policy/reception.hpp"
 
 namespace earshot::policy {
 

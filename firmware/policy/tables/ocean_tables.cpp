@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "firmware/policy/search_bounds.hpp"
+#include "firmware/policy/belief/search_bounds.hpp"
 
 namespace earshot::policy {
 namespace {

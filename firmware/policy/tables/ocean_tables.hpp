@@ -7,7 +7,7 @@
 #include "firmware/config/capacities.hpp"
 #include "firmware/core/fixed_vector.hpp"
 #include "firmware/core/units.hpp"
-#include "firmware/policy/format/provenance.hpp"
+#include "firmware/policy/envelope/provenance.hpp"
 
 namespace earshot::policy {
 

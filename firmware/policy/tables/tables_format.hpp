@@ -6,8 +6,8 @@
 #include <span>
 
 #include "firmware/core/status.hpp"
-#include "firmware/policy/check/policy_fault.hpp"
-#include "firmware/policy/format/envelope.hpp"
+#include "firmware/policy/envelope/envelope.hpp"
+#include "firmware/policy/envelope/policy_fault.hpp"
 #include "firmware/policy/tables/ocean_tables.hpp"
 
 namespace earshot::policy {

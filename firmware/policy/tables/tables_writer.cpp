@@ -1,6 +1,6 @@
 #include <span>
 
-#include "firmware/policy/format/byte_stream.hpp"
+#include "firmware/policy/envelope/byte_stream.hpp"
 #include "firmware/policy/tables/tables_format.hpp"
 
 namespace earshot::policy {

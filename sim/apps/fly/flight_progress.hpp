@@ -6,7 +6,7 @@
 
 #include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
-#include "firmware/policy/reception.hpp"
+#include "firmware/policy/belief/reception.hpp"
 
 namespace earshot::fly {
 

@@ -11,7 +11,7 @@
 #include "firmware/core/units.hpp"
 #include "firmware/detector/listener.hpp"
 #include "firmware/messages/health.hpp"
-#include "firmware/policy/reception.hpp"
+#include "firmware/policy/belief/reception.hpp"
 #include "sim/search/settings.hpp"
 #include "sim/vehicle/vehicle.hpp"
 

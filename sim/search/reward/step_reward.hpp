@@ -2,7 +2,7 @@
 
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
-#include "firmware/policy/reception.hpp"
+#include "firmware/policy/belief/reception.hpp"
 #include "sim/search/settings.hpp"
 
 namespace earshot::search {

@@ -8,7 +8,7 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/random.hpp"
 #include "firmware/messages/bearing_measurement.hpp"
-#include "firmware/policy/reception.hpp"
+#include "firmware/policy/belief/reception.hpp"
 #include "sim/search/scenario/world.hpp"
 
 namespace earshot::search {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "firmware/policy/belief_outlook.hpp"
+#include "firmware/policy/action_values/belief_outlook.hpp"
 
 namespace earshot::policy {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/mission/tables_file.hpp"
-#include "firmware/policy/format/envelope.hpp"
+#include "firmware/policy/envelope/envelope.hpp"
 #include "tests/firmware/policy/tables/made_up_tables.hpp"
 #include "tests/fuzz/targets/fuzz_target.hpp"
 #include "tests/support/signed_policy.hpp"

@@ -10,7 +10,7 @@
 #include "firmware/core/units.hpp"
 #include "firmware/detector/hydrophone/estimate.hpp"
 #include "firmware/messages/hydrophone_block.hpp"
-#include "firmware/policy/reception.hpp"
+#include "firmware/policy/belief/reception.hpp"
 #include "sim/spectrum/short_time_spectrum.hpp"
 
 namespace earshot::fly {

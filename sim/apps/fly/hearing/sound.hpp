@@ -11,7 +11,7 @@
 #include "firmware/detector/hydrophone/settings.hpp"
 #include "firmware/detector/hydrophone/sound_detector.hpp"
 #include "firmware/messages/snr_measurement.hpp"
-#include "firmware/policy/reception.hpp"
+#include "firmware/policy/belief/reception.hpp"
 #include "sim/apps/fly/hearing/hearing_record.hpp"
 #include "sim/hydrophone/calls.hpp"
 #include "sim/hydrophone/hydrophone.hpp"

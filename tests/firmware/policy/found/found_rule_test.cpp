@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "tests/firmware/policy/belief_rig.hpp"
+#include "tests/firmware/policy/belief/belief_rig.hpp"
 
 namespace earshot::policy {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "tests/firmware/policy/belief_rig.hpp"
+#include "tests/firmware/policy/belief/belief_rig.hpp"
 
 namespace earshot::policy {
 namespace {

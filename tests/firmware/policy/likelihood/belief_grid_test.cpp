@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "tests/firmware/policy/belief_rig.hpp"
+#include "tests/firmware/policy/belief/belief_rig.hpp"
 
 namespace earshot::policy {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "tests/firmware/policy/belief_rig.hpp"
+#include "tests/firmware/policy/belief/belief_rig.hpp"
 
 namespace earshot::policy {
 namespace {

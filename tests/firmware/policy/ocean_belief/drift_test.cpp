@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "tests/firmware/policy/belief_rig.hpp"
+#include "tests/firmware/policy/belief/belief_rig.hpp"
 
 namespace earshot::policy {
 namespace {

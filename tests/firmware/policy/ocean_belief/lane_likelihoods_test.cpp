@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "firmware/policy/belief/search_bounds.hpp"
 #include "firmware/policy/likelihood/belief_grid.hpp"
-#include "firmware/policy/search_bounds.hpp"
 #include "tests/firmware/policy/ocean_belief/ocean_rig.hpp"
 
 namespace earshot::policy {

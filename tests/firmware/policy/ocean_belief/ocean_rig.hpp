@@ -8,10 +8,10 @@
 #include <numbers>
 #include <vector>
 
+#include "firmware/policy/belief/reception.hpp"
 #include "firmware/policy/ocean_belief/hypothesis.hpp"
-#include "firmware/policy/reception.hpp"
 #include "firmware/policy/tables/ocean_tables.hpp"
-#include "tests/firmware/policy/belief_rig.hpp"
+#include "tests/firmware/policy/belief/belief_rig.hpp"
 
 namespace earshot::policy {
 

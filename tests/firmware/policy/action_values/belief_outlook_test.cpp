@@ -1,4 +1,4 @@
-#include "firmware/policy/belief_outlook.hpp"
+#include "firmware/policy/action_values/belief_outlook.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "tests/firmware/policy/outlook_rig.hpp"
+#include "tests/firmware/policy/action_values/outlook_rig.hpp"
 
 namespace earshot::policy {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "firmware/core/geometry.hpp"
-#include "firmware/policy/belief_model.hpp"
+#include "firmware/policy/belief/belief_model.hpp"
 
 namespace earshot::policy {
 

@@ -5,7 +5,7 @@
 
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/math.hpp"
-#include "firmware/policy/belief_model.hpp"
+#include "firmware/policy/belief/belief_model.hpp"
 
 namespace earshot::policy::outlook {
 

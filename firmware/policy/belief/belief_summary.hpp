@@ -3,7 +3,7 @@
 #include <span>
 
 #include "firmware/messages/belief_summary.hpp"
-#include "firmware/policy/belief_model.hpp"
+#include "firmware/policy/belief/belief_model.hpp"
 
 namespace earshot::policy {
 

@@ -1,4 +1,4 @@
-#include "firmware/policy/format/envelope.hpp"
+#include "firmware/policy/envelope/envelope.hpp"
 
 #include <algorithm>
 

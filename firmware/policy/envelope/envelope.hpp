@@ -6,8 +6,8 @@
 #include <span>
 
 #include "firmware/core/status.hpp"
-#include "firmware/policy/check/policy_fault.hpp"
-#include "firmware/policy/format/byte_stream.hpp"
+#include "firmware/policy/envelope/byte_stream.hpp"
+#include "firmware/policy/envelope/policy_fault.hpp"
 
 namespace earshot::policy {
 
@@ -16,8 +16,8 @@ inline constexpr std::size_t kPublicKeySize = 32;
 
 }  // namespace earshot::policy
 
-// What all our signed files have around their content: a header, tagged sections in one order, a trailer. README.md of this folder shows
-// the bytes.
+// What all our signed files have around their content: a header, tagged sections in one order, a trailer. format/README.md shows the
+// bytes.
 namespace earshot::policy::format {
 
 inline constexpr std::size_t kMagicSize = 8;

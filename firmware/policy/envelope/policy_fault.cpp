@@ -1,4 +1,4 @@
-#include "firmware/policy/check/policy_fault.hpp"
+#include "firmware/policy/envelope/policy_fault.hpp"
 
 namespace earshot::policy {
 

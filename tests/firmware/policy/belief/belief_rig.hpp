@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "firmware/policy/belief_model.hpp"
-#include "firmware/policy/belief_outlook.hpp"
+#include "firmware/policy/action_values/belief_outlook.hpp"
+#include "firmware/policy/belief/belief_model.hpp"
 #include "tests/firmware/place.hpp"
 
 namespace earshot::policy {

@@ -4,8 +4,8 @@
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/core/fixed_vector.hpp"
-#include "firmware/policy/check/policy_fault.hpp"
-#include "firmware/policy/format/byte_stream.hpp"
+#include "firmware/policy/envelope/byte_stream.hpp"
+#include "firmware/policy/envelope/policy_fault.hpp"
 
 namespace earshot::policy {
 

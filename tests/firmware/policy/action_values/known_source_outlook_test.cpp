@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "firmware/policy/belief_outlook.hpp"
-#include "tests/firmware/policy/outlook_rig.hpp"
+#include "firmware/policy/action_values/belief_outlook.hpp"
+#include "tests/firmware/policy/action_values/outlook_rig.hpp"
 
 namespace earshot::policy {
 namespace {

@@ -1,7 +1,7 @@
-#include "firmware/policy/belief_model.hpp"
+#include "firmware/policy/belief/belief_model.hpp"
 
 #include "firmware/core/math.hpp"
-#include "firmware/policy/search_bounds.hpp"
+#include "firmware/policy/belief/search_bounds.hpp"
 
 namespace earshot::policy {
 namespace {

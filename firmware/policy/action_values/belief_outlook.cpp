@@ -1,12 +1,12 @@
-#include "firmware/policy/belief_outlook.hpp"
+#include "firmware/policy/action_values/belief_outlook.hpp"
 
 #include <algorithm>
 #include <array>
 
 #include "firmware/core/math.hpp"
 #include "firmware/core/wide.hpp"
+#include "firmware/policy/action_values/outlook_places.hpp"
 #include "firmware/policy/likelihood/belief_grid.hpp"
-#include "firmware/policy/outlook_places.hpp"
 
 namespace earshot::policy {
 namespace {

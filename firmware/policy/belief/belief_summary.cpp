@@ -1,4 +1,4 @@
-#include "firmware/policy/belief_summary.hpp"
+#include "firmware/policy/belief/belief_summary.hpp"
 
 #include <algorithm>
 #include <array>
