@@ -10,7 +10,6 @@
 #include "firmware/messages/dictionary/mission_words.hpp"
 #include "firmware/safety/supervisor.hpp"
 #include "hil/bench/case.hpp"
-#include "hil/bench/lcm/bad_messages.hpp"
 #include "hil/nodes/emulated_vehicle.hpp"
 
 namespace earshot::hil {

@@ -186,6 +186,8 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
 
 /// Who sends Earshot's own frames, or messages, among the names of the devices.
 inline constexpr std::string_view kEarshotsFrames = "earshot";
+/// The senders whose messages a case over LCM may name.
+inline constexpr std::string_view kLcmSenders[]{"autopilot", "navigation", "hydrophone", "vehicle-status", kEarshotsFrames};
 
 /// The programs of a flight at sea, by which a case says whom a signal befalls.
 inline constexpr std::string_view kEarshotsProgram = "earshotd";

@@ -24,6 +24,7 @@
 #include "hil/bench/before_flight.hpp"
 #include "hil/bench/bench_flight.hpp"
 #include "hil/bench/disarmed.hpp"
+#include "hil/bench/flight/fly_case.hpp"
 #include "hil/bench/random_case.hpp"
 #include "hil/bench/results.hpp"
 #include "hil/bench/torn_journal.hpp"

@@ -15,10 +15,8 @@ namespace earshot::hil {
 /// What goes over the network for a message.
 using Datagram = std::vector<std::uint8_t>;
 
-/// Whose messages those of a channel are, as a case names them; "" of channels that nobody on the vehicle has.
+/// Whose messages those of a channel are, as a case names them (kLcmSenders); "" of channels that nobody on the vehicle has.
 [[nodiscard]] std::string_view sender_on(std::string_view channel);
-/// Those that a case may name.
-inline constexpr std::string_view kLcmSenders[]{"autopilot", "navigation", "hydrophone", "vehicle-status", kEarshotsFrames};
 
 /// One fault of an LCM bus, as long as it lasts.
 struct MessageAffliction {

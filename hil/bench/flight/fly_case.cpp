@@ -1,4 +1,4 @@
-#include "hil/bench/bench_flight.hpp"
+#include "hil/bench/flight/fly_case.hpp"
 
 #include <algorithm>
 #include <chrono>
