@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "firmware/boards/linux/clock.hpp"
-#include "firmware/boards/linux/port.hpp"
+#include "firmware/boards/linux/clock/clock.hpp"
+#include "firmware/boards/linux/port/port.hpp"
 #include "sim/link/runtime_end.hpp"
 
 namespace earshot::link {

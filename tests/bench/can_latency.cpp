@@ -21,7 +21,7 @@
 #include <thread>
 #include <vector>
 
-#include "firmware/boards/linux/host_clock.hpp"
+#include "firmware/boards/linux/clock/host_clock.hpp"
 #include "firmware/host/transport/can_socket.hpp"
 #include "firmware/messages/dictionary/health_words.hpp"
 #include "firmware/wire/n2k/fast_packet.hpp"

@@ -12,7 +12,7 @@
 
 #include "firmware/boards/linux/mission_loop.hpp"
 #include "firmware/boards/linux/mission_turn.hpp"
-#include "firmware/boards/linux/port_set.hpp"
+#include "firmware/boards/linux/port/port_set.hpp"
 #include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/host/mission/mission_file.hpp"

@@ -25,7 +25,7 @@
 #include <thread>
 #include <vector>
 
-#include "firmware/boards/linux/host_clock.hpp"
+#include "firmware/boards/linux/clock/host_clock.hpp"
 #include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/messages/dictionary/health_words.hpp"
 #include "firmware/wire/lcm/channels.hpp"

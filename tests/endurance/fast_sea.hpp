@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <string>
 
-#include "firmware/boards/linux/clock.hpp"
-#include "firmware/boards/linux/host_clock.hpp"
-#include "firmware/boards/linux/host_mission_clock.hpp"
-#include "firmware/boards/linux/port.hpp"
+#include "firmware/boards/linux/clock/clock.hpp"
+#include "firmware/boards/linux/clock/host_clock.hpp"
+#include "firmware/boards/linux/clock/host_mission_clock.hpp"
+#include "firmware/boards/linux/port/port.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/messages/navigation.hpp"

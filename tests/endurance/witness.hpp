@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "firmware/boards/linux/port.hpp"
+#include "firmware/boards/linux/port/port.hpp"
 #include "firmware/host/memory/process_memory.hpp"
 #include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/messages/health.hpp"

@@ -24,7 +24,7 @@
 #include "earshot/nav_state_t.hpp"
 #include "earshot/operator_command_t.hpp"
 #include "earshot/snr_estimate_t.hpp"
-#include "firmware/boards/linux/host_clock.hpp"
+#include "firmware/boards/linux/clock/host_clock.hpp"
 #include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/host/program/exit_status.hpp"

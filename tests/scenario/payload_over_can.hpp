@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "firmware/boards/linux/host_clock.hpp"
+#include "firmware/boards/linux/clock/host_clock.hpp"
 #include "firmware/host/transport/can_socket.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/messages/operator_command.hpp"

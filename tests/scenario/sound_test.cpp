@@ -21,7 +21,7 @@
 
 #include "earshot/health_t.hpp"
 #include "earshot/operator_command_t.hpp"
-#include "firmware/boards/linux/host_clock.hpp"
+#include "firmware/boards/linux/clock/host_clock.hpp"
 #include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/host/memory/heap_trap.hpp"

@@ -13,7 +13,7 @@
 #include "earshot/command_acknowledgement_t.hpp"
 #include "earshot/health_t.hpp"
 #include "earshot/setpoint_t.hpp"
-#include "firmware/boards/linux/host_clock.hpp"
+#include "firmware/boards/linux/clock/host_clock.hpp"
 #include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/messages/operator_command.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "firmware/boards/linux/port.hpp"
+#include "firmware/boards/linux/port/port.hpp"
 #include "firmware/host/transport/lcm_endpoint.hpp"
 
 namespace earshot::board {

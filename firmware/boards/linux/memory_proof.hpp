@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "firmware/boards/linux/mission_loop.hpp"
-#include "firmware/boards/linux/port_set.hpp"
+#include "firmware/boards/linux/port/port_set.hpp"
 #include "firmware/host/memory/heap_trap.hpp"
 #include "firmware/host/memory/process_memory.hpp"
 

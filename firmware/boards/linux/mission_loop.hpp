@@ -4,10 +4,10 @@
 #include <atomic>
 #include <cstdint>
 
-#include "firmware/boards/linux/clock.hpp"
+#include "firmware/boards/linux/clock/clock.hpp"
 #include "firmware/boards/linux/mission_turn.hpp"
 #include "firmware/boards/linux/outage/meanwhile.hpp"
-#include "firmware/boards/linux/port_set.hpp"
+#include "firmware/boards/linux/port/port_set.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/messages/health.hpp"

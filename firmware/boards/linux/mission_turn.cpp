@@ -7,7 +7,7 @@
 #include <optional>
 #include <variant>
 
-#include "firmware/boards/linux/turn_records.hpp"
+#include "firmware/boards/linux/turn/turn_records.hpp"
 #include "firmware/core/crc32.hpp"
 #include "firmware/core/math.hpp"
 #include "firmware/wire/journal/input_record.hpp"

@@ -7,16 +7,16 @@
 #include <span>
 #include <string_view>
 
-#include "firmware/boards/linux/clock.hpp"
+#include "firmware/boards/linux/clock/clock.hpp"
 #include "firmware/boards/linux/core/core.hpp"
 #include "firmware/boards/linux/core/order_gate.hpp"
 #include "firmware/boards/linux/news/flight_news.hpp"
 #include "firmware/boards/linux/outage/safety_log.hpp"
-#include "firmware/boards/linux/port.hpp"
-#include "firmware/boards/linux/port_set.hpp"
+#include "firmware/boards/linux/port/port.hpp"
+#include "firmware/boards/linux/port/port_set.hpp"
 #include "firmware/boards/linux/replay/resume.hpp"
 #include "firmware/boards/linux/service/service_manager.hpp"
-#include "firmware/boards/linux/turn_memory.hpp"
+#include "firmware/boards/linux/turn/turn_memory.hpp"
 #include "firmware/config/mission.hpp"
 #include "firmware/core/fixed_vector.hpp"
 #include "firmware/core/time.hpp"

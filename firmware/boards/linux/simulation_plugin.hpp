@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <memory>
 
-#include "firmware/boards/linux/clock.hpp"
-#include "firmware/boards/linux/port.hpp"
+#include "firmware/boards/linux/clock/clock.hpp"
+#include "firmware/boards/linux/port/port.hpp"
 
 namespace earshot::board {
 

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "firmware/boards/linux/clock.hpp"
+#include "firmware/boards/linux/clock/clock.hpp"
 #include "firmware/host/mission/port_settings.hpp"
 #include "firmware/host/transport/can_socket.hpp"
 #include "firmware/host/transport/lcm_endpoint.hpp"

@@ -15,7 +15,7 @@
 
 #include "earshot/command_acknowledgement_t.hpp"
 #include "earshot/operator_command_t.hpp"
-#include "firmware/boards/linux/host_clock.hpp"
+#include "firmware/boards/linux/clock/host_clock.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/messages/operator_command.hpp"

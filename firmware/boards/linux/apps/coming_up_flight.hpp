@@ -3,7 +3,7 @@
 #include <string>
 
 #include "firmware/boards/linux/apps/earshotd_options.hpp"
-#include "firmware/boards/linux/host_clock.hpp"
+#include "firmware/boards/linux/clock/host_clock.hpp"
 #include "firmware/host/safety_record/safety_copies.hpp"
 
 namespace earshot::board {

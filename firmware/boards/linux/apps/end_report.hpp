@@ -2,10 +2,10 @@
 
 #include <filesystem>
 
-#include "firmware/boards/linux/clock.hpp"
+#include "firmware/boards/linux/clock/clock.hpp"
 #include "firmware/boards/linux/memory_proof.hpp"
 #include "firmware/boards/linux/mission_loop.hpp"
-#include "firmware/boards/linux/port_set.hpp"
+#include "firmware/boards/linux/port/port_set.hpp"
 #include "firmware/core/status.hpp"
 #include "firmware/host/journal/journal.hpp"
 

@@ -3,11 +3,11 @@
 #include <memory>
 
 #include "firmware/boards/linux/apps/earshotd_options.hpp"
-#include "firmware/boards/linux/clock.hpp"
+#include "firmware/boards/linux/clock/clock.hpp"
+#include "firmware/boards/linux/clock/host_clock.hpp"
 #include "firmware/boards/linux/core/board_core.hpp"
-#include "firmware/boards/linux/host_clock.hpp"
 #include "firmware/boards/linux/outage/outage_time.hpp"
-#include "firmware/boards/linux/port_set.hpp"
+#include "firmware/boards/linux/port/port_set.hpp"
 #include "firmware/boards/linux/service/service_manager.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/mission/mission_judge.hpp"

@@ -8,8 +8,8 @@
 
 #include "firmware/boards/linux/can/bus_roles.hpp"
 #include "firmware/boards/linux/can/trouble_watch.hpp"
-#include "firmware/boards/linux/host_clock.hpp"
-#include "firmware/boards/linux/port.hpp"
+#include "firmware/boards/linux/clock/host_clock.hpp"
+#include "firmware/boards/linux/port/port.hpp"
 #include "firmware/config/capacities.hpp"
 #include "firmware/core/fixed_vector.hpp"
 #include "firmware/host/transport/can_socket.hpp"

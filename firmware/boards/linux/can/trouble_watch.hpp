@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "firmware/boards/linux/can/bus_trouble.hpp"
+#include "firmware/boards/linux/port/bus_trouble.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/host/mission/port_settings.hpp"
 #include "firmware/wire/n2k/node/node.hpp"

@@ -7,10 +7,10 @@
 #include <span>
 
 #include "firmware/boards/linux/hydrophone/hand_over.hpp"
-#include "firmware/boards/linux/hydrophone/heard_chain.hpp"
 #include "firmware/boards/linux/hydrophone/sample_listener.hpp"
 #include "firmware/boards/linux/hydrophone/sample_meter.hpp"
 #include "firmware/boards/linux/hydrophone/shared_counter.hpp"
+#include "firmware/boards/linux/port/heard_chain.hpp"
 #include "firmware/config/capacities.hpp"
 #include "firmware/detector/hydrophone/estimate.hpp"
 #include "firmware/detector/hydrophone/settings.hpp"

@@ -6,7 +6,7 @@
 
 #include "firmware/boards/linux/hydrophone/ear.hpp"
 #include "firmware/boards/linux/hydrophone/hydrophone_receiver.hpp"
-#include "firmware/boards/linux/port.hpp"
+#include "firmware/boards/linux/port/port.hpp"
 
 namespace earshot::board {
 

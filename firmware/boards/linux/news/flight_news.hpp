@@ -7,12 +7,12 @@
 #include <string>
 #include <string_view>
 
-#include "firmware/boards/linux/can/bus_trouble.hpp"
-#include "firmware/boards/linux/hydrophone/heard_chain.hpp"
 #include "firmware/boards/linux/news/line_writer.hpp"
 #include "firmware/boards/linux/news/log_format.hpp"
-#include "firmware/boards/linux/order_trouble.hpp"
-#include "firmware/boards/linux/port_set.hpp"
+#include "firmware/boards/linux/port/bus_trouble.hpp"
+#include "firmware/boards/linux/port/heard_chain.hpp"
+#include "firmware/boards/linux/port/order_trouble.hpp"
+#include "firmware/boards/linux/port/port_set.hpp"
 #include "firmware/config/capacities.hpp"
 #include "firmware/config/mission.hpp"
 #include "firmware/core/time.hpp"

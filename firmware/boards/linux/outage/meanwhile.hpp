@@ -6,11 +6,11 @@
 #include <optional>
 #include <utility>
 
-#include "firmware/boards/linux/clock.hpp"
+#include "firmware/boards/linux/clock/clock.hpp"
 #include "firmware/boards/linux/outage/coming_up.hpp"
 #include "firmware/boards/linux/outage/safety_log.hpp"
-#include "firmware/boards/linux/port.hpp"
-#include "firmware/boards/linux/port_set.hpp"
+#include "firmware/boards/linux/port/port.hpp"
+#include "firmware/boards/linux/port/port_set.hpp"
 #include "firmware/config/mission.hpp"
 #include "firmware/messages/operator_command.hpp"
 

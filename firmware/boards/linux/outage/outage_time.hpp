@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/boards/linux/host_clock.hpp"
+#include "firmware/boards/linux/clock/host_clock.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/host/safety_record/safety_record.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "firmware/boards/linux/host_clock.hpp"
+#include "firmware/boards/linux/clock/host_clock.hpp"
 #include "firmware/config/mission.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/host/safety_record/safety_copies.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "firmware/boards/linux/turn_records.hpp"
+#include "firmware/boards/linux/turn/turn_records.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/journal/reading/decode_record.hpp"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "firmware/boards/linux/replay/beginning.hpp"
-#include "firmware/boards/linux/turn_memory.hpp"
+#include "firmware/boards/linux/turn/turn_memory.hpp"
 #include "firmware/config/mission.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/host/journal/record_ring.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "firmware/boards/linux/replay/playback.hpp"
-#include "firmware/boards/linux/turn_memory.hpp"
+#include "firmware/boards/linux/turn/turn_memory.hpp"
 #include "firmware/config/mission.hpp"
 #include "firmware/detector/hydrophone/settings.hpp"
 #include "firmware/host/journal/journal_file.hpp"

@@ -16,7 +16,7 @@
 
 #include "earshot/health_t.hpp"
 #include "firmware/boards/linux/mission_turn.hpp"
-#include "firmware/boards/linux/port_set.hpp"
+#include "firmware/boards/linux/port/port_set.hpp"
 #include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/host/journal/journal_reader.hpp"

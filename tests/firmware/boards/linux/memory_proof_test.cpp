@@ -17,7 +17,7 @@
 #include <string>
 #include <utility>
 
-#include "firmware/boards/linux/host_mission_clock.hpp"
+#include "firmware/boards/linux/clock/host_mission_clock.hpp"
 #include "firmware/boards/linux/lcm_port.hpp"
 #include "firmware/boards/linux/mission_loop.hpp"
 #include "firmware/host/journal/journal.hpp"

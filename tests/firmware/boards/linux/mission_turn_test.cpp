@@ -23,7 +23,7 @@
 #include "earshot/unsent_setpoints_t.hpp"
 #include "firmware/boards/linux/news/flight_news.hpp"
 #include "firmware/boards/linux/news/line_writer.hpp"
-#include "firmware/boards/linux/port_set.hpp"
+#include "firmware/boards/linux/port/port_set.hpp"
 #include "firmware/host/file/file_descriptor.hpp"
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/host/journal/journal_reader.hpp"

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "firmware/boards/linux/clock.hpp"
-#include "firmware/boards/linux/host_clock.hpp"
-#include "firmware/boards/linux/host_mission_clock.hpp"
-#include "firmware/boards/linux/port.hpp"
+#include "firmware/boards/linux/clock/clock.hpp"
+#include "firmware/boards/linux/clock/host_clock.hpp"
+#include "firmware/boards/linux/clock/host_mission_clock.hpp"
+#include "firmware/boards/linux/port/port.hpp"
 
 namespace earshot::board {
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "firmware/boards/linux/clock.hpp"
+#include "firmware/boards/linux/clock/clock.hpp"
 
 namespace earshot::board {
 

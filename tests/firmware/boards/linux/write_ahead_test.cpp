@@ -11,7 +11,7 @@
 
 #include "firmware/boards/linux/core/core.hpp"
 #include "firmware/boards/linux/mission_turn.hpp"
-#include "firmware/boards/linux/port_set.hpp"
+#include "firmware/boards/linux/port/port_set.hpp"
 #include "tests/firmware/boards/linux/set_clock.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "firmware/boards/linux/turn_records.hpp"
+#include "firmware/boards/linux/turn/turn_records.hpp"
 #include "firmware/core/crc32.hpp"
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/wire/journal/input_record.hpp"

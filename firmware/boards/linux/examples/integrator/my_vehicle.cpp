@@ -6,12 +6,13 @@
 #include <memory>
 #include <stdexcept>
 
+#include "firmware/boards/linux/clock/host_clock.hpp"
+#include "firmware/boards/linux/clock/host_mission_clock.hpp"
 #include "firmware/boards/linux/core/core.hpp"
-#include "firmware/boards/linux/host_clock.hpp"
-#include "firmware/boards/linux/host_mission_clock.hpp"
 #include "firmware/boards/linux/mission_loop.hpp"
 #include "firmware/boards/linux/mission_turn.hpp"
-#include "firmware/boards/linux/port_set.hpp"
+#include "firmware/boards/linux/open_ports.hpp"
+#include "firmware/boards/linux/port/port_set.hpp"
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/mission/mission_judge.hpp"

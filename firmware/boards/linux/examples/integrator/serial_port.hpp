@@ -15,7 +15,7 @@
 #include <string>
 #include <system_error>
 
-#include "firmware/boards/linux/port.hpp"
+#include "firmware/boards/linux/port/port.hpp"
 
 class SerialPort final : public earshot::board::Port {
  public:

@@ -15,7 +15,7 @@
 
 #include "earshot/nav_state_t.hpp"
 #include "earshot/operator_command_t.hpp"
-#include "firmware/boards/linux/host_mission_clock.hpp"
+#include "firmware/boards/linux/clock/host_mission_clock.hpp"
 #include "firmware/boards/linux/lcm_port.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"

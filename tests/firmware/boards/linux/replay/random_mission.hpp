@@ -15,7 +15,7 @@
 
 #include "firmware/boards/linux/mission_loop.hpp"
 #include "firmware/boards/linux/mission_turn.hpp"
-#include "firmware/boards/linux/port_set.hpp"
+#include "firmware/boards/linux/port/port_set.hpp"
 #include "firmware/boards/linux/replay/resume.hpp"
 #include "firmware/core/crc32.hpp"
 #include "firmware/core/random.hpp"

@@ -1,4 +1,4 @@
-#include "firmware/boards/linux/can/bus_trouble.hpp"
+#include "firmware/boards/linux/port/bus_trouble.hpp"
 
 #include <array>
 

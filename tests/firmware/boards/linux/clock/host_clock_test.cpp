@@ -1,4 +1,4 @@
-#include "firmware/boards/linux/host_clock.hpp"
+#include "firmware/boards/linux/clock/host_clock.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "firmware/boards/linux/turn_memory.hpp"
+#include "firmware/boards/linux/turn/turn_memory.hpp"
 
 #include <variant>
 

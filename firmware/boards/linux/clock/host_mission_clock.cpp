@@ -1,4 +1,4 @@
-#include "firmware/boards/linux/host_mission_clock.hpp"
+#include "firmware/boards/linux/clock/host_mission_clock.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,10 +6,10 @@
 #include <string>
 #include <variant>
 
-#include "firmware/boards/linux/can/bus_trouble.hpp"
-#include "firmware/boards/linux/clock.hpp"
-#include "firmware/boards/linux/hydrophone/heard_chain.hpp"
-#include "firmware/boards/linux/order_trouble.hpp"
+#include "firmware/boards/linux/clock/clock.hpp"
+#include "firmware/boards/linux/port/bus_trouble.hpp"
+#include "firmware/boards/linux/port/heard_chain.hpp"
+#include "firmware/boards/linux/port/order_trouble.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/host/mission/port_settings.hpp"
 #include "firmware/messages/input.hpp"

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "firmware/boards/linux/clock.hpp"
-#include "firmware/boards/linux/host_clock.hpp"
+#include "firmware/boards/linux/clock/clock.hpp"
+#include "firmware/boards/linux/clock/host_clock.hpp"
 #include "firmware/core/time.hpp"
 
 namespace earshot::board {

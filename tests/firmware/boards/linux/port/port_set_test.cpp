@@ -1,4 +1,4 @@
-#include "firmware/boards/linux/port_set.hpp"
+#include "firmware/boards/linux/port/port_set.hpp"
 
 #include <gtest/gtest.h>
 

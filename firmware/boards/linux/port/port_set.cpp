@@ -1,13 +1,10 @@
-#include "firmware/boards/linux/port_set.hpp"
+#include "firmware/boards/linux/port/port_set.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "firmware/boards/linux/can/can_port.hpp"
-#include "firmware/boards/linux/hydrophone/hydrophone_port.hpp"
-#include "firmware/boards/linux/lcm_port.hpp"
 #include "firmware/host/file/printable.hpp"
 
 namespace earshot::board {
@@ -159,18 +156,6 @@ messages::PortReport PortSet::sum() const {
     sum.link_up = link_up;
   }
   return sum;
-}
-
-void open_ports(const host::MissionFile& mission, const HostClock& host, host::IfMissing if_missing, WakesFor wakes, PortSet& ports) {
-  for (const host::PortSettings& settings : mission.ports) {
-    if (settings.kind == host::PortKind::kCan) {
-      ports.add(std::make_unique<CanPort>(ports.next_index(), settings, mission.plane, host, if_missing));
-    } else if (settings.roles.has(host::Role::kHydrophone)) {
-      ports.add(std::make_unique<HydrophonePort>(ports.next_index(), settings, mission.hearing, wakes, if_missing));
-    } else {
-      ports.add(std::make_unique<LcmPort>(ports.next_index(), settings, if_missing));
-    }
-  }
 }
 
 }  // namespace earshot::board
