@@ -25,6 +25,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[5]
 EXAMPLE = ROOT / "firmware/boards/linux/examples/integrator"
+TRAINING = ROOT / "policy/python/examples/my_policy.py"
 BUILD = None if sys.argv[1] == "--installed" else Path(sys.argv[1]).resolve()
 PROGRAMS = Path("/usr/bin") if BUILD is None else BUILD / "bin"
 PYTHON = sys.argv[2] if len(sys.argv) > 2 else None
@@ -143,7 +144,7 @@ class Integrator(unittest.TestCase):
     def test_own_policy_from_python_flies_the_vehicle(self):
         model = ROOT / "tests/policy/freeze/models/memory.zip"  # as my_policy.py saves one
         if PYTHON is not None:
-            train = f"import runpy, sb3_without_plots; runpy.run_path({str(self.mine / 'my_policy.py')!r})"
+            train = f"import runpy, sb3_without_plots; runpy.run_path({str(TRAINING)!r})"
             peers = {**os.environ, "PYTHONPATH": str(ROOT / "tests/bench/peers")}
             run(PYTHON, "-c", train, "2048", cwd=self.folder, env=peers)
             model = self.folder / "my_policy.zip"
