@@ -4,7 +4,6 @@
 #include <fstream>
 #include <vector>
 
-#include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 
@@ -29,11 +28,6 @@ Content content_of(const std::filesystem::path& journal) {
 }
 
 }  // namespace
-
-std::filesystem::path newest_journal(const std::filesystem::path& folder) {
-  const std::filesystem::path wanted = folder / "journal.lcmlog";
-  return host::newest_journal(wanted).value_or(wanted);
-}
 
 std::uint64_t tear_journal(const std::filesystem::path& journal, std::uint64_t bytes) {
   const Content content = content_of(journal);

@@ -5,9 +5,6 @@
 
 namespace earshot::hil {
 
-/// That of the last flight in the folder: one that lost its first turn with the power is not gone on from, another is begun.
-[[nodiscard]] std::filesystem::path newest_journal(const std::filesystem::path& folder);
-
 /// A power cut: the last `bytes` of a journal that nobody writes never came to the disk, wherever in a record that is; nothing of it
 /// did if it has no more. @throws host::BadInput if it is no journal
 /// @return how many turns it still holds

@@ -25,13 +25,11 @@ using namespace earshot;
 
 /// Reports on standard error what the page lacks. @return the exit status
 int say_what_is_missing(const std::filesystem::path& folder_or_journal, const report::Flight& flight) {
-  const bool is_folder = std::filesystem::is_directory(folder_or_journal);
   const std::filesystem::path& folder = folder_or_journal;
   for (const std::string& name : flight.missing)
     std::cerr << host::printable((folder / name).string()) << ": not there; the page is without it\n";
   if (!flight.journal.is_whole())
-    std::cerr << host::printable((is_folder ? folder / report::kJournalName : folder_or_journal).string()) << ": "
-              << report::lack_of(flight.journal) << "\n";
+    std::cerr << host::printable(report::journal_of_flight(folder).string()) << ": " << report::lack_of(flight.journal) << "\n";
   return flight.is_complete() && flight.journal.is_whole() ? program::kDone : program::kIncomplete;
 }
 
@@ -41,11 +39,11 @@ std::filesystem::path page_of(std::filesystem::path folder_or_journal) {
                                                           : folder_or_journal.replace_extension(".html");
 }
 
-/// A page of an earlier flight would be taken for the last one's.
-void tell_others(const std::filesystem::path& folder, const report::Flight& flight) {
-  if (flight.others.empty()) return;
-  program::say() << host::printable((folder / "report.html").string()) << " is of " << report::kJournalName << "; the folder holds "
-                 << flight.others.size() << " more, the last " << flight.others.back() << ": name one for its page\n";
+/// Of several journals in a folder, which one the page is of.
+void say_which(const std::filesystem::path& folder) {
+  const std::filesystem::path journal = report::journal_of_flight(folder);
+  if (journal == folder || journal.filename() == report::kJournalName) return;
+  program::say() << "it is of " << host::printable(journal.filename().string()) << ", the newest journal there\n";
 }
 
 /// "8 steps, 9 decisions": a mission may end within a step.
@@ -66,7 +64,7 @@ int write_report(const std::filesystem::path& folder, host::Replace replace) try
   program::say() << "wrote " << host::printable(page.string()) << ": " << steps_and_decisions(flight) << "\n";
   program::detail() << folder.string() << ": " << flight.journal.decisions.size() << " decisions in " << flight.journal.records
                     << " records of the journal, " << flight.track.size() << " rows of track.csv, " << flight.snr.size() << " of snr.csv\n";
-  tell_others(folder, flight);
+  say_which(folder);
   return say_what_is_missing(folder, flight);
 } catch (const nlohmann::json::exception& e) {
   throw host::BadInput((folder / "summary.json").string() + ": " + description::to_string(e));
@@ -79,7 +77,7 @@ int main(int argc, char** argv) {
       "earshot report",
       "earshot report DIR reads the journal, the policy, track.csv, snr.csv and summary.json that a flight left in DIR and writes\n"
       "DIR/report.html, a page that needs no other file. A flight at sea leaves its journal and policy alone, and its page is of these;\n"
-      "where it left several journals, earshot report DIR/journal-2.lcmlog writes the page of one, DIR/journal-2.html.\n"
+      "of several journals it is of the newest; earshot report DIR/journal-2.lcmlog writes the page of another, DIR/journal-2.html.\n"
       "Exit status: 0 written, 1 written of what is there: a file is missing, or the journal is cut or damaged, which standard error "
       "reports,\n"
       "2 something of the flight cannot be read or the page cannot be made.");

@@ -1,6 +1,5 @@
 #include "policy/report/flight_files.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <span>
@@ -10,7 +9,6 @@
 #include <variant>
 
 #include "firmware/host/file/input_file.hpp"
-#include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/journal/journal_parts.hpp"
 #include "firmware/host/journal/reading/record_source.hpp"
 #include "firmware/host/journal/words/sentences.hpp"
@@ -197,19 +195,6 @@ void note(const journal::Record& record, JournalledSearch& search) {
   search.decisions.push_back(std::move(recorded));
 }
 
-/// Those behind the first, the oldest first.
-std::vector<std::string> other_journals(const std::filesystem::path& folder) {
-  const std::filesystem::path first = folder / kJournalName;
-  std::vector<int> numbers;
-  for (const host::JournalName& name : host::journals_beside(first)) {
-    if (name.part == 1 && name.journal > 1) numbers.push_back(name.journal);
-  }
-  std::ranges::sort(numbers);
-  std::vector<std::string> names;
-  for (const int number : numbers) names.push_back(host::named(first, {.journal = number}).filename().string());
-  return names;
-}
-
 }  // namespace
 
 JournalledSearch read_journal(const std::filesystem::path& path) {
@@ -235,7 +220,7 @@ std::string lack_of(const JournalledSearch& journal) {
 
 std::vector<std::filesystem::path> files_of_flight(const std::filesystem::path& folder_or_journal) {
   const bool is_folder = std::filesystem::is_directory(folder_or_journal);
-  const std::filesystem::path journal = is_folder ? folder_or_journal / kJournalName : folder_or_journal;
+  const std::filesystem::path journal = journal_of_flight(folder_or_journal);
   std::vector<std::filesystem::path> files{journal};
   if (std::filesystem::exists(journal)) files = host::JournalParts(journal).files();
   for (const char* extension : {".policy", ".tables"}) files.push_back(std::filesystem::path(journal).replace_extension(extension));
@@ -255,6 +240,11 @@ NorthEast place_in(const nlohmann::json& place) {
   return {Meters{place.at("north_m").get<double>()}, Meters{place.at("east_m").get<double>()}};
 }
 
+std::filesystem::path journal_of_flight(const std::filesystem::path& folder_or_journal) {
+  const bool is_of_simulation = std::filesystem::exists(folder_or_journal / "summary.json");
+  return is_of_simulation ? folder_or_journal / kJournalName : host::newest_journal_in(folder_or_journal);
+}
+
 Flight read_flight(const std::filesystem::path& folder_or_journal) {
   const std::filesystem::path& folder = folder_or_journal;
   Flight flight;
@@ -263,12 +253,9 @@ Flight read_flight(const std::filesystem::path& folder_or_journal) {
     flight.sea = read_sea_flight(folder_or_journal);
     return flight;
   }
-  flight.others = other_journals(folder);
-  if (!flight.others.empty() && !std::filesystem::exists(folder / kJournalName))
-    throw BadInput(folder.string() + ": holds no " + kJournalName + "; name one of its journals, such as " +
-                   (folder / flight.others.back()).string());
-  flight.journal = read_journal(folder / kJournalName);
-  std::optional<SeaFlight> journalled = read_sea_flight(folder / kJournalName);
+  const std::filesystem::path journal = journal_of_flight(folder);
+  flight.journal = read_journal(journal);
+  std::optional<SeaFlight> journalled = read_sea_flight(journal);
   if (!std::filesystem::exists(folder / "summary.json")) {
     flight.sea = std::move(journalled);
   } else if (journalled) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/messages/journal_records.hpp"
 #include "policy/explain/recorded_decision.hpp"
@@ -60,12 +61,11 @@ struct Flight {
   std::vector<SeaFlight::Event> events;    ///< of a simulated flight, as its journal tells them
   std::optional<std::string> ending_rule;  ///< of a simulated flight: the safety rule that ended it, in words with its evidence
   std::vector<std::string> missing;        ///< names of files that a simulator should have left
-  std::vector<std::string> others;         ///< names of the folder's other journals, of which nothing is here
 
   [[nodiscard]] bool is_complete() const { return missing.empty(); }
 };
 
-inline constexpr const char* kJournalName = "journal.lcmlog";  ///< in a flight's folder
+inline constexpr const char* kJournalName = host::kFirstJournal;  ///< in a simulated flight's folder
 
 /// @throws host::BadInput naming the file when it cannot be read.
 [[nodiscard]] JournalledSearch read_journal(const std::filesystem::path& path);
@@ -74,9 +74,13 @@ inline constexpr const char* kJournalName = "journal.lcmlog";  ///< in a flight'
 /// @param extension  ".policy", ".tables"
 [[nodiscard]] std::optional<std::filesystem::path> beside_journal(const std::filesystem::path& journal, const std::string& extension);
 
-/// Of one of several journals that flights at sea left in a folder: what it tells alone. Of a folder: reads the decisions in
-/// journal.lcmlog, and of summary.json, track.csv and snr.csv those that are there; hearing.csv and spectrogram.csv when the summary says
-/// that it heard.
+/// The journal of a flight that is named by its folder: where no summary.json is there, the newest of those that flights at sea left in it.
+/// Any other path is itself.
+[[nodiscard]] std::filesystem::path journal_of_flight(const std::filesystem::path& folder_or_journal);
+
+/// Of one of several journals that flights at sea left in a folder: what it tells alone. Of a folder: reads the decisions in its journal
+/// (journal_of_flight()), and of summary.json, track.csv and snr.csv those that are there; hearing.csv and spectrogram.csv when the summary
+/// says that it heard.
 /// @throws host::BadInput naming the journal when it is missing, or the file that cannot be read.
 [[nodiscard]] Flight read_flight(const std::filesystem::path& folder_or_journal);
 

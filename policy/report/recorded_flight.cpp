@@ -104,12 +104,8 @@ explain::Circumstances RecordedFlight::circumstances(explain::Baseline baseline)
 RecordedFlight open_recording(const fs::path& folder_or_journal, const RecordingOptions& options) {
   RecordedFlight flight;
   std::optional<Flight> files;
-  if (fs::is_directory(folder_or_journal)) {
-    flight.journal_path = folder_or_journal / kJournalName;
-    if (fs::exists(folder_or_journal / "summary.json")) files = read_flight(folder_or_journal);
-  } else {
-    flight.journal_path = folder_or_journal;
-  }
+  flight.journal_path = journal_of_flight(folder_or_journal);
+  if (fs::exists(folder_or_journal / "summary.json")) files = read_flight(folder_or_journal);
   flight.journal = files ? std::move(files->journal) : read_journal(flight.journal_path);
   require_decisions(flight.journal_path, flight.journal);
   flight.policy_path = file_for(flight.journal_path, options.policy, "policy");

@@ -54,11 +54,7 @@ bool is_being_written(const fs::path& journal) try {
 }
 
 std::optional<fs::path> journal_under_way(const fs::path& folder_or_journal) {
-  const fs::path journal = host::journal_in(folder_or_journal);
-  if (journal != folder_or_journal) {  // of several missions at sea in one folder the last is the one that is under way
-    const fs::path newest = host::newest_journal_in(folder_or_journal);
-    if (!is_empty_or_missing(newest) && is_being_written(newest)) return newest;
-  }
+  const fs::path journal = host::newest_journal_in(folder_or_journal);
   if (std::optional<fs::path> flown = flight_under_way_beside(journal)) return flown;
   if (is_empty_or_missing(journal)) return std::nullopt;
   if (is_being_written(journal) || !is_of_simulation(journal)) return journal;
@@ -72,7 +68,7 @@ std::optional<fs::path> wait_for_journal(const fs::path& folder_or_journal, std:
   for (bool is_said = program::talk() == program::Talk::kQuiet;;) {
     if (std::optional<fs::path> found = journal_under_way(folder_or_journal)) return found;
     if (program::stop_requested) return std::nullopt;
-    const fs::path journal = host::journal_in(folder_or_journal);
+    const fs::path journal = host::newest_journal_in(folder_or_journal);
     const bool is_there = fs::exists(journal);
     if (steady_clock::now() - began >= most)
       throw host::BadInput(host::printable(journal.string()) +

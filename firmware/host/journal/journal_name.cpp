@@ -97,12 +97,6 @@ std::filesystem::path newest_journal_in(const std::filesystem::path& folder_or_j
   return newest_journal(first).value_or(first);
 }
 
-std::filesystem::path journal_in(const std::filesystem::path& folder_or_journal) {
-  std::error_code error;
-  const std::filesystem::path first = folder_or_journal / kFirstJournal;
-  return std::filesystem::exists(first, error) ? first : newest_journal_in(folder_or_journal);
-}
-
 std::optional<std::filesystem::path> journal_marked(const std::filesystem::path& wanted, std::uint32_t first_record_crc32) {
   std::array<std::uint8_t, kCheckedFrom> mark{};
   store_big_endian(std::span(mark).first(4), kRecordSync);

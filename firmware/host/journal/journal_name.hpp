@@ -39,11 +39,7 @@ inline constexpr int kMostParts = 999'999;     ///< of one journal
 /// What a flight calls its journal in the folder that it is given.
 inline constexpr const char* kFirstJournal = "journal.lcmlog";
 
-/// The journal that somebody means who names its folder: kFirstJournal, or where that is gone the newest of its name. Any other path is
-/// itself.
-[[nodiscard]] std::filesystem::path journal_in(const std::filesystem::path& folder_or_journal);
-
-/// The newest journal of a folder; kFirstJournal of one that holds none. Any other path is itself.
+/// The journal that somebody means who names its folder: the newest of it; kFirstJournal of one that holds none. Any other path is itself.
 [[nodiscard]] std::filesystem::path newest_journal_in(const std::filesystem::path& folder_or_journal);
 
 /// The first part of the newest of them whose first record bears this checksum; nothing when none does.

@@ -17,6 +17,7 @@
 #include "firmware/host/file/output_file.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/file/shipped.hpp"
+#include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
@@ -98,7 +99,7 @@ struct Flown {
 
 Flown flown(const hil::Case& c, const hil::Bench& setup, const fs::path& folder) {
   Flown f{.flight = hil::fly_case(c, setup, folder), .mission = host::load_mission(c.mission).mission, .journal = {}};
-  f.journal = hil::read_findings(hil::newest_journal(folder), f.mission, f.flight.began);
+  f.journal = hil::read_findings(host::newest_journal_in(folder), f.mission, f.flight.began);
   if (!f.flight.is_end_heard) f.flight.end = f.journal.end;
   return f;
 }

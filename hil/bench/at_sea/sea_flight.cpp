@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "firmware/host/file/shipped.hpp"
+#include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/text/numbers.hpp"
 #include "firmware/host/transport/bus_lock.hpp"
@@ -246,7 +247,7 @@ class SeaFlyer {
     if (fault.fault == Fault::kInterfaceDown) switch_bus(false);
     if (fault.fault == Fault::kSlowDisk || fault.fault == Fault::kReadOnlyDisk) std::ofstream(disk_is_sick()) << "";
     if (fault.fault == Fault::kNoRoom) queue_.emplace(bench_.interface, fault.amount);
-    if (fault.fault == Fault::kFlippedBit) flip_bit(newest_journal(flight_.folder));
+    if (fault.fault == Fault::kFlippedBit) flip_bit(host::newest_journal_in(flight_.folder));
     if (fault.fault == Fault::kBusTaken) taken_.emplace(host::lock_can(bench_.interface));
     if (fault.fault == Fault::kOrder)
       give_order(bench_.interface, fault.device == kPauseOrder ? messages::Order::kPause : messages::Order::kAbort, ScaledClock::utc());

@@ -181,7 +181,7 @@ class Flyer {
     // On a full disk its journal lacks turns that were answered, as after a power cut.
     std::optional<std::uint64_t> turns_kept;
     if (torn_bytes_ > 0 || case_.has(Fault::kFullDisk))
-      turns_kept = tear_journal(newest_journal(flight_.folder), std::exchange(torn_bytes_, 0));
+      turns_kept = tear_journal(host::newest_journal_in(flight_.folder), std::exchange(torn_bytes_, 0));
     start();
     if (!has_come()) return fail_false("earshotd did not come back after it was killed");
     if (turns_kept) number_ = std::min(number_, *turns_kept + 1);

@@ -69,11 +69,5 @@ TEST_F(TornJournalTest, HasOneOtherBitInItsMiddleAndIsAsLong) {
   EXPECT_EQ(turns(), 9) << "the record that it is in";
 }
 
-TEST_F(TornJournalTest, IsTheNewestOfItsFolder) {
-  EXPECT_EQ(newest_journal(folder_.path()), path_);
-  std::ofstream(folder_ / "journal-2.lcmlog");
-  EXPECT_EQ(newest_journal(folder_.path()), folder_ / "journal-2.lcmlog");
-}
-
 }  // namespace
 }  // namespace earshot::hil

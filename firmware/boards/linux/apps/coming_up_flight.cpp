@@ -105,7 +105,7 @@ int come_up(const Options& o, host::SafetyCopies& copies, const HostClock& host,
   // What needs a descriptor but for a moment, or for the service manager, comes before the ports, which may take the last.
   SafetyLog safety(copies, host, record);
   const Outage outage = outage_since(record, host);
-  ServiceManager manager = service_manager(o);
+  ServiceManager manager = service_manager();
   PortSet ports;
   if (!open_what_opens(vehicle, host, copies, ports)) {
     std::cerr << "earshotd: no port of it opens: LCM's default address is tried\n";
@@ -133,7 +133,7 @@ int come_up(const Options& o, host::SafetyCopies& copies, const HostClock& host,
   } catch (const std::exception& e) {  // no thread, no descriptor: the vehicle is told, a person is not
     std::cerr << "earshotd: " << host::printable(e.what()) << ": nothing more is reported here\n";
   }
-  settle_memory(o);
+  report_settled_memory();
   const Duration period = vehicle.step_period > Duration{} ? vehicle.step_period : Duration::seconds(1);
   const Pace pace{.period = period, .turns = host::Turns::kPeriodic};
   const LoopResult result = board::fly(turn, ports, clock, pace, program::stop_requested);

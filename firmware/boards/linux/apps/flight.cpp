@@ -50,14 +50,14 @@ constexpr std::chrono::seconds kAshore{3};
 /// That say stop and come up: on a bus that loses messages one may not arrive.
 constexpr int kLastSetpoints = 5;
 
-host::JournalOptions journal_options(const Options& o) {
+host::JournalOptions journal_options(const Options& o, const FlightTerms& terms) {
   constexpr std::uint64_t kMegabyte = 1'000'000;
-  using J = host::JournalOptions;
-  using Existing = host::ExistingJournal;
-  const bool survives_power_cut = o.journal_survives.value_or(o.simulation ? "process" : "power-cut") == "power-cut";
-  return {.when_full = o.simulation ? J::WhenFull::kWait : J::WhenFull::kDrop,
-          .survives = survives_power_cut ? J::Survives::kPowerCut : J::Survives::kProcess,
-          .existing = o.replace ? Existing::kReplace : (o.simulation && !o.resume ? Existing::kRefuse : Existing::kKeep),
+  using Survives = host::JournalOptions::Survives;
+  const Survives survives =
+      o.journal_survives ? (*o.journal_survives == "power-cut" ? Survives::kPowerCut : Survives::kProcess) : terms.journal_survives;
+  return {.when_full = terms.when_journal_is_full,
+          .survives = survives,
+          .existing = o.replace ? host::ExistingJournal::kReplace : terms.existing_journal,
           .limits = {.part_bytes = kMegabyte * o.journal_part_mb.value_or(0), .budget_bytes = kMegabyte * o.journal_budget_mb.value_or(0)}};
 }
 
@@ -99,9 +99,9 @@ LoopResult fly_on(const Flight& f, MissionTurn& turn, MemoryProof& proof, const 
     news.emplace(f.ports, *writer, f.options.log_format());
     turn.tell(*news);
   }
-  settle_memory(f.options);
+  if (f.terms.settles_memory) report_settled_memory();
   if (f.options.prove_no_alloc) proof.arm();
-  const Pace pace{.period = f.file.step_period, .turns = f.options.simulation ? host::Turns::kPeriodic : f.file.turns};
+  const Pace pace{.period = f.file.step_period, .turns = f.terms.turns};
   const LoopResult result = fly(turn, f.ports, f.clock, pace, stop_requested, hold);
   if (f.options.prove_no_alloc) proof.disarm(result);
   const std::uint64_t left_out = writer ? writer->left_out() : 0;
@@ -209,9 +209,7 @@ void order_what_held(const Flight& f, const runtime::Outputs& last, Core& core, 
 /// Begins the mission, or goes on with it. @return how long its first turn waits for its sensors
 Duration begin(const Flight& f, const Resumption* before, const std::filesystem::path& journal, SafetyLog* safety, MissionTurn& turn) {
   const std::string build = program::version() + " " + program::build_commit();
-  constexpr std::chrono::milliseconds kAtSea{100};
-  constexpr std::chrono::milliseconds kInLockStep{60'000};  // the simulator waits
-  if (f.options.resume) turn.write_ahead(f.options.simulation ? kInLockStep : kAtSea);
+  if (f.options.resume) turn.write_ahead(f.terms.write_ahead_patience);
   if (before != nullptr) {
     f.clock.go_on_after(before->last.health);
     f.ports.count_on_from(before->memory.reports);
@@ -219,7 +217,7 @@ Duration begin(const Flight& f, const Resumption* before, const std::filesystem:
     if (program::talk() != program::Talk::kQuiet)
       std::cerr << "earshotd: goes on from " << host::printable(journal.string()) << ": " << to_string(*before, f.clock.now()) << "\n";
     const bool is_search = before->last.health.state == messages::MissionState::kSearch;
-    return f.options.simulation || !is_search ? Duration{} : hold_of(f.file.mission, f.file.hearing);
+    return f.terms.waits_for_others && is_search ? hold_of(f.file.mission, f.file.hearing) : Duration{};
   }
   const std::uint32_t mark =
       turn.record_mission(f.file.mission, {.policy = f.search.policy.bytes, .tables = f.search.tables.bytes, .build = build});
@@ -227,7 +225,7 @@ Duration begin(const Flight& f, const Resumption* before, const std::filesystem:
   if (const std::string refused = is_durable ? std::string() : f.safety->complaints(); !refused.empty())
     std::cerr << "earshotd: warning: no disk takes the safety record (" << host::printable(refused)
               << "): a restart may forget an ABORT; tried again\n";
-  if (!f.options.simulation && program::talk() != program::Talk::kQuiet) {
+  if (f.terms.waits_for_others && program::talk() != program::Talk::kQuiet) {
     std::cerr << "earshotd: waiting for navigation, SNR and an operator's START, as long as it takes, on\n"
               << f.ports.description() << "earshotd: journal " << host::printable(journal.string()) << "\n";
   }
@@ -242,14 +240,13 @@ Time end_of_silence(const Flight& f, std::chrono::steady_clock::time_point began
 
 }  // namespace
 
-void settle_memory(const Options& o) {
-  if (o.simulation) return;
+void report_settled_memory() {
   const std::string remark = settle_memory();
   if (!remark.empty() && program::talk() != program::Talk::kQuiet) std::cerr << "earshotd: " << remark << "\n";
 }
 
-ServiceManager service_manager(const Options& o) {
-  ServiceManager manager(o.simulation ? ServiceEnvironment{} : ServiceEnvironment::of_this_process());
+ServiceManager service_manager() {
+  ServiceManager manager(ServiceEnvironment::of_this_process());
   if (!manager.complaint().empty()) std::cerr << "earshotd: warning: " << manager.complaint() << "\n";
   return manager;
 }
@@ -267,9 +264,9 @@ int fly(Flight& f) {
   std::optional<Unfinished> unfinished = unfinished_mission(f, wanted, safety, meanwhile);
   if (f.options.replace)
     host::require_writable(wanted, host::kJournalOutput, host::Replace::kOwnKind, "move it away, or name another folder with --out");
-  host::Journal journal = unfinished
-                              ? host::Journal(std::move(unfinished->file), unfinished->before.next_number, journal_options(f.options))
-                              : host::Journal(wanted, journal_options(f.options));
+  host::Journal journal =
+      unfinished ? host::Journal(std::move(unfinished->file), unfinished->before.next_number, journal_options(f.options, f.terms))
+                 : host::Journal(wanted, journal_options(f.options, f.terms));
   keep(f.search, journal.path());
   if (unfinished) f.runtime = std::move(unfinished->before.runtime);
   OwnCore own(*f.runtime);
@@ -304,7 +301,7 @@ int fly(Flight& f) {
   const int status = report(result, f.clock, f.ports, journal.path());
   if (f.board && program::talk() == program::Talk::kVerbose) std::cerr << "earshotd: " << f.board->remark() << "\n";
   const int proven = f.options.prove_no_alloc ? report(proof, f.ports) : program::kDone;
-  const int in_journal = report(journal, kept, wanted, !f.options.simulation);
+  const int in_journal = report(journal, kept, wanted, f.safety != nullptr);
   return in_journal != program::kDone ? in_journal : (proven != program::kDone ? proven : status);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <memory>
 
 #include "firmware/boards/linux/apps/earshotd_options.hpp"
@@ -9,6 +10,7 @@
 #include "firmware/boards/linux/outage/outage_time.hpp"
 #include "firmware/boards/linux/port/port_set.hpp"
 #include "firmware/boards/linux/service/service_manager.hpp"
+#include "firmware/host/journal/journal.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/mission/mission_judge.hpp"
 #include "firmware/host/mission/policy_file.hpp"
@@ -18,9 +20,21 @@
 
 namespace earshot::board {
 
+/// What differs between flights at sea and in simulation.
+struct FlightTerms {
+  host::JournalOptions::WhenFull when_journal_is_full;
+  host::JournalOptions::Survives journal_survives;  ///< unless an option says
+  host::ExistingJournal existing_journal;           ///< unless an option has it replaced
+  std::chrono::milliseconds write_ahead_patience;   ///< with a slow disk
+  host::Turns turns;
+  bool waits_for_others;  ///< for sensors and an operator, as long as it takes; a simulator has them at hand
+  bool settles_memory;    ///< none is asked for in flight; a simulator's middleware does as it likes with it
+};
+
 /// What the mission is flown with.
 struct Flight {
   const Options& options;
+  FlightTerms terms;
   const host::MissionFile& file;
   const host::SignedSearch& search;
   std::unique_ptr<runtime::Runtime> runtime;
@@ -39,11 +53,11 @@ inline constexpr const char* kStaysUnderWay =
     "earshotd: the vehicle was not at the surface yet by depth and time: it stays under way, and the next start with --resume brings it "
     "up\n";
 
-/// In simulation the simulator's middleware does as it likes with memory.
-void settle_memory(const Options& o);
+/// Takes all memory that the flight needs, and says what that cost where it is worth a line.
+void report_settled_memory();
 
-/// Of a vehicle at sea; a simulation is nobody's service.
-[[nodiscard]] ServiceManager service_manager(const Options& o);
+/// Of a vehicle at sea.
+[[nodiscard]] ServiceManager service_manager();
 
 /// Begins the mission, or goes on with it, and flies it to its end.
 /// @return exit status

@@ -10,11 +10,6 @@
 namespace earshot::board {
 namespace {
 
-host::Counting counting_of(Venture venture) {
-  if (venture == Venture::kSimulation) return host::Counting::kOnlyRead;
-  return venture == Venture::kChecklist ? host::Counting::kJudged : host::Counting::kRecorded;
-}
-
 /// Of a file that others could have written nothing is read.
 host::VehicleFile load_strictly(const std::filesystem::path& file) {
   host::require_strict_modes({file});
@@ -23,31 +18,37 @@ host::VehicleFile load_strictly(const std::filesystem::path& file) {
   return vehicle;
 }
 
+void refuse_if(bool is_given, const std::string& option) {
+  if (is_given) throw host::BadInput(option + ": not with a vehicle's configuration, which flies what is signed only as it was signed");
+}
+
 }  // namespace
 
-host::MissionJudge judge_of(const std::optional<std::filesystem::path>& vehicle, Venture venture) {
-  const std::optional<std::filesystem::path> file = venture == Venture::kSimulation ? vehicle : host::vehicle_file_of(vehicle);
-  if (file && venture != Venture::kSimulation) return {load_strictly(*file), counting_of(venture)};
-  if (file) return {host::load_vehicle(*file), counting_of(venture)};
-  if (venture != Venture::kSimulation)
-    std::cerr << "earshotd: warning: without --vehicle any mission is flown, whoever wrote it (see Sign missions)\n";
+host::MissionJudge judge_at_sea(const std::optional<std::filesystem::path>& vehicle, host::Counting counting) {
+  if (const std::optional<std::filesystem::path> file = host::vehicle_file_of(vehicle); file) return {load_strictly(*file), counting};
+  std::cerr << "earshotd: warning: without --vehicle any mission is flown, whoever wrote it (see Sign missions)\n";
   return {};
 }
 
-void require_as_signed(const host::MissionJudge& judge, const SaidInstead& said, Venture venture) {
-  const auto refuse_if = [](bool is_given, const std::string& option) {
-    if (is_given) throw host::BadInput(option + ": not with a vehicle's configuration, which flies what is signed only as it was signed");
-  };
+host::MissionJudge judge_in_simulation(const std::optional<std::filesystem::path>& vehicle) {
+  if (!vehicle) return {};
+  return {host::load_vehicle(*vehicle), host::Counting::kOnlyRead};
+}
+
+void require_as_signed(const host::MissionJudge& judge, const SaidInstead& said) {
   refuse_if(judge.has_vehicle() && said.public_key, "--public-key");
   if (!judge.requires_signed_mission()) return;
   refuse_if(said.policy, "--policy");
   refuse_if(said.tables, "--tables");
   refuse_if(said.seed, "--seed");
-  if (venture == Venture::kSimulation) return;
-  refuse_if(said.ports.bus.has_value(), "--bus");
-  refuse_if(said.ports.lcm_url.has_value(), "--lcm-url");
-  refuse_if(said.ports.hydrophone_url.has_value(), "--hydrophone-url");
-  refuse_if(said.ports.can_interface.has_value(), "--can-interface");
+}
+
+void require_ports_as_signed(const host::MissionJudge& judge, const host::PortOverride& said) {
+  if (!judge.requires_signed_mission()) return;
+  refuse_if(said.bus.has_value(), "--bus");
+  refuse_if(said.lcm_url.has_value(), "--lcm-url");
+  refuse_if(said.hydrophone_url.has_value(), "--hydrophone-url");
+  refuse_if(said.can_interface.has_value(), "--can-interface");
 }
 
 Signatures signatures_of(const host::MissionJudge& judge, const host::SignedSearch& search) {

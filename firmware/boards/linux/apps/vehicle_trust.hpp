@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 
@@ -10,13 +9,15 @@
 
 namespace earshot::board {
 
-enum class Venture : std::uint8_t { kAtSea, kChecklist, kSimulation };
-
-/// Who judges the mission of a flight: the named configuration of a vehicle, else the one at its usual place, else the mission itself,
-/// which standard error warns of in one line. A simulation moves no vehicle: unless a configuration is named, it flies anybody's mission.
-/// Elsewhere nobody but root and the user of this program may be able to change the configuration, or what it names.
+/// Who judges the mission of a flight at sea: the named configuration of a vehicle, else the one at its usual place, else the mission
+/// itself, which standard error warns of in one line. Nobody but root and the user of this program may be able to change the
+/// configuration, or what it names. @param counting  what becomes of the counters of what is signed
 /// @throws host::BadInput as host::load_vehicle() and host::require_strict_modes()
-[[nodiscard]] host::MissionJudge judge_of(const std::optional<std::filesystem::path>& vehicle, Venture venture);
+[[nodiscard]] host::MissionJudge judge_at_sea(const std::optional<std::filesystem::path>& vehicle, host::Counting counting);
+
+/// A simulation moves no vehicle: unless a configuration is named, it flies anybody's mission.
+/// @throws host::BadInput as host::load_vehicle()
+[[nodiscard]] host::MissionJudge judge_in_simulation(const std::optional<std::filesystem::path>& vehicle);
 
 /// What a command line says in place of a mission.
 struct SaidInstead {
@@ -24,12 +25,15 @@ struct SaidInstead {
   bool tables = false;
   bool public_key = false;
   bool seed = false;
-  const host::PortOverride& ports;
 };
 
-/// What is signed is flown as it stands; but a simulator has ports of its own.
+/// What is signed is flown as it stands.
 /// @throws host::BadInput naming the option
-void require_as_signed(const host::MissionJudge& judge, const SaidInstead& said, Venture venture);
+void require_as_signed(const host::MissionJudge& judge, const SaidInstead& said);
+
+/// So are its ports at sea; a simulator has ports of its own.
+/// @throws host::BadInput naming the option
+void require_ports_as_signed(const host::MissionJudge& judge, const host::PortOverride& said);
 
 /// Of what has been loaded and judged.
 [[nodiscard]] Signatures signatures_of(const host::MissionJudge& judge, const host::SignedSearch& search);

@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
       "3 standard output is gone.");
   replay_view::ReplayCommand command;
   bool force = false;
-  line.option("JOURNAL", &command.journal, "journal of a flight (.lcmlog), or its folder").required();
+  line.option("JOURNAL", &command.journal, "journal of a flight (.lcmlog), or its folder: the newest there").required();
   line.option("--policy", &command.policy, "what would this policy have decided? (.policy; its signature is not looked at)");
   line.option("--tables", &command.tables,
               "what would have been decided by these ocean tables? (.tables; their signature is not looked at)")
@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
       "  earshot replay out/journal.lcmlog --mission other.toml --from 10 --json parting.json");
   return program::run(line, argc, argv, [&] {
     command.replace = host::replaced_by(force);
-    command.journal = host::journal_in(command.journal);
+    command.journal = host::newest_journal_in(command.journal);
     return replay_view::replay(command);
   });
 }

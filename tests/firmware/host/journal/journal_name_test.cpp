@@ -49,14 +49,14 @@ TEST(JournalNameTest, OfTheNewestHasTheHighestNumberAndAFirstPart) {
   EXPECT_EQ(journals_beside(wanted).size(), 3U);
 }
 
-TEST(JournalNameTest, OfAFolderIsThatOfTheFirstJournalInItOrTheNewest) {
+TEST(JournalNameTest, OfAFolderIsThatOfTheNewestJournalInIt) {
   const support::TemporaryFolder folder;
-  EXPECT_EQ(journal_in(folder.path()), folder / "journal.lcmlog") << "which is to be made";
+  EXPECT_EQ(newest_journal_in(folder.path()), folder / "journal.lcmlog") << "which is to be made";
   std::ofstream(folder / "journal-7.lcmlog") << "x";
-  EXPECT_EQ(journal_in(folder.path()), folder / "journal-7.lcmlog");
+  EXPECT_EQ(newest_journal_in(folder.path()), folder / "journal-7.lcmlog");
   std::ofstream(folder / "journal.lcmlog") << "x";
-  EXPECT_EQ(journal_in(folder.path()), folder / "journal.lcmlog");
-  EXPECT_EQ(journal_in(folder / "journal-7.lcmlog"), folder / "journal-7.lcmlog");
+  EXPECT_EQ(newest_journal_in(folder.path()), folder / "journal-7.lcmlog");
+  EXPECT_EQ(newest_journal_in(folder / "journal-7.lcmlog"), folder / "journal-7.lcmlog");
 }
 
 TEST(JournalNameTest, IsGivenToNoFileThatWouldNotBeFoundByIt) {

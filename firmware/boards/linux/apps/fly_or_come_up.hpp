@@ -12,7 +12,7 @@ namespace earshot::board {
 /// Flies at sea. The safety record is read before anything else; with --resume a vehicle that it says is under way, and with which `fly`
 /// cannot go on, whatever the reason, is brought up: status 2 means that nothing was under way.
 /// @return exit status
-[[nodiscard]] int fly_at_sea(const Options& o, const HostClock& host, const std::function<int(host::SafetyCopies&)>& fly);
+[[nodiscard]] int fly_or_come_up(const Options& o, const HostClock& host, const std::function<int(host::SafetyCopies&)>& fly);
 
 /// Likewise when its command line could not be read: brings up the vehicle of the folder that it names.
 /// @return exit status; nothing: none is under way there, or nobody asked to go on

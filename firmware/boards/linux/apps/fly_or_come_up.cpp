@@ -1,4 +1,4 @@
-#include "firmware/boards/linux/apps/at_sea.hpp"
+#include "firmware/boards/linux/apps/fly_or_come_up.hpp"
 
 #include <sys/resource.h>
 
@@ -101,7 +101,7 @@ int bring_up(const Options& o, host::SafetyCopies& safety, const HostClock& host
 
 }  // namespace
 
-int fly_at_sea(const Options& o, const HostClock& host, const std::function<int(host::SafetyCopies&)>& fly) {
+int fly_or_come_up(const Options& o, const HostClock& host, const std::function<int(host::SafetyCopies&)>& fly) {
   use_every_descriptor();
   std::optional<host::SafetyCopies> safety;
   try {
