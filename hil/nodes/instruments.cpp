@@ -24,12 +24,6 @@ constexpr Duration kTwoSeconds = Duration::seconds(2);
 constexpr std::int64_t kTrueNorth = table::raw_of(table::kDirectionReference, "True");
 constexpr std::int64_t kMagneticNorth = table::raw_of(table::kDirectionReference, "Magnetic");
 
-/// In [0, 2 pi), as the bus wants directions.
-double positive(Radians angle) {
-  const double wrapped = wrap_to_pi(angle).value;
-  return wrapped < 0.0 ? wrapped + table::kTwoPi : wrapped;
-}
-
 Status add(const MessageWriter& writer, std::uint8_t source, Frames& frames) {
   n2k::Frame frame;
   const Status status = writer.frame(source, frame);
@@ -68,7 +62,7 @@ Broadcast heading_of(const vehicle::State& vehicle, std::optional<MagneticField>
   const auto say = [&vehicle, field](const Occasion& o, Frames& frames) {
     const Radians shown = field ? vehicle.heading - field->variation : vehicle.heading;
     MessageWriter writer(table::kHeading);
-    writer.set_raw("SID", o.count).set("Heading", positive(shown)).set_raw("Reference", field ? kMagneticNorth : kTrueNorth);
+    writer.set_raw("SID", o.count).set("Heading", wrap_to_two_pi(shown).value).set_raw("Reference", field ? kMagneticNorth : kTrueNorth);
     return add(writer, o.source, frames);
   };
   return {.message = table::kHeading, .period = kTenth, .say = say};
@@ -110,7 +104,7 @@ Broadcast course_of(const vehicle::State& vehicle) {
     MessageWriter writer(table::kCourse);
     writer.set_raw("SID", o.count)
         .set_raw("COGReference", kTrueNorth)
-        .set("COG", positive(vehicle.heading))
+        .set("COG", wrap_to_two_pi(vehicle.heading).value)
         .set("SOG", vehicle.speed.value);
     return add(writer, o.source, frames);
   };

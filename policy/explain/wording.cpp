@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "firmware/core/math.hpp"
 #include "firmware/host/text/numbers.hpp"
 
 namespace earshot::explain {
@@ -11,7 +12,12 @@ namespace {
 
 using policy::Feature;
 
+constexpr double kFullTurn_deg = 360.0;
 constexpr double kDegreesPerPoint = 22.5;
+
+double degrees_of(Radians bearing) {
+  return wrap_to_two_pi(bearing).value * 180.0 / std::numbers::pi;
+}
 
 enum class Unit : std::uint8_t { kMeters, kDecibels, kShare, kCount };
 
@@ -72,21 +78,21 @@ std::string_view to_string(Subject subject) {
   return kWords[static_cast<std::size_t>(subject)];
 }
 
-std::string degrees_to_string(double degrees) {
-  return host::formatted("%03.0f\u00B0", std::fmod(std::round(std::fmod(degrees + 360.0, 360.0)), 360.0));
+std::string degrees_to_string(Radians bearing) {
+  return host::formatted("%03.0f\u00B0", std::fmod(std::round(degrees_of(bearing)), kFullTurn_deg));
 }
 
-std::string compass_point(double degrees) {
+std::string compass_point(Radians bearing) {
   constexpr std::array<std::string_view, 16> kPoints{"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
                                                      "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"};
-  const double point = std::round(std::fmod(degrees + 360.0, 360.0) / kDegreesPerPoint);
+  const double point = std::round(degrees_of(bearing) / kDegreesPerPoint);
   return std::string(kPoints[static_cast<std::size_t>(point) % kPoints.size()]);
 }
 
 std::string direction_name(const UnitNorthEast& direction) {
-  const double degrees = std::fmod(std::atan2(direction.east, direction.north) * 180.0 / std::numbers::pi + 360.0, 360.0);
-  const double point = degrees / kDegreesPerPoint;
-  return std::abs(point - std::round(point)) < 1e-6 ? compass_point(degrees) : degrees_to_string(degrees);
+  const Radians bearing = bearing_of(direction.north, direction.east);
+  const double point = degrees_of(bearing) / kDegreesPerPoint;
+  return std::abs(point - std::round(point)) < 1e-6 ? compass_point(bearing) : degrees_to_string(bearing);
 }
 
 std::string name_of(const policy::ObservationElement& element, const FixedVector<UnitNorthEast, config::kMaxActions>& actions) {

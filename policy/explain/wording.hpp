@@ -22,12 +22,12 @@ enum class Subject : std::uint8_t {
 [[nodiscard]] std::string_view to_string(Subject subject);
 
 /// A bearing in whole degrees, "000°" to "359°".
-/// @param degrees  clockwise from north, above -360
-[[nodiscard]] std::string degrees_to_string(double degrees);
+/// @param bearing  clockwise from north
+[[nodiscard]] std::string degrees_to_string(Radians bearing);
 
 /// The nearest of the sixteen points of the compass, "NNE".
-/// @param degrees  clockwise from north, above -360
-[[nodiscard]] std::string compass_point(double degrees);
+/// @param bearing  clockwise from north
+[[nodiscard]] std::string compass_point(Radians bearing);
 
 /// "N", "NE", "NNE" where a direction is one of the sixteen points of the compass; otherwise degrees, "014°".
 [[nodiscard]] std::string direction_name(const UnitNorthEast& direction);

@@ -20,6 +20,7 @@
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/mission/policy_file.hpp"
 #include "firmware/host/mission/tables_file.hpp"
+#include "firmware/host/policy/policy_bytes.hpp"
 #include "policy/own_search/own_files.hpp"
 #include "policy/own_search/own_policy.hpp"
 #include "sim/search/scenario/scenario_file.hpp"
@@ -127,6 +128,7 @@ void judge(const fs::path& here, FliesBy by) {
   const host::MissionFile file = host::load_mission(mission);
   host::require_ports_for_sea(file, mission);
   const host::SignedPolicy policy = host::load_policy(file.policy, file.public_key);
+  host::require_repeats_golden(*policy.policy, file.policy);
   host::check_fits(*policy.policy, file.policy, file.mission, mission);
   (void)search::load_scenario(here / kOceanFile);
   if (by == FliesBy::kTablesToBeMade) return;

@@ -37,15 +37,15 @@ std::string place_to_string(NorthEast place) {
 }
 
 /// Clockwise from north.
-double bearing_deg(NorthEast from, NorthEast to) {
+Radians bearing_between(NorthEast from, NorthEast to) {
   const NorthEast way = to - from;
-  return bearing_of(way.north.value, way.east.value).value * 180.0 / std::numbers::pi;
+  return bearing_of(way.north.value, way.east.value);
 }
 
 /// "3.2 km NE"
 std::string likeliest_place(const DecisionAccount& a) {
   const NorthEast likeliest = a.area.south_west + a.place.likeliest;
-  return km(range_between(a.decision.position, likeliest)) + " " + explain::compass_point(bearing_deg(a.decision.position, likeliest));
+  return km(range_between(a.decision.position, likeliest)) + " " + explain::compass_point(bearing_between(a.decision.position, likeliest));
 }
 
 std::string measured_sentence(const DecisionAccount& a) {
@@ -57,7 +57,7 @@ std::string measured_sentence(const DecisionAccount& a) {
 }
 
 std::string belief_sentence(const DecisionAccount& a) {
-  const double bearing = bearing_deg(a.decision.position, a.area.south_west + a.place.likeliest);
+  const Radians bearing = bearing_between(a.decision.position, a.area.south_west + a.place.likeliest);
   return std::string(a.belief_is_the_policys ? "It believes" : "An observer would believe (this policy holds no belief)") +
          " that the source is most likely " + likeliest_place(a) + " (bearing " + explain::degrees_to_string(bearing) +
          ", the likeliest single place of a belief that is spread); with 50 % it lies within " + square_km(a.place.smallest_area_km2(0.5)) +
@@ -246,9 +246,8 @@ std::string to_string(const policy::Reception& reception) {
 
 std::string to_string(const messages::Bearing& bearing) {
   constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
-  std::string text = explain::degrees_to_string(bearing.direction.value * kDegreesPerRadian);
-  if (bearing.mirror_axis)
-    text += " or " + explain::degrees_to_string((2.0 * *bearing.mirror_axis - bearing.direction).value * kDegreesPerRadian);
+  std::string text = explain::degrees_to_string(bearing.direction);
+  if (bearing.mirror_axis) text += " or " + explain::degrees_to_string(2.0 * *bearing.mirror_axis - bearing.direction);
   return text + " \u00B1 " + fixed(bearing.deviation.value * kDegreesPerRadian, 0) + "\u00B0";
 }
 

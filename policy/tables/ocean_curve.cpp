@@ -102,7 +102,7 @@ std::vector<OceanCurve> curves_of(const BelievedOcean& ocean, const CurvePlan& p
     const search::SnrFan fan = fan_about_source(environment, plan);
     return curves_of_fans(ocean, std::span(&fan, 1), plan);
   }
-  const Meters floor = sonar::deepest_sea_floor(environment, environment.source.position, Radians{}, plan.furthest());
+  const Meters floor = sonar::deepest_sea_floor(environment, environment.source.position, 1, plan.furthest());
   if (!(plan.vehicle_depth < floor)) return {};
   return {curve_everywhere(ocean, plan)};
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sim/field_library/store.hpp"
+#include "sim/ocean/section_along.hpp"
 #include "sim/parallel/ordered_tasks.hpp"
 
 namespace earshot::field_library {
@@ -34,8 +35,9 @@ class Slots {
 
 void compute_into(std::span<float> loss_db, const LibraryPlan& plan, NorthEast position, std::size_t bearing) {
   std::vector<float> sea_floor(plan.fan.radial.ranges);
-  sonar::compute_radial(plan.environment, position, sonar::bearing_of(bearing, plan.fan.bearings), plan.fan.radial,
-                        {.transmission_loss_db = loss_db, .sea_floor_depth_m = sea_floor});
+  const ocean::Section section =
+      ocean::section_along(plan.environment, position, sonar::bearing_of(bearing, plan.fan.bearings), plan.fan.radial.max_range());
+  sonar::compute_radial(section, plan.environment.name, plan.fan.radial, {.transmission_loss_db = loss_db, .sea_floor_depth_m = sea_floor});
 }
 
 /// Positions still to do, in order; those without water are marked at once.

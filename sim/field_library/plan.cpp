@@ -81,8 +81,8 @@ std::optional<ocean::Band> read_band(TableReader table) {
 void require_depths_in_water(const std::filesystem::path& path, const LibraryPlan& plan) {
   if (sonar::differs_with_place(plan.environment)) return;
   const sonar::RadialPlan& radial = plan.fan.radial;
-  const Meters reach = static_cast<double>(radial.ranges) * radial.range_step;
-  const double floor_m = sonar::deepest_sea_floor(plan.environment, {}, Radians{}, reach).value;
+  const ocean::Section section = ocean::section_along(plan.environment, {}, Radians{}, radial.max_range());
+  const double floor_m = sonar::deepest_sea_floor(section, radial.max_range()).value;
   if (radial.depth_m.back() <= floor_m) return;
   std::ostringstream text;
   text << path.string() << ": " << (plan.centre == Centre::kSource ? "receiver_depth_m" : "source_depth_m") << " = "
@@ -102,7 +102,7 @@ bool is_in_water(const LibraryPlan& plan, NorthEast position) {
 }
 
 void require_on_chart(const LibraryPlan& plan, NorthEast position) {
-  const Meters max_range = static_cast<double>(plan.fan.radial.ranges) * plan.fan.radial.range_step;
+  const Meters max_range = plan.fan.radial.max_range();
   const std::size_t stride = std::max<std::size_t>(1, plan.fan.bearings / kBearingsLookedAt);
   for (std::size_t j = 0; j < plan.fan.bearings; j += stride)
     (void)ocean::section_along(plan.environment, position, sonar::bearing_of(j, plan.fan.bearings), max_range);
@@ -149,8 +149,7 @@ std::optional<ocean::UnmeasuredWater> unmeasured_water(const LibraryPlan& plan) 
   if (!sonar::differs_with_place(plan.environment) || !plan.environment.charts->climatology) return thickest;
   for (const NorthEast& position : plan.positions) {
     if (!is_in_water(plan, position)) continue;
-    const Meters max_range = static_cast<double>(plan.fan.radial.ranges) * plan.fan.radial.range_step;
-    const auto here = sonar::unmeasured_water(plan.environment, position, kBearingsLookedAt, max_range);
+    const auto here = sonar::unmeasured_water(plan.environment, position, kBearingsLookedAt, plan.fan.radial.max_range());
     if (here && (!thickest || here->thickness() > thickest->thickness())) thickest = here;
   }
   return thickest;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "sim/ocean/section_along.hpp"
 #include "sim/parallel/ordered_tasks.hpp"
 
 namespace earshot::sonar {
@@ -11,7 +12,8 @@ namespace earshot::sonar {
 Meters deepest_sea_floor(const ocean::Environment& environment, NorthEast centre, std::size_t bearings, Meters max_range) {
   Meters deepest;
   for (std::size_t j = 0; j < (differs_with_place(environment) ? bearings : 1); ++j)
-    deepest = std::max(deepest, deepest_sea_floor(environment, centre, bearing_of(j, bearings), max_range));
+    deepest =
+        std::max(deepest, deepest_sea_floor(ocean::section_along(environment, centre, bearing_of(j, bearings), max_range), max_range));
   return deepest;
 }
 
@@ -19,7 +21,7 @@ std::optional<ocean::UnmeasuredWater> unmeasured_water(const ocean::Environment&
                                                        Meters max_range) {
   std::optional<ocean::UnmeasuredWater> thickest;
   for (std::size_t j = 0; j < (differs_with_place(environment) ? bearings : 1); ++j) {
-    const auto here = unmeasured_water(environment, centre, bearing_of(j, bearings), max_range);
+    const auto here = ocean::section_along(environment, centre, bearing_of(j, bearings), max_range).unmeasured;
     if (here && (!thickest || here->thickness() > thickest->thickness())) thickest = here;
   }
   return thickest;
@@ -42,7 +44,8 @@ Fan make_fan(NorthEast centre, const FanPlan& plan) {
 
 void fill_bearing(const ocean::Environment& environment, const FanPlan& plan, std::size_t bearing, Fan& fan) {
   const std::size_t radial_size = fan.ranges * fan.depth_m.size();
-  compute_radial(environment, fan.centre, bearing_of(bearing, plan.bearings), plan.radial,
+  compute_radial(ocean::section_along(environment, fan.centre, bearing_of(bearing, plan.bearings), plan.radial.max_range()),
+                 environment.name, plan.radial,
                  {.transmission_loss_db = std::span(fan.transmission_loss_db).subspan(bearing * radial_size, radial_size),
                   .sea_floor_depth_m = std::span(fan.sea_floor_depth_m).subspan(bearing * fan.ranges, fan.ranges)});
 }

@@ -79,7 +79,7 @@ struct FanPlan {
 };
 
 /// @param threads  on which radials are computed; the result is the same bit for bit whatever their number
-/// One march serves all bearings when the ocean does not differ with place. Throws as compute_radial does.
+/// One march serves all bearings when the ocean does not differ with place. Throws as ocean::section_along and compute_radial do.
 /// Oracle: Fan.*
 [[nodiscard]] Fan compute_fan(const ocean::Environment& environment, NorthEast centre, const FanPlan& plan, std::size_t threads,
                               const pe::Progress& progress = {});
@@ -87,10 +87,10 @@ struct FanPlan {
 /// More is refused, by libraries and by `earshot field`: 256 MB of loss, of which a march and its files need a few times as much.
 inline constexpr double kMostFanValues = 64e6;
 
-/// The deepest sea floor on any radial. Throws as compute_radial does for the charts: it looks at all that the radials need.
+/// The deepest sea floor on any radial. Throws as ocean::section_along does: it looks at all that the radials need.
 [[nodiscard]] Meters deepest_sea_floor(const ocean::Environment& environment, NorthEast centre, std::size_t bearings, Meters max_range);
 
-/// The thickest water on any radial that was not measured but extended, if any. Throws as compute_radial does for the charts.
+/// The thickest water on any radial that was not measured but extended, if any. Throws as ocean::section_along does.
 [[nodiscard]] std::optional<ocean::UnmeasuredWater> unmeasured_water(const ocean::Environment& environment, NorthEast centre,
                                                                      std::size_t bearings, Meters max_range);
 

@@ -50,7 +50,7 @@ void write_field(const std::filesystem::path& path, const SonarField& field, con
                  const ocean::Band& band, const std::string& history) {
   Writer file(path);
   write_provenance(file, "Sound field of one source", environment, history);
-  write_unmeasured(file, unmeasured_water(environment, environment.source.position, bearing, Meters{field.range_m.back()}));
+  write_unmeasured(file, field.unmeasured);
   write_axes(file, field);
   write_scene(file, environment, band);
   write_scalar(file, "bearing", "bearing of the radial from the source, clockwise from grid north", "degree",

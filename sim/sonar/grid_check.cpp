@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "sim/ocean/section_along.hpp"
 #include "sim/pe/absorber.hpp"
 #include "sim/pe/depth_grid.hpp"
 #include "sim/pe/grid_choice.hpp"
@@ -24,7 +23,7 @@ double absorber_wavelengths(const ocean::Section& section, Hertz frequency, Mete
 
 /// The solver's own steps made explicit: several rows of the result to a range step, or several steps to a row.
 pe::Options explicit_grid(const ocean::Section& section, const RadialPlan& plan) {
-  const Meters max_range = static_cast<double>(plan.ranges) * plan.range_step;
+  const Meters max_range = plan.max_range();
   const pe::GridChoice choice = pe::choose_grid(section, plan.band.high, max_range, plan.options.accuracy);
   const Meters longest = plan.options.range_step.value_or(choice.range_step);
   const double rows_per_step = std::floor(longest / plan.range_step + 1e-9);
@@ -37,11 +36,10 @@ pe::Options explicit_grid(const ocean::Section& section, const RadialPlan& plan)
   return options;
 }
 
-std::vector<float> loss_db(const ocean::Environment& environment, NorthEast from, Radians bearing, const RadialPlan& plan,
-                           const pe::Progress& progress) {
+std::vector<float> loss_db(const ocean::Section& section, const std::string& name, const RadialPlan& plan, const pe::Progress& progress) {
   std::vector<float> loss(plan.ranges * plan.depth_m.size());
   std::vector<float> sea_floor(plan.ranges);
-  compute_radial(environment, from, bearing, plan, {.transmission_loss_db = loss, .sea_floor_depth_m = sea_floor}, progress);
+  compute_radial(section, name, plan, {.transmission_loss_db = loss, .sea_floor_depth_m = sea_floor}, progress);
   return loss;
 }
 
@@ -59,10 +57,7 @@ RadialPlan finer(RadialPlan plan) {
 
 }  // namespace
 
-GridCheck check_grid(const ocean::Environment& environment, NorthEast from, Radians bearing, const RadialPlan& plan,
-                     const pe::Progress& progress) {
-  const Meters max_range = static_cast<double>(plan.ranges) * plan.range_step;
-  const ocean::Section section = ocean::section_along(environment, from, bearing, max_range);
+GridCheck check_grid(const ocean::Section& section, const std::string& name, const RadialPlan& plan, const pe::Progress& progress) {
   RadialPlan coarse = plan;
   coarse.band = {plan.band.high, plan.band.high};
   coarse.options = explicit_grid(section, plan);
@@ -71,8 +66,8 @@ GridCheck check_grid(const ocean::Environment& environment, NorthEast from, Radi
       if (progress) progress(start + fraction * (start > 0.0 ? 0.8 : 0.2));  // the finer run takes four times as long
     };
   };
-  const std::vector<float> before = loss_db(environment, from, bearing, coarse, half_of(0.0));
-  const std::vector<float> after = loss_db(environment, from, bearing, finer(coarse), half_of(0.2));
+  const std::vector<float> before = loss_db(section, name, coarse, half_of(0.0));
+  const std::vector<float> after = loss_db(section, name, finer(coarse), half_of(0.2));
 
   GridCheck check{.depth_step = *coarse.options.depth_step,
                   .range_step = *coarse.options.range_step,

@@ -2,7 +2,7 @@
 
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
-#include "sim/ocean/environment.hpp"
+#include "sim/ocean/section.hpp"
 #include "sim/pe/options.hpp"
 #include "sim/sonar/radial.hpp"
 
@@ -19,8 +19,9 @@ struct GridCheck {
 };
 
 /// Runs the radial twice, at the highest frequency of the plan's band, which is the one that asks most of a grid.
-/// Throws as compute_radial does. Oracle: GridCheck.*
-[[nodiscard]] GridCheck check_grid(const ocean::Environment& environment, NorthEast from, Radians bearing, const RadialPlan& plan,
+/// @param section,name  as of compute_radial
+/// Throws as that does. Oracle: GridCheck.*
+[[nodiscard]] GridCheck check_grid(const ocean::Section& section, const std::string& name, const RadialPlan& plan,
                                    const pe::Progress& progress = {});
 
 }  // namespace earshot::sonar

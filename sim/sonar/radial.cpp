@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "sim/ocean/charts/charts.hpp"
-#include "sim/ocean/section_along.hpp"
 #include "sim/pe/solver.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
@@ -58,9 +57,9 @@ Intensities mean_intensity(const ocean::Section& section, const RadialPlan& plan
 }
 
 /// NaN in a field means that there is no water; a march that went wrong must not look like that.
-[[noreturn]] void throw_no_number(const ocean::Environment& environment, Meters range, double depth_m) {
+[[noreturn]] void throw_no_number(const std::string& name, Meters range, double depth_m) {
   std::ostringstream text;
-  text << environment.name << ": the solver's sound at " << range.value << " m of range and " << depth_m
+  text << name << ": the solver's sound at " << range.value << " m of range and " << depth_m
        << " m of depth is no finite number; choose another grid";
   throw std::runtime_error(text.str());
 }
@@ -79,8 +78,7 @@ bool differs_with_place(const ocean::Environment& environment) {
   return environment.charts != nullptr && (environment.charts->bathymetry || environment.charts->climatology);
 }
 
-Meters deepest_sea_floor(const ocean::Environment& environment, NorthEast from, Radians bearing, Meters max_range) {
-  const ocean::Section section = ocean::section_along(environment, from, bearing, max_range);
+Meters deepest_sea_floor(const ocean::Section& section, Meters max_range) {
   Meters deepest = std::max(ocean::sea_floor_depth(section, Meters{}), ocean::sea_floor_depth(section, max_range));
   for (const auto& station : section.sea_floor) {
     if (station.range <= max_range) deepest = std::max(deepest, station.depth);
@@ -88,22 +86,15 @@ Meters deepest_sea_floor(const ocean::Environment& environment, NorthEast from, 
   return deepest;
 }
 
-std::optional<Meters> shore_before(const ocean::Environment& environment, NorthEast from, Radians bearing, Meters first_range) {
-  const auto shore = ocean::section_along(environment, from, bearing, first_range).shore;
-  return shore && *shore < first_range ? shore : std::nullopt;
+std::optional<Meters> shore_before(const ocean::Section& section, Meters range) {
+  return section.shore && *section.shore < range ? section.shore : std::nullopt;
 }
 
-std::optional<ocean::UnmeasuredWater> unmeasured_water(const ocean::Environment& environment, NorthEast from, Radians bearing,
-                                                       Meters max_range) {
-  return ocean::section_along(environment, from, bearing, max_range).unmeasured;
-}
-
-void compute_radial(const ocean::Environment& environment, NorthEast from, Radians bearing, const RadialPlan& plan, const RadialLoss& loss,
+void compute_radial(const ocean::Section& section, const std::string& name, const RadialPlan& plan, const RadialLoss& loss,
                     const pe::Progress& progress) {
   const std::size_t depths = plan.depth_m.size();
   assert(loss.transmission_loss_db.size() == plan.ranges * depths && loss.sea_floor_depth_m.size() == plan.ranges);
-  const Meters max_range = static_cast<double>(plan.ranges) * plan.range_step;
-  const ocean::Section section = ocean::section_along(environment, from, bearing, max_range);
+  const Meters max_range = plan.max_range();
   const Meters end = section.shore ? std::min(*section.shore, max_range) : max_range;
 
   for (std::size_t i = 0; i < plan.ranges; ++i) {
@@ -121,7 +112,7 @@ void compute_radial(const ocean::Environment& environment, NorthEast from, Radia
     for (std::size_t j = 0; j < depths && column < intensity.cols(); ++j) {
       if (plan.depth_m[j] != wet_m[static_cast<std::size_t>(column)]) continue;
       const double value = intensity(i, column++);
-      if (!std::isfinite(value)) throw_no_number(environment, (static_cast<double>(i) + 1.0) * plan.range_step, plan.depth_m[j]);
+      if (!std::isfinite(value)) throw_no_number(name, (static_cast<double>(i) + 1.0) * plan.range_step, plan.depth_m[j]);
       if (in_water(plan.depth_m[j], loss.sea_floor_depth_m[row]))
         loss.transmission_loss_db[row * depths + j] = static_cast<float>(transmission_loss(value).value);
     }

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "firmware/core/geometry.hpp"
@@ -30,6 +31,8 @@ struct RadialPlan {
   std::size_t ranges;           ///< >= 1; the first at range_step
   ocean::Band band;
   pe::Options options = {};  ///< its output_step is not used
+
+  [[nodiscard]] Meters max_range() const { return static_cast<double>(ranges) * range_step; }
 };
 
 /// Transmission loss along one radial, [n_range x n_depth] with depth running fastest.
@@ -50,23 +53,19 @@ struct RadialLoss {
   return Radians{2.0 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(bearings)};
 }
 
-/// The deepest sea floor on one radial. Throws as compute_radial does for the charts: it looks at all that the radial needs.
-[[nodiscard]] Meters deepest_sea_floor(const ocean::Environment& environment, NorthEast from, Radians bearing, Meters max_range);
+/// The deepest sea floor on one radial, from its source to `max_range`.
+[[nodiscard]] Meters deepest_sea_floor(const ocean::Section& section, Meters max_range);
 
-/// Where the radial meets land, if it does so nearer than `first_range`: a field of it has no number at all.
-[[nodiscard]] std::optional<Meters> shore_before(const ocean::Environment& environment, NorthEast from, Radians bearing,
-                                                 Meters first_range);
+/// Where the radial meets land, if it does so nearer than `range`: from there on a field of it has no number.
+[[nodiscard]] std::optional<Meters> shore_before(const ocean::Section& section, Meters range);
 
-/// What of the radial's water was not measured but extended, if any. Throws as compute_radial does for the charts.
-[[nodiscard]] std::optional<ocean::UnmeasuredWater> unmeasured_water(const ocean::Environment& environment, NorthEast from, Radians bearing,
-                                                                     Meters max_range);
-
-/// Fills `loss` for the radial of `bearing` (clockwise from north) from `from`. May be called from many threads.
+/// Fills `loss` for one radial. May be called from many threads.
 ///
-/// Throws host::BadInput where a chart has no data, std::invalid_argument where the solver cannot serve, std::runtime_error
-/// where its sound is not a finite number.
+/// @param section  of the radial, as far as the plan goes: ocean::section_along
+/// @param name     of the ocean, for the exception
+/// Throws std::invalid_argument where the solver cannot serve, std::runtime_error where its sound is not a finite number.
 /// Oracle: Radial.*
-void compute_radial(const ocean::Environment& environment, NorthEast from, Radians bearing, const RadialPlan& plan, const RadialLoss& loss,
+void compute_radial(const ocean::Section& section, const std::string& name, const RadialPlan& plan, const RadialLoss& loss,
                     const pe::Progress& progress = {});
 
 }  // namespace earshot::sonar

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "sim/ocean/section_along.hpp"
 #include "sim/sonar/sonar_equation.hpp"
 
 namespace earshot::sonar {
@@ -22,27 +23,27 @@ float SonarField::snr_db(std::size_t range, std::size_t depth) const {
   return static_cast<float>(signal_to_noise(source_level, Decibels{static_cast<double>(loss_db)}, noise_level).value);
 }
 
-SonarField compute_sonar_field(const ocean::Environment& environment, Radians bearing, const RadialPlan& plan,
+SonarField compute_sonar_field(const ocean::Environment& environment, const ocean::Section& section, const RadialPlan& plan,
                                const pe::Progress& progress) {
   SonarField result{.range_m = {},
                     .depth_m = plan.depth_m,
                     .source_level = environment.source.level,
                     .noise_level = environment.noise_level,
                     .transmission_loss_db = std::vector<float>(plan.ranges * plan.depth_m.size()),
-                    .sea_floor_depth_m = std::vector<float>(plan.ranges)};
+                    .sea_floor_depth_m = std::vector<float>(plan.ranges),
+                    .unmeasured = section.unmeasured};
   for (std::size_t i = 0; i < plan.ranges; ++i) result.range_m.push_back(static_cast<double>(i + 1) * plan.range_step.value);
-  compute_radial(environment, environment.source.position, bearing, plan,
+  compute_radial(section, environment.name, plan,
                  {.transmission_loss_db = result.transmission_loss_db, .sea_floor_depth_m = result.sea_floor_depth_m}, progress);
   return result;
 }
 
 namespace {
 
-void require_receiver_in_water(const ocean::Environment& environment, Meters receiver_depth, Meters max_range) {
-  const Meters floor = deepest_sea_floor(environment, environment.source.position, Radians{}, max_range);
+void require_receiver_in_water(const std::string& name, Meters receiver_depth, Meters floor) {
   if (receiver_depth < floor) return;
   std::ostringstream text;
-  text << environment.name << ": a receiver at " << receiver_depth.value << " m must be above the sea floor, which lies at " << floor.value
+  text << name << ": a receiver at " << receiver_depth.value << " m must be above the sea floor, which lies at " << floor.value
        << " m in this ocean";
   throw std::invalid_argument(text.str());
 }
@@ -54,14 +55,15 @@ SnrCurve compute_snr_curve(const ocean::Environment& environment, Meters receive
     throw std::invalid_argument(environment.name +
                                 ": its ocean differs from bearing to bearing; one curve of SNR against range does not describe it");
   }
-  require_receiver_in_water(environment, receiver_depth, max_range);
+  const ocean::Section section = ocean::section_along(environment, environment.source.position, Radians{}, max_range);
+  require_receiver_in_water(environment.name, receiver_depth, deepest_sea_floor(section, max_range));
   constexpr Meters kStep{10.0};  // at 20 Hz the shortest interference along the range is 75 m long
   const RadialPlan plan{.source_depth = environment.source.depth,
                         .depth_m = {receiver_depth.value},
                         .range_step = kStep,
                         .ranges = std::max<std::size_t>(1, static_cast<std::size_t>(max_range / kStep + 1e-9)),
                         .band = {environment.source.frequency, environment.source.frequency}};
-  const SonarField field = compute_sonar_field(environment, Radians{}, plan);
+  const SonarField field = compute_sonar_field(environment, section, plan);
   const auto silence = static_cast<float>(signal_to_noise(environment.source.level, kMaxTransmissionLoss, environment.noise_level).value);
   std::vector<float> snr_db{0.0F};
   for (std::size_t i = 0; i < field.range_m.size(); ++i) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "firmware/host/mission/policy_file.hpp"
+#include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/runtime/runtime.hpp"
 #include "tests/fuzz/mutation.hpp"
@@ -38,6 +39,7 @@ class Run {
     if (random.next() % 4 != 0) bytes = fuzz::frozen_anew(bytes);
     try {
       const host::SignedPolicy loaded = host::signed_policy_from(std::move(bytes), "a.policy", trusted_);
+      host::require_repeats_golden(*loaded.policy, "a.policy");
       ++counts_[fuzz::flies(*loaded.policy, *runtime_, random) ? "flown within limits"
                                                                : "taken, but its area has no room for its steps, or no tables of its size"];
     } catch (const host::BadInput& refusal) {

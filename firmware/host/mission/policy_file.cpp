@@ -56,14 +56,14 @@ std::vector<std::uint8_t> read_policy_bytes(const std::filesystem::path& path) {
 
 SignedPolicy signed_policy_from(Bytes bytes, const std::filesystem::path& path, const TrustedKey& trusted) {
   // The file is taken apart before its signature is checked: parse() is built for hostile bytes, and "damaged" says more than "not signed".
-  std::unique_ptr<policy::FrozenPolicy> parsed = policy_from(bytes, path);
+  std::unique_ptr<policy::FrozenPolicy> parsed = unproven_policy_from(bytes, path);
   require_signed_by(bytes, path, trusted);
   return {.policy = std::move(parsed), .bytes = std::move(bytes), .signer = trusted.file};
 }
 
 SignedPolicy signed_policy_from(Bytes bytes, const std::filesystem::path& path, const std::vector<TrustedKey>& trusted,
                                 const std::string& trusted_by) {
-  std::unique_ptr<policy::FrozenPolicy> parsed = policy_from(bytes, path);
+  std::unique_ptr<policy::FrozenPolicy> parsed = unproven_policy_from(bytes, path);
   std::filesystem::path signer = signer_of(bytes, path, trusted, trusted_by);
   return {.policy = std::move(parsed), .bytes = std::move(bytes), .signer = std::move(signer)};
 }

@@ -21,8 +21,8 @@ struct SignedPolicy {
 
 [[nodiscard]] std::vector<std::uint8_t> read_policy_bytes(const std::filesystem::path& path);
 
-/// Reads a `.policy` file, checks that the holder of the trusted key signed it (Ed25519), its CRC-32, its sizes and
-/// numbers, and that this machine repeats its golden trajectories.
+/// Reads a `.policy` file, checks that the holder of the trusted key signed it (Ed25519), its CRC-32, its sizes and numbers. That this
+/// machine repeats its golden trajectories is for the Runtime to find that is armed with it, or for require_repeats_golden.
 /// @param public_key  file of the trusted key: 32 bytes in hexadecimal
 /// @throws host::BadInput naming the file and what is wrong with it.
 [[nodiscard]] SignedPolicy load_policy(const std::filesystem::path& path, const std::filesystem::path& public_key);

@@ -53,10 +53,14 @@ std::unique_ptr<policy::FrozenPolicy> unproven_policy_from(std::span<const std::
 
 std::unique_ptr<policy::FrozenPolicy> policy_from(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
   std::unique_ptr<policy::FrozenPolicy> policy = unproven_policy_from(bytes, path);
+  require_repeats_golden(*policy, path);
+  return policy;
+}
+
+void require_repeats_golden(const policy::FrozenPolicy& policy, const std::filesystem::path& path) {
   const auto memory = std::make_unique<policy::SearchMemory>();
   const auto tables = std::make_unique<policy::OceanTables>();
-  if (!policy::repeats_golden(*policy, *memory, *tables)) throw BadInput(to_string({.fault = PolicyFault::kGoldenMismatch}, path));
-  return policy;
+  if (!policy::repeats_golden(policy, *memory, *tables)) throw BadInput(to_string({.fault = PolicyFault::kGoldenMismatch}, path));
 }
 
 void require_provenance(std::string_view provenance, const std::filesystem::path& path) {

@@ -18,9 +18,12 @@ namespace earshot::host {
 /// @throws BadInput in one line: the file, the section and what is wrong with it
 [[nodiscard]] std::unique_ptr<policy::FrozenPolicy> policy_from(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);
 
-/// As above; bytes that are a policy, whether it repeats its golden trajectories or not.
+/// As above; bytes that are a policy, whether it repeats its golden trajectories or not: for who arms a Runtime with it, which flies them.
 [[nodiscard]] std::unique_ptr<policy::FrozenPolicy> unproven_policy_from(std::span<const std::uint8_t> bytes,
                                                                          const std::filesystem::path& path);
+
+/// @throws BadInput as above unless this program, on this machine, repeats the policy's golden trajectories.
+void require_repeats_golden(const policy::FrozenPolicy& policy, const std::filesystem::path& path);
 
 /// What a person reads of where a policy comes from must be UTF-8, "key = value" line by line; a vehicle does nothing with it.
 /// @throws BadInput as above

@@ -16,13 +16,11 @@ constexpr double kManufacturer = table::kManufacturer;
 constexpr double kMarineIndustry = 4.0;  ///< INDUSTRY_CODE
 constexpr double kYes = 1.0;             ///< YES_NO
 constexpr unsigned kSequences = 8;       ///< of a fast packet: 3 bits
-constexpr double kTwoPi = 6.283185307179586;
 
 }  // namespace
 
 Status compose_setpoint(const messages::Setpoint& setpoint, std::uint8_t source, std::uint8_t sequence, SetpointFrames& frames) {
   if (!is_finite(setpoint.heading.value)) return Status::kOutOfRange;
-  const double heading = wrap_to_pi(setpoint.heading).value;
   Frame speed_depth;
   Status status = MessageWriter(table::kSpeedDepth)
                       .set("ManufacturerCode", kManufacturer)
@@ -37,7 +35,7 @@ Status compose_setpoint(const messages::Setpoint& setpoint, std::uint8_t source,
   MessageWriter control(table::kHeadingControl);
   control.set("SteeringMode", kHeadingControl)
       .set("HeadingReference", kTrueNorth)
-      .set("HeadingToSteer", heading < 0.0 ? heading + kTwoPi : heading);
+      .set("HeadingToSteer", wrap_to_two_pi(setpoint.heading).value);
   if (control.status() != Status::kOk) return control.status();
   FastPacketFrames packet;
   status = compose_fast_packet(control.identifier(source), sequence, control.bytes(), packet);

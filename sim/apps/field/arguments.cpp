@@ -173,17 +173,24 @@ void require_writable(const FieldArguments& arguments, const ocean::Environment&
   host::require_writable(std::move(read), outputs, host::replaced_by(arguments.force));
 }
 
-sonar::RadialPlan plan_radial(const FieldArguments& arguments, const ocean::Environment& environment, double default_step_wavelengths,
-                              Meters deepest_sea_floor) {
-  sonar::RadialPlan plan{.source_depth = environment.source.depth,
-                         .depth_m = receiver_depths(arguments, deepest_sea_floor),
-                         .range_step = {},
-                         .ranges = 1,
-                         .band = band_of(arguments, environment)};
+sonar::RadialPlan plan_radial(const FieldArguments& arguments, const ocean::Environment& environment, double default_step_wavelengths) {
+  sonar::RadialPlan plan{
+      .source_depth = environment.source.depth, .depth_m = {}, .range_step = {}, .ranges = 1, .band = band_of(arguments, environment)};
   constexpr double kSoundSpeed_mps = 1500.0;
   const double automatic_m = default_step_wavelengths * kSoundSpeed_mps / plan.band.high.value;
   plan.range_step = Meters{arguments.output_step_m.value_or(arguments.range_step_m.value_or(automatic_m))};
   plan.ranges = std::max<std::size_t>(1, static_cast<std::size_t>(1000.0 * arguments.max_range_km / plan.range_step.value + 1e-9));
+  plan.options.terms = arguments.terms;
+  plan.options.absorber_wavelengths = arguments.absorber_wavelengths;
+  plan.options.starter = arguments.starter == "gaussian" ? pe::Starter::kGaussian : pe::Starter::kSelf;
+  plan.options.accuracy = Decibels{arguments.accuracy_db};
+  if (arguments.range_step_m) plan.options.range_step = Meters{*arguments.range_step_m};
+  if (arguments.depth_step_m) plan.options.depth_step = Meters{*arguments.depth_step_m};
+  return plan;
+}
+
+void plan_depths(const FieldArguments& arguments, Meters deepest_sea_floor, sonar::RadialPlan& plan) {
+  plan.depth_m = receiver_depths(arguments, deepest_sea_floor);
   const double values = static_cast<double>(std::max<std::size_t>(1, arguments.radials)) * static_cast<double>(plan.ranges) *
                         static_cast<double>(plan.depth_m.size());
   if (values > sonar::kMostFanValues) {
@@ -192,13 +199,6 @@ sonar::RadialPlan plan_radial(const FieldArguments& arguments, const ocean::Envi
          << sonar::kMostFanValues << "; take a longer step, fewer depths or a shorter range";
     throw std::invalid_argument(text.str());
   }
-  plan.options.terms = arguments.terms;
-  plan.options.absorber_wavelengths = arguments.absorber_wavelengths;
-  plan.options.starter = arguments.starter == "gaussian" ? pe::Starter::kGaussian : pe::Starter::kSelf;
-  plan.options.accuracy = Decibels{arguments.accuracy_db};
-  if (arguments.range_step_m) plan.options.range_step = Meters{*arguments.range_step_m};
-  if (arguments.depth_step_m) plan.options.depth_step = Meters{*arguments.depth_step_m};
-  return plan;
 }
 
 sonar::Detector detector_of(const FieldArguments& arguments, const ocean::Environment& environment) {

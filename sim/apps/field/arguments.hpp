@@ -53,10 +53,13 @@ void require_consistent(const program::CommandLine& line, const FieldArguments& 
 /// @param environment  as it was read from its file
 void require_writable(const FieldArguments& arguments, const ocean::Environment& environment);
 
+/// All of a plan but its depths, for which the sea floor must be known.
 /// @param default_step_wavelengths  between ranges written where the command line names none
-/// Throws std::invalid_argument naming a depth that no radial has water at, and for more values than kMostFanValues.
 [[nodiscard]] sonar::RadialPlan plan_radial(const FieldArguments& arguments, const ocean::Environment& environment,
-                                            double default_step_wavelengths, Meters deepest_sea_floor);
+                                            double default_step_wavelengths);
+
+/// Throws std::invalid_argument naming a depth that no radial has water at, and for more values than kMostFanValues.
+void plan_depths(const FieldArguments& arguments, Meters deepest_sea_floor, sonar::RadialPlan& plan);
 
 [[nodiscard]] sonar::Detector detector_of(const FieldArguments& arguments, const ocean::Environment& environment);
 

@@ -13,6 +13,7 @@
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/text/numbers.hpp"
 #include "sim/apps/field/modes.hpp"
+#include "sim/ocean/section_along.hpp"
 #include "sim/parallel/ordered_tasks.hpp"
 #include "sim/plot/field_plot.hpp"
 #include "sim/sonar/detection.hpp"
@@ -78,8 +79,9 @@ void print_check(const ocean::Environment& environment, const sonar::RadialPlan&
   {
     program::ProgressBar bar("check");
     for (int i = 0; i < bearings; ++i)
-      checks.push_back(sonar::check_grid(environment, environment.source.position, Radians{0.5 * std::numbers::pi * i}, plan,
-                                         [&bar, i, bearings](double f) { bar.update((i + f) / bearings); }));
+      checks.push_back(sonar::check_grid(
+          ocean::section_along(environment, environment.source.position, Radians{0.5 * std::numbers::pi * i}, plan.max_range()),
+          environment.name, plan, [&bar, i, bearings](double f) { bar.update((i + f) / bearings); }));
   }
   int degrees = 0;
   for (const sonar::GridCheck& check : checks) {
@@ -95,7 +97,8 @@ void require_water(const ocean::Environment& environment, const sonar::FanPlan& 
   std::vector<double> dry_deg;
   for (std::size_t j = 0; j < (sonar::differs_with_place(environment) ? plan.bearings : 1); ++j) {
     const Radians bearing = sonar::bearing_of(j, plan.bearings);
-    if (sonar::shore_before(environment, environment.source.position, bearing, plan.radial.range_step))
+    const Meters first_range = plan.radial.range_step;
+    if (sonar::shore_before(ocean::section_along(environment, environment.source.position, bearing, first_range), first_range))
       dry_deg.push_back(bearing.value * 180.0 / std::numbers::pi);
   }
   if (dry_deg.empty()) return;
@@ -112,8 +115,8 @@ void write_fan(const FieldArguments& arguments) {
   const auto environment = environment_in(arguments.environment);
   require_writable(arguments, environment);
   const NorthEast source = environment.source.position;
-  const Meters deepest = sonar::deepest_sea_floor(environment, source, arguments.radials, Meters{1000.0 * arguments.max_range_km});
-  const sonar::FanPlan plan{.bearings = arguments.radials, .radial = plan_radial(arguments, environment, 1.0 / 3.0, deepest)};
+  sonar::FanPlan plan{.bearings = arguments.radials, .radial = plan_radial(arguments, environment, 1.0 / 3.0)};
+  plan_depths(arguments, sonar::deepest_sea_floor(environment, source, plan.bearings, plan.radial.max_range()), plan.radial);
   require_water(environment, plan);
 
   const sonar::Fan fan = [&] {

@@ -8,6 +8,7 @@
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "sim/apps/field/modes.hpp"
+#include "sim/ocean/section_along.hpp"
 #include "sim/plot/field_plot.hpp"
 #include "sim/search/scenario/scenario_file.hpp"
 #include "sim/sonar/field_file.hpp"
@@ -17,18 +18,18 @@
 namespace earshot::field {
 namespace {
 
-void print_check(const ocean::Environment& environment, Radians bearing, const sonar::RadialPlan& plan) {
+void print_check(const ocean::Section& section, const std::string& name, const sonar::RadialPlan& plan) {
   const auto check = [&] {
     program::ProgressBar bar("check");
-    return sonar::check_grid(environment, environment.source.position, bearing, plan, [&bar](double f) { bar.update(f); });
+    return sonar::check_grid(section, name, plan, [&bar](double f) { bar.update(f); });
   }();
   program::say() << "check:   absorber thicker, grid of " << check.depth_step.value << " m x " << check.range_step.value << " m halved at "
                  << plan.band.high.value << " Hz: loss changes by " << check.mean_db << " dB in the mean, " << check.max_db
                  << " dB at most (range " << check.range_of_max.value / 1000.0 << " km, depth " << check.depth_of_max.value << " m)\n";
 }
 
-void require_water(const ocean::Environment& environment, Radians bearing, Meters first_range) {
-  const auto shore = sonar::shore_before(environment, environment.source.position, bearing, first_range);
+void require_water(const ocean::Section& section, Radians bearing, Meters first_range) {
+  const auto shore = sonar::shore_before(section, first_range);
   if (!shore) return;
   std::ostringstream text;
   text << "--bearing-deg = " << bearing.value * 180.0 / std::numbers::pi << ": meets land " << shore->value
@@ -37,8 +38,8 @@ void require_water(const ocean::Environment& environment, Radians bearing, Meter
 }
 
 /// Beyond a shore there is no field: what the numbers that are missing mean.
-void warn_of_land(const ocean::Environment& environment, Radians bearing, Meters last_range) {
-  const auto shore = sonar::shore_before(environment, environment.source.position, bearing, last_range);
+void warn_of_land(const ocean::Section& section, Meters last_range) {
+  const auto shore = sonar::shore_before(section, last_range);
   if (!shore) return;
   std::ostringstream text;
   text << "the bearing meets land " << shore->value << " m from the source: from there on the field holds no number";
@@ -86,14 +87,14 @@ void write_radial(const FieldArguments& arguments) {
   const auto environment = environment_in(arguments.environment);
   require_writable(arguments, environment);
   const Radians bearing{arguments.bearing_deg * std::numbers::pi / 180.0};
-  const Meters deepest =
-      sonar::deepest_sea_floor(environment, environment.source.position, bearing, Meters{1000.0 * arguments.max_range_km});
-  const sonar::RadialPlan plan = plan_radial(arguments, environment, 1.0 / 6.0, deepest);
-  require_water(environment, bearing, plan.range_step);
+  sonar::RadialPlan plan = plan_radial(arguments, environment, 1.0 / 6.0);
+  const ocean::Section section = ocean::section_along(environment, environment.source.position, bearing, plan.max_range());
+  plan_depths(arguments, sonar::deepest_sea_floor(section, plan.max_range()), plan);
+  require_water(section, bearing, plan.range_step);
 
   const auto field = [&] {
     program::ProgressBar bar("field");
-    return sonar::compute_sonar_field(environment, bearing, plan, [&bar](double fraction) { bar.update(fraction); });
+    return sonar::compute_sonar_field(environment, section, plan, [&bar](double fraction) { bar.update(fraction); });
   }();
   sonar::write_field(arguments.output, field, environment, bearing, plan.band, arguments.history);
   if (!arguments.plot.empty())
@@ -102,9 +103,9 @@ void write_radial(const FieldArguments& arguments) {
   program::say() << "ocean:   " << ocean_to_string(environment, plan.band) << '\n'
                  << "field:   " << ranges_to_string(field) << ", " << depths_to_string(field) << '\n'
                  << "written: " << arguments.output << (arguments.plot.empty() ? "" : ", " + arguments.plot) << '\n';
-  warn(sonar::unmeasured_water(environment, environment.source.position, bearing, Meters{field.range_m.back()}));
-  warn_of_land(environment, bearing, Meters{field.range_m.back()});
-  if (arguments.check) print_check(environment, bearing, plan);
+  warn(field.unmeasured);
+  warn_of_land(section, plan.max_range());
+  if (arguments.check) print_check(section, environment.name, plan);
 }
 
 }  // namespace earshot::field

@@ -29,22 +29,20 @@ std::uint32_t crc32_of(const GeoAxes& axes, std::uint32_t previous) {
   return crc32_of(axes.longitude_deg, crc32_of(axes.latitude_deg, previous));
 }
 
-/// The water, from wherever it comes; CRC of the data goes on from `crc`, and its files join those of the environment.
+/// The water that data gives; CRC of the data goes on from `crc`, and its files join those of the environment.
 void take_water(Environment& environment, Charts& charts, const EnvironmentKeys& keys, std::uint32_t& crc) {
-  environment.water = keys.water.profile;
-  environment.water_stations = keys.water.stations;
-  if (keys.water.from == WaterSource::kCsv) {
+  if (const auto* csv = std::get_if<WaterCsv>(&keys.water)) {
     const double latitude_deg = keys.origin ? keys.origin->latitude_deg : 45.0;
-    auto stations = read_profile_csv(keys.water.csv, Radians{latitude_deg * std::numbers::pi / 180.0}, keys.water.formula);
+    auto stations = read_profile_csv(csv->file, Radians{latitude_deg * std::numbers::pi / 180.0}, csv->formula);
     environment.water = stations.front().profile;
     if (stations.size() > 1) environment.water_stations = std::move(stations);
-    crc = host::crc32_of_file(keys.water.csv, crc);
-    environment.files.push_back(keys.water.csv);
-  } else if (keys.water.from == WaterSource::kAtlas) {
-    charts.climatology = read_world_ocean_atlas(keys.water.atlas, *keys.origin, keys.water.reach);
-    charts.formula = keys.water.formula;
-    environment.files.push_back(keys.water.atlas.temperature);
-    environment.files.push_back(keys.water.atlas.salinity);
+    crc = host::crc32_of_file(csv->file, crc);
+    environment.files.push_back(csv->file);
+  } else if (const auto* atlas = std::get_if<WaterAtlas>(&keys.water)) {
+    charts.climatology = read_world_ocean_atlas(atlas->files, *keys.origin, atlas->reach);
+    charts.formula = atlas->formula;
+    environment.files.push_back(atlas->files.temperature);
+    environment.files.push_back(atlas->files.salinity);
     crc = crc32_of(charts.climatology->depth_m, crc32_of(charts.climatology->axes, crc));
     crc = crc32_of(charts.climatology->salinity_psu, crc32_of(charts.climatology->temperature_c, crc));
   }
@@ -104,14 +102,8 @@ void check_against_data(const std::filesystem::path& path, const Environment& en
 
 Environment environment_of(const std::filesystem::path& path, const EnvironmentKeys& keys) {
   std::uint32_t crc = host::crc32_of_file(path);
-  Environment environment{.name = keys.name,
-                          .water = {},
-                          .seabed = keys.seabed.seabed,
-                          .source = keys.source,
-                          .noise_level = keys.noise_level,
-                          .absorption_db_per_km = keys.absorption_db_per_km,
-                          .sediment_stations = keys.seabed.stations,
-                          .files = {path}};
+  Environment environment = keys.environment;
+  environment.files = {path};
   auto charts = std::make_shared<Charts>(Charts{.grid = {keys.origin.value_or(GeoPosition{})}, .bathymetry = {}, .climatology = {}});
   take_water(environment, *charts, keys, crc);
   take_sea_floor(environment, *charts, keys, crc);

@@ -38,13 +38,13 @@ BathymetryKeys read_bathymetry(const host::TomlFile& file, TableReader table) {
 }
 
 /// Tables of depths reach as deep as a flat sea floor.
-void check_reach(TableReader& water, const EnvironmentKeys& keys) {
+void check_reach(TableReader& water, const Environment& environment) {
   const auto is_short = [&](const SoundSpeedProfile& profile) {
     const auto* table = std::get_if<TabulatedProfile>(&profile);
-    return table != nullptr && !table->depth_m.empty() && table->depth_m.back() < keys.seabed.seabed.depth.value;
+    return table != nullptr && !table->depth_m.empty() && table->depth_m.back() < environment.seabed.depth.value;
   };
-  const auto& stations = keys.water.stations;
-  if (is_short(keys.water.profile) || std::any_of(stations.begin(), stations.end(), [&](const auto& s) { return is_short(s.profile); })) {
+  const auto& stations = environment.water_stations;
+  if (is_short(environment.water) || std::any_of(stations.begin(), stations.end(), [&](const auto& s) { return is_short(s.profile); })) {
     water.problem("depth_m", "must extend from 0 to seabed.depth_m");
   }
 }
@@ -55,28 +55,27 @@ EnvironmentKeys read_environment_keys(const host::TomlFile& file, const FurtherT
   TableReader root = file.root();
   TableReader source = root.table("source");
   TableReader water = root.table("water");
-  EnvironmentKeys keys{.name = root.text("name"),
-                       .source = read_source(source),
-                       .noise_level = read_noise(root.table("noise")),
-                       .origin = {},
-                       .water = read_water(file, water),
-                       .seabed = {},
-                       .bathymetry = {}};
+  EnvironmentKeys keys;
+  Environment& environment = keys.environment;
+  environment.name = root.text("name");
+  environment.source = read_source(source);
+  environment.noise_level = read_noise(root.table("noise"));
+  keys.water = read_water(file, water, environment);
   if (const auto origin = root.optional_table("origin")) keys.origin = read_origin(*origin);
   if (const auto absorption = root.optional_table("absorption")) {
-    keys.absorption_db_per_km = read_absorption(*absorption, keys.source.frequency);
+    environment.absorption_db_per_km = read_absorption(*absorption, environment.source.frequency);
   }
   if (const auto bathymetry = root.optional_table("bathymetry")) keys.bathymetry = read_bathymetry(file, *bathymetry);
-  keys.seabed = read_seabed(root.table("seabed"), keys.bathymetry ? SeaFloorDepth::kGivenByBathymetry : SeaFloorDepth::kGivenHere);
+  read_seabed(root.table("seabed"), keys.bathymetry ? SeaFloorDepth::kGivenByBathymetry : SeaFloorDepth::kGivenHere, environment);
   if (further) further(file, root, keys);
   const bool chart = keys.bathymetry && keys.bathymetry->layout != BathymetryLayout::kSectionCsv;
-  if (!keys.origin && (chart || keys.water.from == WaterSource::kAtlas)) {
+  if (!keys.origin && (chart || std::holds_alternative<WaterAtlas>(keys.water))) {
     root.problem("origin", "must be there, with latitude_deg and longitude_deg: where north_m = 0, east_m = 0 lies on the charts");
   }
   file.finish();
   if (!keys.bathymetry) {  // how values that are right by themselves fit each other
-    check_reach(water, keys);
-    if (!(keys.source.depth < keys.seabed.seabed.depth)) source.problem("depth_m", "must be less than seabed.depth_m");
+    check_reach(water, environment);
+    if (!(environment.source.depth < environment.seabed.depth)) source.problem("depth_m", "must be less than seabed.depth_m");
   }
   file.finish();
   return keys;

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
-#include <string>
+#include <variant>
 
 #include "firmware/host/toml/table_reader.hpp"
 #include "sim/ocean/charts/geography.hpp"
@@ -22,16 +22,14 @@ struct BathymetryKeys {
   Meters reach;
 };
 
-/// What an environment file itself says of its ocean, before the data files it names are read.
+/// What an environment file says, before the data files it names are read.
 struct EnvironmentKeys {
-  std::string name;
-  Source source;
-  Decibels noise_level;
-  double absorption_db_per_km = 0.0;
+  Environment environment;  ///< as far as it stands in the file itself
   std::optional<GeoPosition> origin;
-  WaterKeys water;
-  SeabedKeys seabed;
+  WaterData water;
   std::optional<BathymetryKeys> bathymetry;
+
+  [[nodiscard]] bool has_water_data() const { return !std::holds_alternative<std::monostate>(water); }
 };
 
 /// Reads tables of the same file that are not the ocean's, such as those of a search in it. Its problems are reported with the others.

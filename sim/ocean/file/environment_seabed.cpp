@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace earshot::ocean {
 namespace {
@@ -72,25 +73,25 @@ std::vector<SedimentStation> read_stations(TableReader& table) {
 
 }  // namespace
 
-SeabedKeys read_seabed(TableReader table, SeaFloorDepth depth) {
-  SeabedKeys keys{.seabed = {.depth = Meters{1.0}, .layers = {}}, .stations = {}};
+void read_seabed(TableReader table, SeaFloorDepth depth, Environment& environment) {
+  Seabed& seabed = environment.seabed;
+  seabed.depth = Meters{1.0};
   if (depth == SeaFloorDepth::kGivenHere) {
-    keys.seabed.depth = Meters{table.number("depth_m", Range::above_up_to(0.0, kMaxDepth_m))};
+    seabed.depth = Meters{table.number("depth_m", Range::above_up_to(0.0, kMaxDepth_m))};
   } else if (table.has("depth_m")) {
     (void)table.number("depth_m");
     table.problem("depth_m", "must be left out, [bathymetry] gives it");
   }
   if (table.has("stations")) {
-    keys.stations = read_stations(table);
-    if (!keys.stations.empty()) keys.seabed.layers = keys.stations.front().layers;
+    environment.sediment_stations = read_stations(table);
+    if (!environment.sediment_stations.empty()) seabed.layers = environment.sediment_stations.front().layers;
     if (table.has("layers")) {
       (void)table.tables("layers");
       table.problem("layers", "must be left out, the stations have their own");
     }
   } else {
-    keys.seabed.layers = read_layers(table);
+    seabed.layers = read_layers(table);
   }
-  return keys;
 }
 
 }  // namespace earshot::ocean

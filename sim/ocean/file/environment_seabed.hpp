@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "firmware/host/toml/table_reader.hpp"
 #include "sim/ocean/environment.hpp"
 
@@ -9,12 +7,7 @@ namespace earshot::ocean {
 
 enum class SeaFloorDepth : bool { kGivenHere, kGivenByBathymetry };
 
-struct SeabedKeys {
-  Seabed seabed;  ///< its depth 1 m if that is given by [bathymetry]
-  std::vector<SedimentStation> stations;
-};
-
-/// The table [seabed] of an environment file.
-[[nodiscard]] SeabedKeys read_seabed(host::TableReader table, SeaFloorDepth depth);
+/// The table [seabed] of an environment file, into `environment`. Its depth is 1 m if that is given by [bathymetry].
+void read_seabed(host::TableReader table, SeaFloorDepth depth, Environment& environment);
 
 }  // namespace earshot::ocean

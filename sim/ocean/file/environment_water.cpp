@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace earshot::ocean {
 namespace {
@@ -60,34 +61,32 @@ SoundSpeedFormula read_formula(TableReader& table) {
 
 }  // namespace
 
-WaterKeys read_water(const host::TomlFile& file, TableReader table) {
-  WaterKeys keys;
+WaterData read_water(const host::TomlFile& file, TableReader table, Environment& environment) {
   switch (table.choice("profile", {"munk", "table", "csv", "woa"})) {
     case 1:
       if (table.has("stations")) {
-        keys.stations = read_stations(table);
-        if (!keys.stations.empty()) keys.profile = keys.stations.front().profile;
+        environment.water_stations = read_stations(table);
+        if (!environment.water_stations.empty()) environment.water = environment.water_stations.front().profile;
       } else {
-        keys.profile = read_table(table);
+        environment.water = read_table(table);
       }
-      break;
-    case 2:
-      keys.from = WaterSource::kCsv;
-      keys.csv = file.resolve(table.text("file"));
-      keys.formula = read_formula(table);
-      break;
+      return {};
+    case 2: {
+      const std::string csv = table.text("file");
+      return WaterCsv{.file = file.resolve(csv), .formula = read_formula(table)};
+    }
     case 3: {
-      keys.from = WaterSource::kAtlas;
       const std::string temperature = table.text("temperature_file");
-      keys.atlas = {.temperature = file.resolve(temperature), .salinity = file.resolve(table.text_or("salinity_file", temperature))};
-      keys.formula = read_formula(table);
-      keys.reach = Meters{1000.0 * table.number_or("reach_km", 150.0, Range::above_up_to(0.0, 5000.0))};
-      break;
+      const std::string salinity = table.text_or("salinity_file", temperature);
+      const SoundSpeedFormula formula = read_formula(table);
+      return WaterAtlas{.files = {.temperature = file.resolve(temperature), .salinity = file.resolve(salinity)},
+                        .formula = formula,
+                        .reach = Meters{1000.0 * table.number_or("reach_km", 150.0, Range::above_up_to(0.0, 5000.0))}};
     }
     default:
-      keys.profile = read_munk(table);
+      environment.water = read_munk(table);
+      return {};
   }
-  return keys;
 }
 
 double read_absorption(TableReader table, Hertz frequency) {

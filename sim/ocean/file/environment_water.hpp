@@ -1,8 +1,7 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <vector>
+#include <variant>
 
 #include "firmware/host/toml/table_reader.hpp"
 #include "sim/ocean/charts/climatology.hpp"
@@ -11,20 +10,22 @@
 
 namespace earshot::ocean {
 
-enum class WaterSource : std::uint8_t { kKeys, kCsv, kAtlas };
-
-struct WaterKeys {
-  WaterSource from = WaterSource::kKeys;
-  SoundSpeedProfile profile;           ///< kKeys
-  std::vector<WaterStation> stations;  ///< kKeys, when it changes with range
-  std::filesystem::path csv;           ///< kCsv
-  WorldOceanAtlas atlas;               ///< kAtlas
-  SoundSpeedFormula formula = SoundSpeedFormula::kUnesco;
-  Meters reach;  ///< kAtlas
+struct WaterCsv {
+  std::filesystem::path file;
+  SoundSpeedFormula formula;
 };
 
-/// The table [water] of an environment file.
-[[nodiscard]] WaterKeys read_water(const host::TomlFile& file, host::TableReader table);
+struct WaterAtlas {
+  WorldOceanAtlas files;
+  SoundSpeedFormula formula;
+  Meters reach;
+};
+
+/// The data that the water is read from; none: the environment file itself says all of it.
+using WaterData = std::variant<std::monostate, WaterCsv, WaterAtlas>;
+
+/// The table [water] of an environment file: what stands there of the water goes into `environment`.
+[[nodiscard]] WaterData read_water(const host::TomlFile& file, host::TableReader table, Environment& environment);
 
 /// Sound absorption after the table [absorption], dB/km.
 [[nodiscard]] double read_absorption(host::TableReader table, Hertz frequency);

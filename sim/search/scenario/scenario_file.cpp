@@ -55,14 +55,15 @@ std::uint32_t crc32_of(std::uint32_t checksum, std::uint32_t previous) {
 /// The family is drawn from the file's own ocean, which must have the numbers that are drawn.
 Family read_own_family(TableReader table, const ocean::EnvironmentKeys& keys) {
   Family family = read_family(table);
-  const bool plain = keys.water.from == ocean::WaterSource::kKeys && std::holds_alternative<ocean::MunkProfile>(keys.water.profile) &&
-                     !keys.bathymetry && keys.seabed.stations.empty();
+  const ocean::Environment& environment = keys.environment;
+  const bool plain = !keys.has_water_data() && std::holds_alternative<ocean::MunkProfile>(environment.water) && !keys.bathymetry &&
+                     environment.sediment_stations.empty();
   if (!plain)
     table.problem("members", "are drawn from an ocean with a Munk profile, flat and the same everywhere; list others as [[oceans]]");
-  if (plain && !(std::get<ocean::MunkProfile>(keys.water.profile).axis_depth.value > 0.0)) {
+  if (plain && !(std::get<ocean::MunkProfile>(environment.water).axis_depth.value > 0.0)) {
     table.problem("members", "are drawn from an ocean whose water.axis_depth_m is above 0: their scale keeps its ratio to it");
   }
-  if (family.sea_floor_depth_m && !(family.sea_floor_depth_m->lowest > keys.source.depth.value)) {
+  if (family.sea_floor_depth_m && !(family.sea_floor_depth_m->lowest > environment.source.depth.value)) {
     table.problem("sea_floor_depth_m", "must be more than source.depth_m");
   }
   return family;

@@ -33,12 +33,6 @@ void reflect(Meters& x, double& course, Meters low, Meters high) {
 
 constexpr Decibels kSilence{-std::numeric_limits<double>::infinity()};
 
-/// From 0 to 2 pi, as a message has it.
-Radians of_compass(Radians angle) {
-  const Radians wrapped = wrap_to_pi(angle);
-  return wrapped.value < 0.0 ? Radians{wrapped.value + 2.0 * std::numbers::pi} : wrapped;
-}
-
 }  // namespace
 
 Pcg32 Surroundings::stream_from(const World& world, Pcg32& random) {
@@ -118,10 +112,10 @@ Decibels Surroundings::draw_snr(const World& world, const Source& source, NorthE
 messages::Bearing Surroundings::draw_bearing(const BearingConditions& array, const Source& source, NorthEast vehicle) {
   const NorthEast way = source.position - vehicle;
   const Radians heard = bearing_of(way.north.value, way.east.value) + normal() * array.deviation;
-  if (!array.is_ambiguous) return {.direction = of_compass(heard), .deviation = array.deviation};
+  if (!array.is_ambiguous) return {.direction = wrap_to_two_pi(heard), .deviation = array.deviation};
   const Radians off_course = wrap_to_pi(heard - course_);
   const Radians to_starboard = off_course.value < 0.0 ? -off_course : off_course;
-  return {.direction = of_compass(course_ + to_starboard), .deviation = array.deviation, .mirror_axis = of_compass(course_)};
+  return {.direction = wrap_to_two_pi(course_ + to_starboard), .deviation = array.deviation, .mirror_axis = wrap_to_two_pi(course_)};
 }
 
 policy::Reception Surroundings::listen(const World& world, NorthEast vehicle) {

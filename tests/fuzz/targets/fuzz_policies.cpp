@@ -12,6 +12,7 @@
 #include "firmware/core/random.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/mission/policy_file.hpp"
+#include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/runtime/runtime.hpp"
 #include "tests/fuzz/policy_flight.hpp"
 #include "tests/fuzz/targets/fuzz_target.hpp"
@@ -31,6 +32,7 @@ void judge(std::span<const std::uint8_t> input_bytes) {
   if (is_frozen_anew) bytes = frozen_anew(bytes);
   try {
     const host::SignedPolicy loaded = host::signed_policy_from(std::move(bytes), "a.policy", trusted);
+    host::require_repeats_golden(*loaded.policy, "a.policy");
     Pcg32 random(1);
     static_cast<void>(flies(*loaded.policy, *runtime, random));
   } catch (const host::BadInput& refusal) {

@@ -14,6 +14,10 @@ namespace {
 
 using policy::Feature;
 
+Radians degrees(double value) {
+  return Radians{value * std::numbers::pi / 180.0};
+}
+
 TEST(DirectionName, IsThePointOfTheCompassWhereItIsOneAndDegreesWhereNot) {
   const auto names = [](std::size_t count) {
     std::string text;
@@ -27,12 +31,12 @@ TEST(DirectionName, IsThePointOfTheCompassWhereItIsOneAndDegreesWhereNot) {
 }
 
 TEST(DegreesInWords, GoFromNorthOnceAroundAndBegin) {
-  EXPECT_EQ(degrees_to_string(0.0), "000\u00B0");
-  EXPECT_EQ(degrees_to_string(14.4), "014\u00B0");
-  EXPECT_EQ(degrees_to_string(359.4), "359\u00B0");
-  EXPECT_EQ(degrees_to_string(359.7), "000\u00B0");
-  EXPECT_EQ(degrees_to_string(-0.3), "000\u00B0");
-  EXPECT_EQ(degrees_to_string(-90.0), "270\u00B0");
+  EXPECT_EQ(degrees_to_string(degrees(0.0)), "000\u00B0");
+  EXPECT_EQ(degrees_to_string(degrees(14.4)), "014\u00B0");
+  EXPECT_EQ(degrees_to_string(degrees(359.4)), "359\u00B0");
+  EXPECT_EQ(degrees_to_string(degrees(359.7)), "000\u00B0");
+  EXPECT_EQ(degrees_to_string(degrees(-0.3)), "000\u00B0");
+  EXPECT_EQ(degrees_to_string(degrees(-90.0)), "270\u00B0");
   const double west_of_north = -0.3 * std::numbers::pi / 180.0;
   EXPECT_EQ(direction_name({std::cos(west_of_north), std::sin(west_of_north)}), "000\u00B0");
 }

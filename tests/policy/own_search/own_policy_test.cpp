@@ -4,6 +4,7 @@
 
 #include "firmware/host/mission/policy_file.hpp"
 #include "firmware/host/mission/tables_file.hpp"
+#include "firmware/host/policy/policy_bytes.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::own_search {
@@ -40,7 +41,8 @@ TEST(OwnPolicy, HasNoTablesWhereNoneThatShipAreOfTheSearchOrOnesOwnAreAskedFor) 
   for (const OwnSearch& search : {OwnSearch{.depth_m = 200.0, .frequency_hz = 35.0}, OwnSearch{.own_tables = true}}) {
     const support::TemporaryFolder folder;
     write_own_policy(folder.path(), search);
-    EXPECT_NO_THROW((void)host::load_policy(folder.path() / kPolicyFile, folder.path() / "search.pub"));
+    const host::SignedPolicy own = host::load_policy(folder.path() / kPolicyFile, folder.path() / "search.pub");
+    EXPECT_NO_THROW(host::require_repeats_golden(*own.policy, kPolicyFile));
     EXPECT_FALSE(std::filesystem::exists(folder.path() / kTablesFile));
   }
 }

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "sim/ocean/file/environment_file.hpp"
+#include "sim/ocean/section_along.hpp"
 #include "sim/sonar/grid_check.hpp"
-#include "tests/sim/sonar/charted_ocean.hpp"
 
 namespace earshot::sonar {
 namespace {
@@ -23,6 +23,15 @@ RadialPlan plan(double source_depth_m, std::vector<double> depth_m, ocean::Band 
   return {.source_depth = Meters{source_depth_m}, .depth_m = std::move(depth_m), .range_step = Meters{25.0}, .ranges = 400, .band = band};
 }
 
+/// To the north of the origin.
+ocean::Section section_of(const ocean::Environment& environment) {
+  return ocean::section_along(environment, {}, Radians{}, Meters{10'000.0});
+}
+
+GridCheck check_grid(const ocean::Environment& environment, const RadialPlan& radial, const pe::Progress& progress = {}) {
+  return check_grid(section_of(environment), environment.name, radial, progress);
+}
+
 struct Loss {
   std::vector<float> db;
   std::vector<float> sea_floor_m;
@@ -30,7 +39,8 @@ struct Loss {
 
 Loss loss_of(const ocean::Environment& environment, const RadialPlan& radial) {
   Loss loss{.db = std::vector<float>(radial.ranges * radial.depth_m.size()), .sea_floor_m = std::vector<float>(radial.ranges)};
-  compute_radial(environment, {}, Radians{}, radial, {.transmission_loss_db = loss.db, .sea_floor_depth_m = loss.sea_floor_m});
+  compute_radial(section_of(environment), environment.name, radial,
+                 {.transmission_loss_db = loss.db, .sea_floor_depth_m = loss.sea_floor_m});
   return loss;
 }
 
@@ -97,7 +107,7 @@ TEST(Radial, HasNoLossAndNoMarchWhereNoReceiverIsInTheWater) {
     std::vector<float> loss(radial.ranges * radial.depth_m.size());
     std::vector<float> floor(radial.ranges);
     bool marched = false;
-    compute_radial(environment, {}, Radians{}, radial, {.transmission_loss_db = loss, .sea_floor_depth_m = floor},
+    compute_radial(section_of(environment), environment.name, radial, {.transmission_loss_db = loss, .sea_floor_depth_m = floor},
                    [&](double) { marched = true; });
     for (const float loss_db : loss) EXPECT_TRUE(std::isnan(loss_db));
     EXPECT_FALSE(marched);
@@ -112,7 +122,7 @@ TEST(Radial, SaysHowMuchOfAllItsFrequenciesIsDone) {
   std::vector<float> loss(two_frequencies.ranges);
   std::vector<float> floor(two_frequencies.ranges);
   std::vector<double> done;
-  compute_radial(papers_ocean(), {}, Radians{}, two_frequencies, {.transmission_loss_db = loss, .sea_floor_depth_m = floor},
+  compute_radial(section_of(papers_ocean()), "", two_frequencies, {.transmission_loss_db = loss, .sea_floor_depth_m = floor},
                  [&](double share) { done.push_back(share); });
   EXPECT_TRUE(std::is_sorted(done.begin(), done.end()));
   EXPECT_EQ(std::count(done.begin(), done.end(), 0.5), 1);  // the end of the first of two
@@ -123,7 +133,7 @@ TEST(Radial, SaysHowMuchOfAllItsFrequenciesIsDone) {
 TEST(Radial, KnowsItsDeepestSeaFloorAsFarAsItGoes) {
   auto environment = papers_ocean();
   environment.sea_floor_stations = {{Meters{0.0}, Meters{1000.0}}, {Meters{4000.0}, Meters{1500.0}}, {Meters{8000.0}, Meters{800.0}}};
-  const auto deepest = [&](double range_m) { return deepest_sea_floor(environment, {}, Radians{}, Meters{range_m}).value; };
+  const auto deepest = [&](double range_m) { return deepest_sea_floor(section_of(environment), Meters{range_m}).value; };
   EXPECT_EQ(deepest(2000.0), 1250.0);
   EXPECT_EQ(deepest(4000.0), 1500.0);
   EXPECT_EQ(deepest(8000.0), 1500.0);
@@ -133,19 +143,11 @@ TEST(Radial, KnowsItsDeepestSeaFloorAsFarAsItGoes) {
 
 TEST(Radial, KnowsAShoreThatLiesBeforeItsFirstRange) {
   auto environment = papers_ocean();
-  EXPECT_FALSE(shore_before(environment, {}, Radians{}, Meters{25.0}));
+  EXPECT_FALSE(shore_before(section_of(environment), Meters{25.0}));
   environment.sea_floor_stations = {{Meters{0.0}, Meters{1000.0}}, {Meters{20.0}, Meters{0.0}}};
-  EXPECT_EQ(shore_before(environment, {}, Radians{}, Meters{25.0}), Meters{20.0});
-  EXPECT_FALSE(shore_before(environment, {}, Radians{}, Meters{20.0}));
-  EXPECT_FALSE(shore_before(environment, {}, Radians{}, Meters{10.0}));
-}
-
-TEST(Radial, KnowsWhatOfItsWaterWasNotMeasured) {
-  EXPECT_FALSE(unmeasured_water(papers_ocean(), {}, Radians{}, Meters{1000.0}));
-  const auto here = unmeasured_water(tests::charted_ocean(), {}, Radians{}, Meters{1000.0});
-  ASSERT_TRUE(here.has_value());
-  EXPECT_EQ(here->data_end, Meters{1500.0});
-  EXPECT_NEAR(here->sea_floor.value, 3000.0, 1e-6);
+  EXPECT_EQ(shore_before(section_of(environment), Meters{25.0}), Meters{20.0});
+  EXPECT_FALSE(shore_before(section_of(environment), Meters{20.0}));
+  EXPECT_FALSE(shore_before(section_of(environment), Meters{10.0}));
 }
 
 TEST(Radial, RefusesASourceBelowTheSeaFloor) {
@@ -154,7 +156,7 @@ TEST(Radial, RefusesASourceBelowTheSeaFloor) {
 
 // The solver against itself on a finer grid, which tells nothing of what both leave out: the tests of sim/pe do.
 TEST(GridCheck, FindsTheAutomaticGridAsGoodAsItPromises) {
-  const GridCheck check = check_grid(papers_ocean(), {}, Radians{}, plan(30.0, {300.0}));
+  const GridCheck check = check_grid(papers_ocean(), plan(30.0, {300.0}));
   EXPECT_LT(check.mean_db, 0.05);  // promised are 0.02 dB without the interference minima, which count here
   EXPECT_GT(check.mean_db, 0.0);
   EXPECT_GE(check.max_db, check.mean_db);
@@ -186,7 +188,7 @@ TEST(GridCheck, IsTheChangeFromAGridToOneOfHalfItsSteps) {
       depth = Meters{given.depth_m[j]};
     }
   }
-  const GridCheck check = check_grid(papers_ocean(), {}, Radians{}, given);
+  const GridCheck check = check_grid(papers_ocean(), given);
   EXPECT_EQ(check.max_db, largest);
   EXPECT_EQ(check.range_of_max, range);
   EXPECT_EQ(check.depth_of_max, depth);
@@ -198,14 +200,14 @@ TEST(GridCheck, IsTheChangeFromAGridToOneOfHalfItsSteps) {
 TEST(GridCheck, KeepsTheTermsThatWereAskedFor) {
   RadialPlan few = plan(30.0, {300.0});
   few.options.terms = 2;  // too few for the steps that it would choose
-  EXPECT_THROW((void)check_grid(papers_ocean(), {}, Radians{}, few), std::invalid_argument);
+  EXPECT_THROW((void)check_grid(papers_ocean(), few), std::invalid_argument);
 }
 
 TEST(GridCheck, CountsTheCoarseMarchAsAFifthOfItsWork) {
   RadialPlan brief = plan(30.0, {300.0});
   brief.ranges = 40;
   std::vector<double> done;
-  const GridCheck check = check_grid(papers_ocean(), {}, Radians{}, brief, [&](double share) { done.push_back(share); });
+  const GridCheck check = check_grid(papers_ocean(), brief, [&](double share) { done.push_back(share); });
   EXPECT_LT(check.max_db, 1.0);
   EXPECT_GT(check.range_of_max, Meters{75.0});  // a small change has its place too
   EXPECT_TRUE(std::is_sorted(done.begin(), done.end()));
@@ -217,7 +219,7 @@ TEST(GridCheck, CountsTheCoarseMarchAsAFifthOfItsWork) {
 TEST(GridCheck, FindsACoarseGridBad) {
   RadialPlan coarse = plan(30.0, {300.0});
   coarse.options.depth_step = Meters{18.0};  // 4 points to a wavelength
-  EXPECT_GT(check_grid(papers_ocean(), {}, Radians{}, coarse).mean_db, 0.2);
+  EXPECT_GT(check_grid(papers_ocean(), coarse).mean_db, 0.2);
 }
 
 TEST(GridCheck, SeesAnAbsorberThatIsTooThinForTheSeabed) {
@@ -227,15 +229,15 @@ TEST(GridCheck, SeesAnAbsorberThatIsTooThinForTheSeabed) {
   silt.seabed.layers.front().sound_speed = MetersPerSecond{1500.0};
   silt.seabed.layers.front().attenuation_db_per_wavelength = 0.02;
   RadialPlan thin = plan(100.0, {200.0});
-  EXPECT_LT(check_grid(silt, {}, Radians{}, thin).mean_db, 0.02);
+  EXPECT_LT(check_grid(silt, thin).mean_db, 0.02);
   thin.options.absorber_wavelengths = 2.0;
-  EXPECT_GT(check_grid(silt, {}, Radians{}, thin).mean_db, 0.05);
+  EXPECT_GT(check_grid(silt, thin).mean_db, 0.05);
 }
 
 TEST(GridCheck, HalvesAStepThatIsShorterThanARowToo) {
   RadialPlan steep = plan(30.0, {300.0});
   steep.options.range_step = Meters{5.0};
-  const GridCheck check = check_grid(papers_ocean(), {}, Radians{}, steep);
+  const GridCheck check = check_grid(papers_ocean(), steep);
   EXPECT_EQ(check.range_step.value, 5.0);
   EXPECT_LT(check.mean_db, 0.1);  // 2000 steps and 4000: the propagator's error adds up
 }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "sim/ocean/file/environment_file.hpp"
+#include "sim/ocean/section_along.hpp"
 #include "tests/reference/transmission_loss.hpp"
 #include "tests/sim/sonar/charted_ocean.hpp"
 
@@ -79,10 +80,22 @@ TEST(SonarField, SubtractsLossAndNoiseFromTheSourceLevel) {
                         .range_step = Meters{12.5},
                         .ranges = 160,
                         .band = {Hertz{20.0}, Hertz{20.0}}};
-  const SonarField field = compute_sonar_field(papers_ocean(), Radians{}, plan);
+  const ocean::Section section = ocean::section_along(papers_ocean(), {}, Radians{}, plan.max_range());
+  const SonarField field = compute_sonar_field(papers_ocean(), section, plan);
+  EXPECT_FALSE(field.unmeasured);
   ASSERT_EQ(field.transmission_loss_db.size(), 2 * field.range_m.size());
   EXPECT_NEAR(field.snr_db(50, 1), 100.0F - field.transmission_loss_db[2 * 50 + 1], 1e-5);  // float
   EXPECT_NEAR(field.range_m[50], 51.0 * field.range_m[0], 1e-9);
+}
+
+TEST(SonarField, KnowsWhatOfItsWaterWasNotMeasured) {
+  const ocean::Environment charted = tests::charted_ocean();
+  const RadialPlan plan{
+      .source_depth = Meters{30.0}, .depth_m = {300.0}, .range_step = Meters{25.0}, .ranges = 40, .band = {Hertz{20.0}, Hertz{20.0}}};
+  const SonarField field = compute_sonar_field(charted, ocean::section_along(charted, {}, Radians{}, plan.max_range()), plan);
+  ASSERT_TRUE(field.unmeasured.has_value());
+  EXPECT_EQ(field.unmeasured->data_end, Meters{1500.0});
+  EXPECT_NEAR(field.unmeasured->sea_floor.value, 3000.0, 1e-6);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "firmware/boards/linux/waiting.hpp"
 #include "firmware/core/status.hpp"
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/transport/serial_line.hpp"
 
@@ -45,8 +46,9 @@ std::unique_ptr<runtime::Runtime> make_runtime(const host::MissionFile& file, co
                                                const std::string& mission_name) {
   host::check_fits(*search.policy.policy, file.policy, file.mission, mission_name);
   auto runtime = std::make_unique<runtime::Runtime>();
-  if (runtime->configure(file.mission, *search.policy.policy, *search.tables.tables) != Status::kOk)
-    throw host::BadInput(mission_name + ": cannot be flown with the policy " + file.policy.string());
+  const Status status = runtime->configure(file.mission, *search.policy.policy, *search.tables.tables);
+  if (status == Status::kCorrupt) throw host::BadInput(host::to_string({.fault = policy::PolicyFault::kGoldenMismatch}, file.policy));
+  if (status != Status::kOk) throw host::BadInput(mission_name + ": cannot be flown with the policy " + file.policy.string());
   return runtime;
 }
 

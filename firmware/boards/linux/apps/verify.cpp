@@ -10,6 +10,7 @@
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/mission/mission_judge.hpp"
+#include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/policy/tables_bytes.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/talk.hpp"
@@ -35,6 +36,7 @@ std::string beginning_of(const std::filesystem::path& path) {
 int verify_policy(const std::filesystem::path& path, const host::VehicleFile& vehicle) {
   const host::SignedPolicy policy =
       host::signed_policy_from(host::read_policy_bytes(path), path, vehicle.policy_keys, "trust.policy_keys of " + vehicle.path.string());
+  host::require_repeats_golden(*policy.policy, path);
   program::say() << "policy   " << host::printable(path.string()) << "\n         signed by " << host::printable(policy.signer.string())
                  << "\n";
   return program::kDone;
@@ -56,6 +58,7 @@ int verify_mission(const std::filesystem::path& path, const host::VehicleFile& v
   const host::MissionFile file = judge.load_mission(path);
   const host::SignedSearch search = judge.load_search(file);
   const host::SignedPolicy& policy = search.policy;
+  host::require_repeats_golden(*policy.policy, file.policy);
   host::check_fits(*policy.policy, file.policy, file.mission, path);
   std::ostream& out = program::say();
   out << "mission  " << host::printable(path.string()) << "\n";

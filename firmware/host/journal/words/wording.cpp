@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "firmware/core/math.hpp"
 #include "firmware/host/text/numbers.hpp"
 #include "firmware/host/text/utc.hpp"
 
@@ -21,9 +22,8 @@ double seconds_of(Time time) {
 
 double compass_degrees(Radians heading) {
   constexpr double kFullTurn_deg = 360.0;
-  const double degrees = std::fmod(heading.value * 180.0 / std::numbers::pi, kFullTurn_deg);
-  const double turned = degrees < 0.0 ? degrees + kFullTurn_deg : degrees;
-  return turned >= kFullTurn_deg ? 0.0 : turned;  // of an angle that is a rounding below zero
+  const double degrees = wrap_to_two_pi(heading).value * 180.0 / std::numbers::pi;
+  return degrees >= kFullTurn_deg ? 0.0 : degrees;  // of an angle that is a rounding below zero
 }
 
 std::string compass(Radians heading, int places) {

@@ -14,13 +14,6 @@ namespace {
 
 constexpr double kTrueNorth = 0.0;      ///< DIRECTION_REFERENCE
 constexpr double kWaterPressure = 1.0;  ///< PRESSURE_SOURCE
-constexpr double kTwoPi = 6.283185307179586;
-
-/// In [0, 2 pi), as the bus wants it.
-double positive(Radians angle) {
-  const double wrapped = wrap_to_pi(angle).value;
-  return wrapped < 0.0 ? wrapped + kTwoPi : wrapped;
-}
 
 }  // namespace
 
@@ -30,7 +23,10 @@ Status compose_navigation(const messages::Navigation& navigation, const LocalPla
   MessageWriter speed(table::kSpeed);
   if (navigation.speed.value == navigation.speed.value) speed.set("SpeedWaterReferenced", navigation.speed.value);  // not NaN
   const std::array statuses{
-      MessageWriter(table::kHeading).set("Heading", positive(navigation.heading)).set("Reference", kTrueNorth).frame(source, frames[0]),
+      MessageWriter(table::kHeading)
+          .set("Heading", wrap_to_two_pi(navigation.heading).value)
+          .set("Reference", kTrueNorth)
+          .frame(source, frames[0]),
       speed.frame(source, frames[1]),
       MessageWriter(table::kPressure)
           .set("Instance", 0)

@@ -9,6 +9,7 @@
 
 #include "tests/firmware/for_no_root.hpp"
 #include "tests/support/process.hpp"
+#include "tests/support/signed_policy.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::board {
@@ -91,6 +92,22 @@ TEST_F(CheckRun, NamesWhatIsWrongWithTheMission) {
 TEST_F(CheckRun, NamesThePolicyThatDoesNotFit) {
   EXPECT_EQ(check({"--check", (kMissions / "search.toml").string(), "--policy", (kMissions / "search.toml").string()}), 2);
   EXPECT_NE(said_.find("search.toml"), std::string::npos) << said_;
+}
+
+TEST_F(CheckRun, RefusesAPolicyWhoseGoldenTrajectoriesThisProgramDoesNotRepeat) {
+  policy::FrozenPolicy policy = support::random_walk_policy();
+  policy.observation.listening = {config::Listening::kMean, Duration::seconds(30)};  // as the mission does
+  policy.golden[1][2].logits[3] = 1e-9F;
+  std::vector<std::uint8_t> bytes(policy::max_serialised_size());
+  bytes.resize(policy::serialise(policy, support::public_key(), bytes).value());
+  support::sign(bytes);
+  const std::filesystem::path other = folder_ / "other.policy";
+  support::write_bytes(other, bytes);
+  support::write_public_key(folder_ / "other.pub");
+  EXPECT_EQ(check({"--check", (kMissions / "search.toml").string(), "--policy", other.string(), "--public-key",
+                   (folder_ / "other.pub").string()}),
+            2);
+  EXPECT_NE(said_.find(other.string() + ": does not repeat its golden"), std::string::npos) << said_;
 }
 
 TEST_F(CheckRun, RefusesAnOutputFolderThatCannotBeMade) {
