@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "firmware/core/compass.hpp"
 #include "firmware/core/math.hpp"
 #include "firmware/wire/n2k/codec.hpp"
 #include "firmware/wire/n2k/hydrostatics.hpp"
