@@ -40,6 +40,8 @@
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/mission/mission_judge.hpp"
 #include "firmware/host/mission/policy_file.hpp"
+#include "firmware/host/mission/ports/flight_needs.hpp"
+#include "firmware/host/mission/ports/port_override.hpp"
 #include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
