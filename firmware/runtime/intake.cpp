@@ -81,7 +81,8 @@ void Intake::take(const Arrival& arrival, const messages::VehicleStatus& status)
 void Intake::take(const Arrival& arrival, const messages::SnrMeasurement& measurement) {
   const Time last = progress_.listener.newest() ? progress_.listener.newest()->time : Time{};
   if (messages::is_possible_snr(measurement.snr) && is_in_order(measurement.time, last, arrival.time, mission_.snr_timeout)) {
-    progress_.listener.take({.time = effective(measurement.time, arrival.time), .snr = measurement.snr, .too_faint = measurement.too_faint});
+    progress_.listener.take(
+        {.time = effective(measurement.time, arrival.time), .snr = measurement.snr, .too_faint = measurement.too_faint});
   } else {
     ++progress_.counters.snr_refused;
   }
