@@ -6,7 +6,8 @@
 
 namespace earshot::n2k {
 
-/// A frame off the bus with what its identifier says, read once for all who are given the frame. Refers to the frame, which must outlive it.
+/// A frame off the bus with what its identifier says, read once for all who are given the frame. Refers to the frame, which must outlive
+/// it.
 struct HeardFrame {
   /// Not explicit: who has one reader gives it the frame as it came.
   HeardFrame(const Frame& heard) : frame(heard), identifier(parse_identifier(heard.identifier)) {}  // NOLINT(google-explicit-constructor)
