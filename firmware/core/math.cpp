@@ -146,11 +146,6 @@ Radians wrap_to_pi(Radians angle) {
   return Radians{angle.value < 0.0 && wrapped != kPi ? -wrapped : wrapped};
 }
 
-Radians wrap_to_two_pi(Radians angle) {
-  const Radians wrapped = wrap_to_pi(angle);
-  return wrapped.value < 0.0 ? Radians{wrapped.value + 2.0 * kPi} : wrapped;
-}
-
 SineCosine sine_cosine(Radians angle) {
   constexpr double kHalfPiHigh = 0x1.921fb544p+0;  // 33 bits, so that quarters * high is exact
   constexpr double kHalfPiLow = 0x1.0b4611a626331p-34;

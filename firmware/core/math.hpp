@@ -69,7 +69,4 @@ struct SineCosine {
 /// The same angle in (-pi, pi]; an angle that lies there already comes back bit for bit. NaN unless finite.
 [[nodiscard]] Radians wrap_to_pi(Radians angle);
 
-/// The same angle as a compass has it, from 0 to 2 pi; 2 pi itself only of an angle that is a rounding below zero. NaN unless finite.
-[[nodiscard]] Radians wrap_to_two_pi(Radians angle);
-
 }  // namespace earshot

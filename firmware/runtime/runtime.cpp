@@ -13,6 +13,7 @@
 #include "firmware/policy/format/policy_format.hpp"
 #include "firmware/policy/tables/tables_format.hpp"
 #include "firmware/runtime/bytes_of_state.hpp"
+#include "firmware/runtime/intake.hpp"
 #include "firmware/runtime/known_steps.hpp"
 #include "firmware/safety/check.hpp"
 #include "firmware/safety/limits.hpp"
@@ -24,21 +25,6 @@ using messages::CommandOutcome;
 using messages::EndReason;
 using messages::MissionState;
 using messages::Order;
-
-/// Whether a message dated `time` may follow one dated `last`. One dated long before its arrival is a recording or comes from a stalled
-/// queue; one from far ahead would pass for fresh long after its sender fell silent.
-bool is_in_order(Time time, Time last, Time arrival, Duration timeout) {
-  return time >= last && lies_within(time, arrival, timeout);
-}
-
-/// A date ahead of its arrival counts as the arrival: a sender whose clock is fast neither hides those that come after it nor stays fresh
-/// for longer.
-Time effective(Time date, Time arrival) {
-  return date < arrival ? date : arrival;
-}
-
-/// Of vehicle, autopilot and hydrophone; what is older is told by the rules about its age.
-constexpr Duration kStatusMaxAge = Duration::seconds(30);
 
 EndReason end_reason_of(config::Condition cause) {
   switch (cause) {
@@ -130,101 +116,17 @@ void Runtime::turn(Time now, Outputs& outputs) {
   outputs.health = health(now);
 }
 
-messages::CommandOutcome Runtime::judge(const messages::Input& input) {
-  CommandOutcome outcome = CommandOutcome::kObeyed;
-  if (const auto* navigation = std::get_if<messages::Navigation>(&input.value)) take(input.arrival, input.port, *navigation);
-  if (const auto* measurement = std::get_if<messages::SnrMeasurement>(&input.value)) take(input.arrival, *measurement);
-  if (const auto* bearing = std::get_if<messages::BearingMeasurement>(&input.value)) take(input.arrival, input.port, *bearing);
-  if (const auto* command = std::get_if<messages::OperatorCommand>(&input.value))
-    outcome = take_command(input.arrival, input.port, *command);
-  if (const auto* report = std::get_if<messages::PortReport>(&input.value)) take(*report);
-  if (std::holds_alternative<messages::UnsentSetpoints>(input.value)) progress_.is_mute = true;
-  safety::Situation& situation = progress_.situation;
-  if (const auto* status = std::get_if<messages::VehicleStatus>(&input.value)) take(input.arrival, input.port, *status);
-  if (const auto* status = std::get_if<messages::AutopilotStatus>(&input.value))
-    (void)take_status(input.arrival, *status, situation.autopilot);
-  if (const auto* status = std::get_if<messages::HydrophoneStatus>(&input.value))
-    (void)take_status(input.arrival, *status, situation.hydrophone);
-  return outcome;
-}
-
-void Runtime::take(Time arrival, std::uint8_t port, const messages::Navigation& navigation) {
-  safety::Situation& situation = progress_.situation;
-  const bool is_to_move = situation.commanded && situation.commanded->speed.value > 0.0;
-  if (situation.navigation.is_anothers(port, arrival)) return situation.navigation.compare(arrival, navigation);
-  if (!situation.navigation.take(arrival, navigation, is_to_move)) {
-    ++progress_.counters.navigation_refused;
-    return;
-  }
-  situation.navigation.hold(port, arrival);
-  const messages::Navigation& fix = *situation.navigation.newest();
-  situation.depth.take(fix);
-  if (!is_to_move || situation.depth.is_left_alone(arrival)) {
-    situation.place.begin(fix);
-  } else if (situation.navigation.newest_is_correction()) {
-    situation.place.correct(fix);
-  } else {
-    situation.place.take(fix, *situation.commanded, mission_.safety.vehicle);
-  }
-  if (progress_.state == MissionState::kSearch && situation.navigation.newest_is_correction()) {
-    situation.track.correct(*situation.navigation.newest());
-  } else if (progress_.state == MissionState::kSearch) {
-    situation.track.take(*situation.navigation.newest());
-  }
-}
-
-template <class Status>
-bool Runtime::take_status(Time arrival, const Status& status, std::optional<Status>& newest) {
-  if (!is_in_order(status.time, newest ? newest->time : Time{}, arrival, kStatusMaxAge)) {
-    ++progress_.counters.status_refused;
-    return false;
-  }
-  newest = status;
-  newest->time = effective(status.time, arrival);
-  return true;
-}
-
-/// An alarm counts also where another sender, whose clock is ahead, has hidden what it says.
-void Runtime::take(Time arrival, std::uint8_t port, const messages::VehicleStatus& status) {
-  safety::Situation& situation = progress_.situation;
-  const bool is_newest = take_status(arrival, messages::usable_part_of(status), situation.vehicle);
-  if (!situation.vehicle || !lies_within(status.time, arrival, kStatusMaxAge)) return;
-  if (is_newest || status.has_leak) situation.leak.take(arrival, port, status.has_leak);
-  if (is_newest || status.has_ground_fault) situation.ground_fault.take(arrival, port, status.has_ground_fault);
-  hold_alarms();
-}
-
-void Runtime::hold_alarms() {
-  safety::Situation& situation = progress_.situation;
-  if (!situation.vehicle) return;
-  situation.vehicle->has_leak = situation.leak.stands();
-  situation.vehicle->has_ground_fault = situation.ground_fault.stands();
-}
-
-void Runtime::take(Time arrival, const messages::SnrMeasurement& measurement) {
-  const Time last = progress_.listener.newest() ? progress_.listener.newest()->time : Time{};
-  if (messages::is_possible_snr(measurement.snr) && is_in_order(measurement.time, last, arrival, mission_.snr_timeout)) {
-    progress_.listener.take({.time = effective(measurement.time, arrival), .snr = measurement.snr, .too_faint = measurement.too_faint});
-  } else {
-    ++progress_.counters.snr_refused;
-  }
-}
-
-void Runtime::take(Time arrival, std::uint8_t port, const messages::BearingMeasurement& measurement) {
-  using Verdict = detector::BearingListener::Verdict;
-  const Verdict verdict = progress_.bearings.take(arrival, port, measurement, mission_.snr_timeout);
-  if (verdict == Verdict::kRefused) ++progress_.counters.bearings_refused;
-  if (verdict == Verdict::kOfAnother) ++progress_.counters.bearings_of_others;
-}
-
-void Runtime::take(const messages::PortReport& report) {
-  for (messages::PortReport& known : progress_.ports) {
-    if (known.port == report.port) {
-      known = report;
-      return;
+/// A kind of input that neither this nor Intake knows does not compile.
+CommandOutcome Runtime::judge(const messages::Input& input) {
+  const auto outcome_of = [this, &input]<class Value>(const Value& value) {
+    if constexpr (std::is_same_v<Value, messages::OperatorCommand>) {
+      return take_command(input.arrival, input.port, value);
+    } else {
+      Intake(mission_, progress_).take({.time = input.arrival, .port = input.port}, value);
+      return CommandOutcome::kObeyed;
     }
-  }
-  static_cast<void>(progress_.ports.push_back(report));  // a report of a port that cannot be: there is room for each that can
+  };
+  return std::visit(outcome_of, input.value);
 }
 
 CommandOutcome Runtime::take_command(Time arrival, std::uint8_t port, const messages::OperatorCommand& command) {

@@ -4,18 +4,10 @@
 #include <optional>
 #include <span>
 
-#include "firmware/authority/command.hpp"
-#include "firmware/authority/command_judge.hpp"
 #include "firmware/config/capacities.hpp"
 #include "firmware/config/mission.hpp"
-#include "firmware/core/fixed_vector.hpp"
-#include "firmware/core/random.hpp"
 #include "firmware/core/status.hpp"
 #include "firmware/core/time.hpp"
-#include "firmware/detector/bearing_listener.hpp"
-#include "firmware/detector/listener.hpp"
-#include "firmware/guidance/fallback.hpp"
-#include "firmware/guidance/leg.hpp"
 #include "firmware/messages/decision.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/messages/input.hpp"
@@ -23,13 +15,10 @@
 #include "firmware/policy/frozen_policy.hpp"
 #include "firmware/policy/observation.hpp"
 #include "firmware/policy/tables/ocean_tables.hpp"
-#include "firmware/safety/manoeuvre.hpp"
-#include "firmware/safety/situation.hpp"
+#include "firmware/runtime/progress.hpp"
 #include "firmware/safety/supervisor.hpp"
 
 namespace earshot::runtime {
-
-using Acknowledgements = FixedVector<messages::CommandAcknowledgement, config::kMaxAcknowledgements>;
 
 /// The outputs of one turn of the loop.
 struct Outputs {
@@ -85,31 +74,6 @@ class Runtime {
   // them is noticed by the next take() or step(), or the next decision, before it is used: the mission ends (kMemoryFault), for good.
 
  private:
-  /// All that changes after configure().
-  struct Progress {
-    messages::MissionState state = messages::MissionState::kStandby;
-    messages::EndReason end_reason = messages::EndReason::kNone;
-    std::uint64_t turn = 0;
-    std::uint32_t decisions = 0;
-    Time decided;  ///< when the last of them was made
-    authority::Command command;
-    std::uint32_t steps_taken = 0;
-    bool is_pondering = false;    ///< on the last look
-    safety::Situation situation;  ///< what navigation, vehicle and autopilot say
-    safety::Supervisor supervisor;
-    safety::Manoeuvre manoeuvre;
-    bool is_interrupted = false;  ///< a rule has taken the vehicle from its search
-    detector::Listener listener;
-    detector::BearingListener bearings;
-    guidance::Leg leg;
-    Pcg32 random{0};
-    guidance::Fallback fallback;
-    messages::Counters counters;
-    authority::CommandJudge judge;
-    Acknowledgements acknowledgements;
-    FixedVector<messages::PortReport, config::kMaxPorts> ports;
-    bool is_mute = false;  ///< no port could send the last turn's set-point
-  };
   /// What decides about the vehicle, once more.
   struct Sealed {
     bool configured = false;
@@ -133,14 +97,6 @@ class Runtime {
 
   messages::CommandOutcome judge(const messages::Input& input);
   void turn(Time now, Outputs& outputs);
-  void take(Time arrival, std::uint8_t port, const messages::Navigation& navigation);
-  void take(Time arrival, const messages::SnrMeasurement& measurement);
-  void take(Time arrival, std::uint8_t port, const messages::BearingMeasurement& measurement);
-  void take(const messages::PortReport& report);
-  void take(Time arrival, std::uint8_t port, const messages::VehicleStatus& status);
-  void hold_alarms();
-  template <class Status>
-  bool take_status(Time arrival, const Status& status, std::optional<Status>& newest);
   messages::CommandOutcome take_command(Time arrival, std::uint8_t port, const messages::OperatorCommand& command);
   [[nodiscard]] messages::CommandOutcome obey(Time arrival, const messages::OperatorCommand& command);
   void acknowledge(const messages::CommandAcknowledgement& acknowledgement);

@@ -7,6 +7,7 @@
 #include "firmware/policy/action_draw.hpp"
 #include "firmware/policy/check/policy_check.hpp"
 #include "firmware/runtime/bytes_of_state.hpp"
+#include "firmware/runtime/intake.hpp"
 #include "firmware/runtime/runtime.hpp"
 #include "firmware/safety/limits.hpp"
 
@@ -71,7 +72,7 @@ void Runtime::begin_search(Time now) {
   progress_.situation.search_began = now;
   progress_.situation.leak.begin();
   progress_.situation.ground_fault.begin();
-  hold_alarms();
+  hold_alarms(progress_.situation);
   progress_.situation.track.begin(*progress_.situation.navigation.newest());
   progress_.command.begin();
   progress_.listener.begin_leg(now);  // no leg leads to the start: its newest look is all that it hears

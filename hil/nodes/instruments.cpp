@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "firmware/core/compass.hpp"
 #include "firmware/core/math.hpp"
 #include "firmware/wire/n2k/codec.hpp"
 #include "firmware/wire/n2k/fast_packet.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "firmware/core/compass.hpp"
 #include "firmware/core/math.hpp"
 #include "firmware/host/text/numbers.hpp"
 

@@ -1,8 +1,9 @@
 #include "policy/freeze/freeze.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <sstream>
 #include <string>
 
@@ -30,29 +31,51 @@ constexpr float kAdviceSharpness = 10.0F;
 const std::string kListening = "listening";
 const std::string kBefore = " (before: ";  // and the window that the policy was trained with
 
-/// Copies `rows` rows, the first ones, of a layer.
-template <class Target>
-void copy_layer(const Networks& from, const Networks::Layer& layer, Eigen::Index rows, Target& to) {
-  const std::span<const float> flat = from.parameters();
-  for (Eigen::Index o = 0; o < rows; ++o) {
-    for (Eigen::Index i = 0; i < layer.inputs; ++i) {
-      to.weight(static_cast<std::size_t>(o), static_cast<std::size_t>(i)) =
-          flat[static_cast<std::size_t>(layer.offset + i * layer.outputs + o)];
-    }
-    to.bias[static_cast<std::size_t>(o)] = flat[static_cast<std::size_t>(layer.bias() + o)];
-  }
+/// A dense layer where its trainer left it: weights[output * per_output + input * per_input].
+struct LayerView {
+  std::size_t inputs;
+  std::size_t outputs;
+  std::span<const float> weights;
+  std::size_t per_output;
+  std::size_t per_input;
+  std::span<const float> bias;
+};
+
+LayerView view_of(const DenseLayer& layer) {
+  return {.inputs = layer.inputs,
+          .outputs = layer.outputs,
+          .weights = layer.weights,
+          .per_output = layer.inputs,
+          .per_input = 1,
+          .bias = layer.bias};
 }
 
-void copy_actor(const ppo::Checkpoint& checkpoint, policy::Network& network) {
-  Networks networks(checkpoint.shape());
-  std::ranges::copy(checkpoint.parameters, networks.parameters().begin());
-  const Networks::Layout& layout = networks.layout();
-  network.observation_size = checkpoint.observation.spec.size();
-  network.hidden_sizes.fill(static_cast<std::size_t>(ppo::kWidth));
-  network.action_count = checkpoint.direction_count;
-  copy_layer(networks, layout.first, ppo::kWidth, network.first);  // the actor's half stands above the critic's
-  copy_layer(networks, layout.actor_second, ppo::kWidth, network.second);
-  copy_layer(networks, layout.logits, layout.logits.outputs, network.output);
+/// The first `outputs` of a layer of a checkpoint, whose rows are as long as all of its outputs.
+LayerView view_of(std::span<const float> parameters, const Networks::Layer& layer, std::size_t outputs) {
+  return {.inputs = static_cast<std::size_t>(layer.inputs),
+          .outputs = outputs,
+          .weights = parameters.subspan(static_cast<std::size_t>(layer.offset)),
+          .per_output = 1,
+          .per_input = static_cast<std::size_t>(layer.outputs),
+          .bias = parameters.subspan(static_cast<std::size_t>(layer.bias()), outputs)};
+}
+
+template <class Target>
+void copy_layer(const LayerView& from, Target& to) {
+  for (std::size_t o = 0; o < from.outputs; ++o) {
+    for (std::size_t i = 0; i < from.inputs; ++i) to.weight(o, i) = from.weights[o * from.per_output + i * from.per_input];
+  }
+  std::ranges::copy(from.bias, to.bias.begin());
+}
+
+/// The only way of a trained weight to its place on the vehicle.
+void copy_network(const LayerView& first, const LayerView& second, const LayerView& output, policy::Network& network) {
+  network.observation_size = first.inputs;
+  network.hidden_sizes = {first.outputs, second.outputs};
+  network.action_count = output.outputs;
+  copy_layer(first, network.first);
+  copy_layer(second, network.second);
+  copy_layer(output, network.output);
 }
 
 void append(const std::string& text, policy::FrozenPolicy& policy) {
@@ -119,19 +142,16 @@ void check_fit(const TrainedActor& actor, const description::SearchDescription& 
                  " directions");
 }
 
-template <class Target>
-void copy_dense(const DenseLayer& from, Target& to) {
-  for (std::size_t o = 0; o < from.outputs; ++o) {
-    for (std::size_t i = 0; i < from.inputs; ++i) to.weight(o, i) = from.weights[o * from.inputs + i];
-  }
-  std::ranges::copy(from.bias, to.bias.begin());
-}
-
 }  // namespace
 
 std::unique_ptr<policy::FrozenPolicy> freeze(const ppo::Checkpoint& checkpoint, policy::ActionDraw draw) {
   auto policy = without_network(checkpoint, draw);
-  copy_actor(checkpoint, policy->network);
+  const Networks::Layout layout = Networks::layout_of(checkpoint.shape());
+  const auto view = [&](const Networks::Layer& layer, std::size_t outputs) { return view_of(checkpoint.parameters, layer, outputs); };
+  constexpr auto kWidth = static_cast<std::size_t>(ppo::kWidth);
+  // Of the first layer the actor's half stands above the critic's.
+  copy_network(view(layout.first, kWidth), view(layout.actor_second, kWidth), view(layout.logits, checkpoint.direction_count),
+               policy->network);
   check_flies(*policy, "the policy");
   fly_golden_searches(*policy);
   return policy;
@@ -141,13 +161,7 @@ std::unique_ptr<policy::FrozenPolicy> freeze(const TrainedActor& actor, const de
                                              policy::ActionDraw draw) {
   check_fit(actor, search);
   auto policy = without_network(search, draw);
-  policy::Network& network = policy->network;
-  network.observation_size = search.observation.spec.size();
-  network.hidden_sizes = {actor.layers[0].outputs, actor.layers[1].outputs};
-  network.action_count = search.direction_count;
-  copy_dense(actor.layers[0], network.first);
-  copy_dense(actor.layers[1], network.second);
-  copy_dense(actor.layers[2], network.output);
+  copy_network(view_of(actor.layers[0]), view_of(actor.layers[1]), view_of(actor.layers[2]), policy->network);
   check_flies(*policy, "the policy");
   fly_golden_searches(*policy);
   return policy;

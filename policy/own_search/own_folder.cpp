@@ -19,6 +19,7 @@
 #include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/mission/policy_file.hpp"
+#include "firmware/host/mission/ports/flight_needs.hpp"
 #include "firmware/host/mission/tables_file.hpp"
 #include "firmware/host/policy/policy_bytes.hpp"
 #include "policy/own_search/own_files.hpp"

@@ -94,14 +94,19 @@ void add_transposed_product(C&& c, const A& a, const B& b) {
 }  // namespace
 
 template <class Scalar>
-ActorCritic<Scalar>::ActorCritic(NetworkShape shape) : shape_(shape) {
-  layout_.first = {0, 2 * kWidth, shape.observation_size};
-  layout_.actor_second = {layout_.first.end(), kWidth, kWidth};
-  layout_.critic_second = {layout_.actor_second.end(), kWidth, kWidth};
-  layout_.logits = {layout_.critic_second.end(), shape.action_count, kWidth};
-  layout_.value = {layout_.logits.end(), 1, kWidth};
-  parameters_.assign(static_cast<std::size_t>(layout_.value.end()), Scalar{0});
+auto ActorCritic<Scalar>::layout_of(NetworkShape shape) -> Layout {
+  Layout layout;
+  layout.first = {0, 2 * kWidth, shape.observation_size};
+  layout.actor_second = {layout.first.end(), kWidth, kWidth};
+  layout.critic_second = {layout.actor_second.end(), kWidth, kWidth};
+  layout.logits = {layout.critic_second.end(), shape.action_count, kWidth};
+  layout.value = {layout.logits.end(), 1, kWidth};
+  return layout;
 }
+
+template <class Scalar>
+ActorCritic<Scalar>::ActorCritic(NetworkShape shape)
+    : shape_(shape), layout_(layout_of(shape)), parameters_(static_cast<std::size_t>(layout_.value.end()), Scalar{0}) {}
 
 template <class Scalar>
 void ActorCritic<Scalar>::initialise(Pcg32& random) {

@@ -83,6 +83,7 @@ class ActorCritic {
     Layer logits;
     Layer value;
   };
+  [[nodiscard]] static Layout layout_of(NetworkShape shape);
   [[nodiscard]] const Layout& layout() const { return layout_; }
 
  private:

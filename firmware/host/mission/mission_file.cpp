@@ -2,24 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
-#include <stdexcept>
 #include <string_view>
 #include <system_error>
 
-#include "firmware/config/capacities.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/listening/listening_words.hpp"
 #include "firmware/host/mission/authority_table.hpp"
 #include "firmware/host/mission/hydrophone_table.hpp"
-#include "firmware/host/mission/n2k_table.hpp"
+#include "firmware/host/mission/port_table.hpp"
 #include "firmware/host/mission/rule_words.hpp"
 #include "firmware/host/mission/safety_table.hpp"
 #include "firmware/host/toml/table_reader.hpp"
-#include "firmware/host/transport/interface_name.hpp"
-#include "firmware/host/transport/lcm_url.hpp"
 
 namespace earshot::host {
 namespace {
@@ -59,116 +54,6 @@ void read_limits(TableReader limits, config::Mission& mission) {
   mission.max_time = seconds(limits.number("max_time_s", Range::between(kShortest_s, kLongest_s)));
   mission.navigation_timeout = seconds(limits.number("navigation_timeout_s", Range::between(kShortest_s, 3600.0)));
   mission.snr_timeout = seconds(limits.number("snr_timeout_s", Range::between(kShortest_s, 3600.0)));
-}
-
-const std::vector<std::string> kRoleWords{"navigation", "snr", "operator", "autopilot", "status", "hydrophone"};  // in the order of Role
-
-PortSettings read_port(TableReader table, Duration navigation_timeout) {
-  PortSettings port;
-  port.name = table.text("name");
-  if (printable(port.name) != port.name) table.problem("name", "must have no character that steers a terminal");
-  port.kind = table.choice("kind", {"lcm", "can"}) == 0 ? PortKind::kLcm : PortKind::kCan;
-  for (const std::size_t role : table.choices("roles", kRoleWords)) {
-    port.roles.add(static_cast<Role>(role));
-    if (port.kind == PortKind::kCan && !kCanRoles.has(static_cast<Role>(role)))
-      table.problem("roles", "a CAN port carries no sound: \"hydrophone\" needs a port of kind \"lcm\"");
-  }
-  if (port.kind == PortKind::kCan) {
-    port.address = table.text("interface");
-    if (!table.is_noted("interface") && !is_interface_name(port.address)) table.problem("interface", kInterfaceNameRule);
-    port.n2k = read_n2k(table.optional_table("n2k"), port.roles, navigation_timeout);
-    return port;
-  }
-  if (port.roles.has(Role::kHydrophone) && port.roles != Roles{Role::kHydrophone})
-    table.problem("roles", "\"hydrophone\" needs a port of its own, so that its samples cannot crowd out navigation and orders");
-  port.address = table.text("url");
-  try {
-    if (!port.address.empty()) (void)parse_lcm_url(port.address);
-  } catch (const std::invalid_argument& e) {
-    table.problem("url", e.what());
-  }
-  return port;
-}
-
-/// Of a CAN port, or one whose address is refused anyway: none.
-std::optional<LcmUrl> lcm_url_of(const PortSettings& port) {
-  try {
-    if (port.kind == PortKind::kLcm) return parse_lcm_url(port.address);
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;
-  }
-  return std::nullopt;
-}
-
-/// Whether what one is sent the other must read, too. Options of a URL make no other bus.
-bool are_on_one_bus(const PortSettings& a, const PortSettings& b) {
-  if (a.kind == PortKind::kCan) return b.kind == PortKind::kCan && a.address == b.address;
-  const std::optional<LcmUrl> url_a = lcm_url_of(a);
-  const std::optional<LcmUrl> url_b = lcm_url_of(b);
-  return url_a && url_b && url_a->group == url_b->group && url_a->port == url_b->port;
-}
-
-/// Two ports on one bus of which one brings sound.
-bool is_sound_on_bus(const PortSettings& a, const PortSettings& b) {
-  return (a.roles.has(Role::kHydrophone) || b.roles.has(Role::kHydrophone)) && are_on_one_bus(a, b);
-}
-
-const char* const kSoundOnBus = "a hydrophone needs a group or port of its own, so that its samples cannot crowd out navigation and orders";
-
-/// What is wrong with a port on the bus of another, whose key stands at `place`.
-std::string on_bus_of(const PortSettings& other, const std::string& place, const PortSettings& port) {
-  const std::string there = "port \"" + other.name + "\" is there already: ";
-  if (is_sound_on_bus(port, other)) return there + kSoundOnBus + " (" + place + ")";
-  const char* const why = port.address == other.address ? "" : "; what stands behind the '?' of a URL makes no other bus";
-  return there + "give it all roles (" + place + why + ")";
-}
-
-void read_ports(TableReader root, MissionFile& file) {
-  std::vector<std::string> places;
-  for (TableReader table : root.tables("port", config::kMaxPorts - 1)) {
-    const PortSettings port = read_port(table, file.mission.navigation_timeout);
-    const char* const key = port.kind == PortKind::kCan ? "interface" : "url";
-    for (std::size_t i = 0; i < file.ports.size(); ++i) {
-      const PortSettings& other = file.ports[i];
-      if (port.name == other.name && !table.is_noted("name")) table.problem("name", "\"" + port.name + "\" is another port's name, too");
-      if (are_on_one_bus(port, other)) table.problem(key, on_bus_of(other, places[i], port));
-    }
-    file.ports.push_back(port);
-    places.push_back(table.place_of(key));
-  }
-  if (file.ports.empty()) root.problem("port", "a mission needs at least one [[port]]");
-}
-
-bool has_port_for(const MissionFile& file, Role role) {
-  return std::any_of(file.ports.begin(), file.ports.end(), [role](const PortSettings& port) { return port.roles.has(role); });
-}
-
-/// Every role over LCM.
-PortSettings lcm_port() {
-  return {.name = "lcm",
-          .kind = PortKind::kLcm,
-          .address = std::string(kDefaultLcmUrl),
-          .roles = {Role::kNavigation, Role::kSnr, Role::kOperator, Role::kAutopilot, Role::kStatus}};
-}
-
-/// Every role over CAN, as the device that the mission's own CAN port is, if it has one.
-PortSettings can_port(const MissionFile& file) {
-  const auto own = std::ranges::find(file.ports, PortKind::kCan, &PortSettings::kind);
-  return {.name = "can",
-          .kind = PortKind::kCan,
-          .address = kDefaultCanInterface,
-          .roles = kCanRoles,
-          .n2k = own != file.ports.end() ? own->n2k : default_n2k(file.mission.navigation_timeout)};
-}
-
-std::vector<PortSettings> ports_named(const std::string& bus, const MissionFile& file) {
-  if (bus == "lcm") return {lcm_port()};
-  if (bus == "can") return {can_port(file)};
-  PortSettings sensors = can_port(file);
-  sensors.roles = {Role::kNavigation};
-  PortSettings rest = lcm_port();
-  rest.roles = {Role::kSnr, Role::kOperator, Role::kAutopilot, Role::kStatus};
-  return {sensors, rest};
 }
 
 void read_origin(TableReader origin, MissionFile& file) {
@@ -256,7 +141,7 @@ MissionFile read_mission(const TomlFile& toml, const std::string& text, const Ve
   read_limits(limits, file.mission);
   SafetyTables safety = safety_tables(root);
   file.mission.safety = read_safety(safety);
-  read_ports(root, file);
+  file.ports = read_ports(root, file.mission.navigation_timeout);
   read_authority(root, toml, sha256_of(std::string_view(text)), vehicle, file);
   if (const std::optional<TableReader> hydrophone = root.optional_table("hydrophone")) read_hearing(*hydrophone, search, file);
   read_origin(root.table("origin"), file);
@@ -294,71 +179,6 @@ MissionFile load_mission(const TomlFile& file, const std::string& text) {
 
 MissionFile load_mission(const std::filesystem::path& path, const std::string& text, const VehicleTrust& vehicle) {
   return read_mission(TomlFile{path, text}, text, &vehicle);
-}
-
-void override_ports(MissionFile& file, const PortOverride& said) {
-  if (said.can_interface && !is_interface_name(*said.can_interface))
-    throw BadInput("--can-interface \"" + printable(*said.can_interface) + "\": " + kInterfaceNameRule);
-  if (said.bus) {
-    std::vector<PortSettings> ports = ports_named(*said.bus, file);
-    std::ranges::copy_if(file.ports, std::back_inserter(ports), [](const PortSettings& port) { return port.roles.has(Role::kHydrophone); });
-    file.ports = std::move(ports);
-    give_command_proof(file);
-  }
-  for (PortSettings& port : file.ports) {
-    const std::optional<std::string>& over_lcm = port.roles.has(Role::kHydrophone) ? said.hydrophone_url : said.lcm_url;
-    const std::optional<std::string>& address = port.kind == PortKind::kCan ? said.can_interface : over_lcm;
-    if (address) port.address = *address;
-  }
-  const char* const option = said.hydrophone_url ? "--hydrophone-url" : "--lcm-url";
-  for (const PortSettings& port : file.ports) {
-    for (const PortSettings& other : file.ports) {
-      if (&port != &other && is_sound_on_bus(port, other))
-        throw BadInput(std::string(option) + " \"" + other.address + "\": port \"" + port.name + "\" is there already: " + kSoundOnBus);
-    }
-  }
-}
-
-void leave_out_hydrophones(MissionFile& file) {
-  std::erase_if(file.ports, [](const PortSettings& port) { return port.roles.has(Role::kHydrophone); });
-}
-
-void leave_snr_to_simulator(MissionFile& file) {
-  for (PortSettings& port : file.ports) {
-    if (port.kind == PortKind::kCan) port.roles.remove(Role::kSnr);
-    port.snr_is_simulators = port.kind == PortKind::kLcm;  // the role stays: a hydrophone's status comes by it
-  }
-}
-
-void require_hydrophone(const MissionFile& file, const std::filesystem::path& path) {
-  if (!has_port_for(file, Role::kHydrophone))
-    throw BadInput("--hear: " + path.string() +
-                   ": port: no port has the role \"hydrophone\", over which sound would come; hear_tone.toml and "
-                   "hear_calls.toml in firmware/boards/linux/missions have one");
-  if (!file.hearing) throw BadInput("--hear: " + path.string() + ": hydrophone: no table [hydrophone] states what is listened for");
-}
-
-std::vector<std::string> addresses_of(const MissionFile& file, PortKind kind) {
-  std::vector<std::string> addresses;
-  for (const PortSettings& port : file.ports) {
-    if (port.kind == kind && std::find(addresses.begin(), addresses.end(), port.address) == addresses.end())
-      addresses.push_back(port.address);
-  }
-  return addresses;
-}
-
-void require_ports_for_sea(const MissionFile& file, const std::filesystem::path& path) {
-  for (const Role role : {Role::kNavigation, Role::kSnr, Role::kOperator, Role::kAutopilot}) {
-    if (has_port_for(file, role)) continue;
-    const bool has_sound = role == Role::kSnr && has_port_for(file, Role::kHydrophone);
-    if (has_sound && file.hearing) continue;
-    if (has_sound)
-      throw BadInput(path.string() +
-                     ": port: \"hydrophone\" brings sound, and no table [hydrophone] states how to measure an SNR in it: write " +
-                     "one, or give a port that brings an SNR the role \"snr\"");
-    throw BadInput(path.string() + ": port: no port has the role \"" + kRoleWords[static_cast<std::size_t>(role)] +
-                   "\", without which a mission cannot be flown at sea");
-  }
 }
 
 }  // namespace earshot::host

@@ -16,15 +16,14 @@ namespace earshot::host {
 
 class TomlFile;
 
-inline constexpr const char* kDefaultCanInterface = "can0";  ///< the bus of a vehicle at sea
-
 /// What makes a turn of the loop at sea.
 enum class Turns : std::uint8_t {
   kPeriodic,   ///< step_period alone
   kOnArrival,  ///< also a fix or an order, at once
 };
 
-/// A mission file: what the runtime is asked to do, and what this board needs to do it.
+/// What a mission file says: what the runtime is asked to do, and what this board needs to do it. What a command line changes of its ports
+/// (ports/port_override.hpp) and what a flight needs of them (ports/flight_needs.hpp) is apart.
 struct MissionFile {
   config::Mission mission;
   Duration step_period;            ///< between two turns of the loop at sea; in lock-step with a simulator every tick is one turn
@@ -65,33 +64,5 @@ struct VehicleTrust {
 /// @throws host::BadInput with the mission's line and the path that was tried, when the policy or the key is not there that the
 /// mission names. Apart from load_mission, because a command line may name others.
 void require_named_files(const MissionFile& file);
-
-/// What a command line says about the ports in place of the mission file.
-struct PortOverride {
-  std::optional<std::string> bus;  ///< "lcm", "can" (all over it) or "mixed" (navigation over CAN, the rest over LCM), whatever ports the
-                                   ///< file has but a hydrophone's
-  std::optional<std::string> lcm_url;                        ///< of every LCM port but a hydrophone's, which has a bus of its own
-  std::optional<std::string> hydrophone_url = std::nullopt;  ///< of the hydrophone's port
-  std::optional<std::string> can_interface;                  ///< of every CAN port
-};
-
-/// @throws host::BadInput when an LCM port would then share a hydrophone's bus, and for a name that no interface can have.
-void override_ports(MissionFile& file, const PortOverride& said);
-
-/// For a simulation that brings the SNR itself: what the hydrophone of a vehicle nearby hears is none of its business.
-void leave_out_hydrophones(MissionFile& file);
-
-/// For any simulation: an SNR on a CAN bus bears no date by which it could be told from this flight's, and one over LCM may copy a fix's.
-void leave_snr_to_simulator(MissionFile& file);
-
-/// For a simulation that brings sound.
-/// @throws host::BadInput when the mission has no hydrophone's port, or does not say what is listened for.
-void require_hydrophone(const MissionFile& file, const std::filesystem::path& path);
-
-/// The addresses of all ports of one kind, each once.
-[[nodiscard]] std::vector<std::string> addresses_of(const MissionFile& file, PortKind kind);
-
-/// @throws host::BadInput when a mission on its own, with no simulator, has no port for a role without which it cannot be flown.
-void require_ports_for_sea(const MissionFile& file, const std::filesystem::path& path);
 
 }  // namespace earshot::host

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "firmware/host/mission/authority/command_proof.hpp"
 #include "firmware/wire/n2k/identifier.hpp"
@@ -21,6 +25,8 @@ enum class Role : std::uint8_t {
   kHydrophone,  ///< brings sound, on a bus of its own: no role goes with it
 };
 inline constexpr std::size_t kRoleCount = 6;
+/// In the order of Role.
+inline constexpr std::array<const char*, kRoleCount> kRoleWords{"navigation", "snr", "operator", "autopilot", "status", "hydrophone"};
 
 class Roles {
  public:
@@ -64,5 +70,17 @@ struct PortSettings {
   std::optional<CommandProof> command_proof = std::nullopt;  ///< of a port that brings orders, where the mission names a key
   bool snr_is_simulators = false;  ///< of an LCM port: an SNR that comes by it is a stranger's, and counts for nothing
 };
+
+[[nodiscard]] bool has_port_for(std::span<const PortSettings> ports, Role role);
+/// The addresses of all ports of one kind, each once.
+[[nodiscard]] std::vector<std::string> addresses_of(std::span<const PortSettings> ports, PortKind kind);
+
+/// Whether what one is sent the other must read, too. Options of a URL make no other bus.
+[[nodiscard]] bool are_on_one_bus(const PortSettings& a, const PortSettings& b);
+/// Two ports on one bus of which one brings sound.
+[[nodiscard]] bool is_sound_on_bus(const PortSettings& a, const PortSettings& b);
+/// What is wrong with that.
+inline constexpr const char* kSoundOnBus =
+    "a hydrophone needs a group or port of its own, so that its samples cannot crowd out navigation and orders";
 
 }  // namespace earshot::host

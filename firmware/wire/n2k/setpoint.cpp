@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "firmware/core/compass.hpp"
 #include "firmware/core/math.hpp"
 #include "firmware/wire/n2k/codec.hpp"
 #include "firmware/wire/n2k/identifier.hpp"
@@ -49,10 +50,11 @@ Status compose_setpoint(const messages::Setpoint& setpoint, std::uint8_t source,
   return status;
 }
 
-Status SetpointReceiver::accept(const Frame& frame, messages::Setpoint& setpoint) {
-  const Result<Identifier> identifier = parse_identifier(frame.identifier);
-  if (!identifier.ok()) return identifier.status();
-  if (identifier.value().pgn == kSpeedDepthPgn) {
+Status SetpointReceiver::accept(const HeardFrame& heard, messages::Setpoint& setpoint) {
+  if (!heard.identifier.ok()) return heard.identifier.status();
+  const Identifier& identifier = heard.identifier.value();
+  const Frame& frame = heard.frame;
+  if (identifier.pgn == kSpeedDepthPgn) {
     const Result<double> maker = read(kSpeedDepthPgn, "ManufacturerCode", frame.bytes());
     const Result<double> industry = read(kSpeedDepthPgn, "IndustryGroup", frame.bytes());
     if (!maker.ok() || maker.value() != kManufacturer || !industry.ok() || industry.value() != kMarineIndustry) return Status::kNotReady;
@@ -63,18 +65,18 @@ Status SetpointReceiver::accept(const Frame& frame, messages::Setpoint& setpoint
     speed_depth_.reset();
     if (!speed.ok() || !depth.ok() || !sequence.ok() || !(sequence.value() < kSequences)) return Status::kOutOfRange;
     speed_depth_ = SpeedDepth{MetersPerSecond{speed.value()}, Meters{depth.value()}, static_cast<unsigned>(sequence.value()),
-                              identifier.value().source, release.ok() && release.value() == kYes};
+                              identifier.source, release.ok() && release.value() == kYes};
     return Status::kNotReady;
   }
-  if (identifier.value().pgn != kHeadingControlPgn) return Status::kNotReady;
+  if (identifier.pgn != kHeadingControlPgn) return Status::kNotReady;
   std::span<const std::uint8_t> bytes;
-  const Status status = assembly_.accept(identifier.value(), frame, bytes);
+  const Status status = assembly_.accept(identifier, frame, bytes);
   if (status != Status::kOk) return status;
   const Result<double> heading = read(kHeadingControlPgn, "HeadingToSteer", bytes);
   const Result<double> reference = read(kHeadingControlPgn, "HeadingReference", bytes);
   if (!heading.ok() || !reference.ok()) return Status::kOutOfRange;
   if (reference.value() != kTrueNorth) return Status::kUnsupported;
-  if (speed_depth_ && speed_depth_->source != identifier.value().source) return Status::kNotReady;  // another device's heading
+  if (speed_depth_ && speed_depth_->source != identifier.source) return Status::kNotReady;  // another device's heading
   // Whatever is waiting is used up: of two halves that are not of one set-point, the other half of each was lost.
   const std::optional<SpeedDepth> speed_depth = std::exchange(speed_depth_, std::nullopt);
   if (!speed_depth || speed_depth->sequence != frame.data[0] / (256U / kSequences)) return Status::kNotReady;

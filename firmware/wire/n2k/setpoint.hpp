@@ -8,7 +8,7 @@
 #include "firmware/core/units.hpp"
 #include "firmware/messages/setpoint.hpp"
 #include "firmware/wire/n2k/fast_packet.hpp"
-#include "firmware/wire/n2k/frame.hpp"
+#include "firmware/wire/n2k/heard_frame.hpp"
 
 namespace earshot::n2k {
 
@@ -30,7 +30,7 @@ using SetpointFrames = FixedVector<Frame, 1 + kMaxFastPacketFrames>;
 class SetpointReceiver {
  public:
   /// kOk: `setpoint` is new. kNotReady: kept, or not ours. Otherwise refused.
-  [[nodiscard]] Status accept(const Frame& frame, messages::Setpoint& setpoint);
+  [[nodiscard]] Status accept(const HeardFrame& heard, messages::Setpoint& setpoint);
   /// Of the last set-point that was taken: the sequence of its fast packet, which an autopilot's status tells again.
   [[nodiscard]] std::optional<std::uint8_t> last_sequence() const { return last_sequence_; }
 

@@ -79,7 +79,7 @@ void declare(program::CommandLine& line, Options& o) {
 
 std::string interface_of(const Options& o, const host::MissionFile& mission) {
   if (o.interface) return *o.interface;
-  const std::vector<std::string> interfaces = host::addresses_of(mission, host::PortKind::kCan);
+  const std::vector<std::string> interfaces = host::addresses_of(mission.ports, host::PortKind::kCan);
   if (interfaces.empty()) throw host::BadInput(o.mission.string() + ": port: no port is of the kind \"can\"; --interface names a bus");
   return interfaces.front();
 }

@@ -22,6 +22,8 @@
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/mission/policy_file.hpp"
+#include "firmware/host/mission/ports/flight_needs.hpp"
+#include "firmware/host/mission/ports/port_override.hpp"
 #include "firmware/host/program/child_process.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
@@ -218,7 +220,7 @@ int exit_status(const ChildProcess& simulator, const ChildProcess& runtime, bool
 /// The LCM address that somebody chose; what a mission at sea uses when nobody did is never a simulation's.
 std::optional<std::string> chosen_url(const Options& o, const host::MissionFile& mission) {
   if (o.lcm_url) return o.lcm_url;
-  for (const std::string& url : host::addresses_of(mission, host::PortKind::kLcm)) {
+  for (const std::string& url : host::addresses_of(mission.ports, host::PortKind::kLcm)) {
     if (url != host::kDefaultLcmUrl) return url;
   }
   return std::nullopt;
@@ -227,7 +229,7 @@ std::optional<std::string> chosen_url(const Options& o, const host::MissionFile&
 /// A simulation puts no frames on the bus that a vehicle has at sea unless somebody says so.
 std::string chosen_can_interface(const Options& o, const host::MissionFile& mission) {
   if (o.can_interface) return *o.can_interface;
-  for (const std::string& interface : host::addresses_of(mission, host::PortKind::kCan)) {
+  for (const std::string& interface : host::addresses_of(mission.ports, host::PortKind::kCan)) {
     if (interface != host::kDefaultCanInterface) return interface;
   }
   return "vcan0";
@@ -236,9 +238,9 @@ std::string chosen_can_interface(const Options& o, const host::MissionFile& miss
 /// Holds the buses that somebody chose; a run slot holds its own.
 std::vector<host::BusLock> lock_buses(const Options& o, const host::MissionFile& mission) {
   std::vector<host::BusLock> locks;
-  if (!host::addresses_of(mission, host::PortKind::kCan).empty()) locks.push_back(host::lock_can(chosen_can_interface(o, mission)));
+  if (!host::addresses_of(mission.ports, host::PortKind::kCan).empty()) locks.push_back(host::lock_can(chosen_can_interface(o, mission)));
   const std::optional<std::string> url = chosen_url(o, mission);
-  if (url && !host::addresses_of(mission, host::PortKind::kLcm).empty()) locks.push_back(host::lock_lcm(*url));
+  if (url && !host::addresses_of(mission.ports, host::PortKind::kLcm).empty()) locks.push_back(host::lock_lcm(*url));
   for (host::BusLock& lock : locks) lock.leave_to_children();
   return locks;
 }

@@ -22,6 +22,8 @@
 #include "firmware/host/file/output_file.hpp"
 #include "firmware/host/mission/lock_buses.hpp"
 #include "firmware/host/mission/mission_file.hpp"
+#include "firmware/host/mission/ports/flight_needs.hpp"
+#include "firmware/host/mission/ports/port_override.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/text/utc.hpp"

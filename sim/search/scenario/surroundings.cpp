@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "firmware/core/compass.hpp"
 #include "firmware/core/math.hpp"
 
 namespace earshot::search {

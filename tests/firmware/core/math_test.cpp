@@ -144,19 +144,6 @@ TEST(WrapToPi, OfWhatIsNotFiniteIsNan) {
   EXPECT_TRUE(std::isnan(wrap_to_pi(Radians{std::numeric_limits<double>::quiet_NaN()}).value));
 }
 
-TEST(WrapToTwoPi, TurnsAnAngleLeftOfNorthOnceRound) {
-  for (const double angle : {0.0, 0.1, 3.0, kPi}) EXPECT_EQ(wrap_to_two_pi(Radians{angle}).value, angle);
-  EXPECT_EQ(wrap_to_two_pi(Radians{-kPi / 2}).value, 1.5 * kPi);
-  EXPECT_EQ(wrap_to_two_pi(Radians{-kPi}).value, kPi);
-  EXPECT_EQ(wrap_to_two_pi(Radians{-4 * kPi}).value, 0.0);
-  EXPECT_NEAR(wrap_to_two_pi(Radians{4.0 + 200 * kPi}).value, 4.0, 1.2e-13);  // the argument's own last place at 632
-  EXPECT_EQ(wrap_to_two_pi(Radians{-1e-300}).value, 2 * kPi);                 // the double next to it
-}
-
-TEST(WrapToTwoPi, OfWhatIsNotFiniteIsNan) {
-  EXPECT_TRUE(std::isnan(wrap_to_two_pi(Radians{-std::numeric_limits<double>::infinity()}).value));
-}
-
 TEST(Sqrt, IsCorrectlyRounded) {
   EXPECT_EQ(sqrt(25.0), 5.0);
   EXPECT_EQ(sqrt(2.0), 1.4142135623730951);  // the double next to the root

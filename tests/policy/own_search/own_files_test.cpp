@@ -5,6 +5,7 @@
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/mission/mission_file.hpp"
+#include "firmware/host/mission/ports/flight_needs.hpp"
 #include "sim/search/scenario/scenario_file.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"

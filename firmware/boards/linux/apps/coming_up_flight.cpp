@@ -26,6 +26,7 @@
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/mission/mission_file.hpp"
+#include "firmware/host/mission/ports/port_override.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/program/talk.hpp"

@@ -6,6 +6,8 @@
 #include "firmware/boards/linux/waiting.hpp"
 #include "firmware/core/status.hpp"
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/mission/ports/flight_needs.hpp"
+#include "firmware/host/mission/ports/port_override.hpp"
 #include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/transport/serial_line.hpp"

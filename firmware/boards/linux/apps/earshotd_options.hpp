@@ -8,6 +8,7 @@
 
 #include "firmware/boards/linux/news/log_format.hpp"
 #include "firmware/host/mission/mission_file.hpp"
+#include "firmware/host/mission/ports/port_override.hpp"
 #include "firmware/host/program/command_line.hpp"
 
 namespace earshot::board {

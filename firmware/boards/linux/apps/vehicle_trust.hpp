@@ -6,6 +6,7 @@
 #include "firmware/desk/checklist/checklist.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/mission/mission_judge.hpp"
+#include "firmware/host/mission/ports/port_override.hpp"
 
 namespace earshot::board {
 

@@ -96,9 +96,10 @@ bool CanPort::settle() {
   Time received_utc;
   messages::Navigation unused;
   for (n2k::Frame frame; socket_.receive(frame, received_utc, budget) == Status::kOk;) {
-    node_.accept(frame, host_now());
-    const Result<n2k::Identifier> identifier = n2k::parse_identifier(frame.identifier);
-    if (identifier.ok() && identifier.value().pgn == n2k::kAddressClaimPgn) (void)receiver_.accept(frame, Time{}, unused);
+    const n2k::HeardFrame heard(frame);
+    node_.accept(heard, host_now());
+    const Result<n2k::Identifier>& identifier = heard.identifier;
+    if (identifier.ok() && identifier.value().pgn == n2k::kAddressClaimPgn) (void)receiver_.accept(heard, Time{}, unused);
   }
   serve();
   return node_.address().has_value();
@@ -109,61 +110,62 @@ void CanPort::collect(Clock& clock, InputSink& sink) {
   const Time now = host_now();
   Time received_utc;
   for (n2k::Frame frame; socket_.receive(frame, received_utc, budget) == Status::kOk;) {
-    node_.accept(frame, now);
+    const n2k::HeardFrame heard(frame);
+    node_.accept(heard, now);
     if (received_utc < Time{}) received_utc = host_.utc();  // the kernel does not say
-    take(frame, {.utc = received_utc, .mission = clock.arrival_of(received_utc)}, clock, sink);
+    take(heard, {.utc = received_utc, .mission = clock.arrival_of(received_utc)}, clock, sink);
   }
   tell_vehicle_status(clock.now(), sink);
   tell_troubles(clock.now(), sink);
 }
 
-void CanPort::take(const n2k::Frame& frame, const Arrival& arrival, Clock& clock, InputSink& sink) {
-  const Result<n2k::Identifier> identifier = n2k::parse_identifier(frame.identifier);
-  if (!identifier.ok()) return;
-  switch (identifier.value().pgn) {
+void CanPort::take(const n2k::HeardFrame& heard, const Arrival& arrival, Clock& clock, InputSink& sink) {
+  if (!heard.identifier.ok()) return;
+  switch (heard.identifier.value().pgn) {
     case n2k::kPeerPgn:
-      if (has(host::Role::kOperator)) take_order(frame, arrival, clock, sink);
+      if (has(host::Role::kOperator)) take_order(heard, arrival, clock, sink);
       return;
     case n2k::kSnrPgn:
-      if (has(host::Role::kSnr)) take_snr(frame, identifier.value(), arrival, sink);
+      if (has(host::Role::kSnr)) take_snr(heard, arrival, sink);
       return;
     case n2k::kLeakPgn:
-      if (has(host::Role::kNavigation)) take_hull(frame, arrival);
+      if (has(host::Role::kNavigation)) take_hull(heard, arrival);
       return;
     case n2k::kAutopilotStatusPgn:
-      if (has(host::Role::kAutopilot)) take_autopilot_status(frame, identifier.value(), arrival, sink);
+      if (has(host::Role::kAutopilot)) take_autopilot_status(heard, arrival, sink);
       return;
     case n2k::kAddressClaimPgn:  // the SNR's device may be known by its NAME, too
-      return take_navigation(frame, arrival, sink);
+      return take_navigation(heard, arrival, sink);
     default:
-      if (has(host::Role::kNavigation)) take_navigation(frame, arrival, sink);
+      if (has(host::Role::kNavigation)) take_navigation(heard, arrival, sink);
   }
 }
 
-void CanPort::take_navigation(const n2k::Frame& frame, const Arrival& arrival, InputSink& sink) {
+void CanPort::take_navigation(const n2k::HeardFrame& heard, const Arrival& arrival, InputSink& sink) {
   messages::Navigation fix;
-  if (receiver_.accept(frame, arrival.mission, fix) != Status::kOk) return;
+  if (receiver_.accept(heard, arrival.mission, fix) != Status::kOk) return;
   ++fixes_;
   ++report_.received;
   sink.take(index(), fix);
 }
 
-void CanPort::take_snr(const n2k::Frame& frame, const n2k::Identifier& identifier, const Arrival& arrival, InputSink& sink) {
-  const Result<n2k::HeardSnr> heard = n2k::read_snr(frame.bytes());
-  const Result<bool> deaf = n2k::read_deaf(frame.bytes());
-  note_refusal(heard.ok() || heard.status() == Status::kNotReady ? deaf.status() : heard.status());
-  if (!heard.ok() && !deaf.ok()) return;
+void CanPort::take_snr(const n2k::HeardFrame& heard, const Arrival& arrival, InputSink& sink) {
+  const n2k::Identifier& identifier = heard.identifier.value();
+  const Result<n2k::HeardSnr> said = n2k::read_snr(heard.frame.bytes());
+  const Result<bool> deaf = n2k::read_deaf(heard.frame.bytes());
+  note_refusal(said.ok() || said.status() == Status::kNotReady ? deaf.status() : said.status());
+  if (!said.ok() && !deaf.ok()) return;
   const n2k::Origin origin{.pgn = identifier.pgn, .address = identifier.source, .instance = {}};
   const n2k::Directory& directory = receiver_.sensors().directory();
   const n2k::Standing standing = snr_gate_.standing(origin, directory, arrival.mission, n2k::table::kSnr.handover);
-  if (standing == n2k::Standing::kNotChosen && heard.ok()) ++snr_not_chosen_;
+  if (standing == n2k::Standing::kNotChosen && said.ok()) ++snr_not_chosen_;
   if (standing == n2k::Standing::kNotChosen || standing == n2k::Standing::kIsAnothers) return;
-  tell_hearing(deaf, heard.ok(), origin.address, arrival, sink);
-  if (!heard.ok()) return;
+  tell_hearing(deaf, said.ok(), origin.address, arrival, sink);
+  if (!said.ok()) return;
   snr_gate_.hold(origin, directory, arrival.mission);
   ++looks_;
   ++report_.received;
-  sink.take(index(), n2k::measurement_of(heard.value(), arrival.mission));
+  sink.take(index(), n2k::measurement_of(said.value(), arrival.mission));
 }
 
 /// Of the hydrophone that the SNR is taken from. Once another is, which does not say of itself, the deafness of the one before is over.
@@ -175,8 +177,8 @@ void CanPort::tell_hearing(const Result<bool>& deaf, bool has_snr, std::uint8_t 
   sink.take(index(), messages::HydrophoneStatus{.time = arrival.mission, .is_deaf = is_deaf});
 }
 
-void CanPort::take_hull(const n2k::Frame& frame, const Arrival& arrival) {
-  note_refusal(condition_.accept_hull(frame, receiver_.sensors().directory(), arrival.mission));
+void CanPort::take_hull(const n2k::HeardFrame& heard, const Arrival& arrival) {
+  note_refusal(condition_.accept_hull(heard, receiver_.sensors().directory(), arrival.mission));
 }
 
 /// Given at the end of a reading, so that a status holds all that has come.
@@ -187,8 +189,9 @@ void CanPort::tell_vehicle_status(Time now, InputSink& sink) {
   sink.take(index(), status);
 }
 
-void CanPort::take_autopilot_status(const n2k::Frame& frame, const n2k::Identifier& identifier, const Arrival& arrival, InputSink& sink) {
-  const Result<n2k::AutopilotCondition> said = n2k::read_autopilot_status(frame.bytes());
+void CanPort::take_autopilot_status(const n2k::HeardFrame& heard, const Arrival& arrival, InputSink& sink) {
+  const n2k::Identifier& identifier = heard.identifier.value();
+  const Result<n2k::AutopilotCondition> said = n2k::read_autopilot_status(heard.frame.bytes());
   note_refusal(said.status());
   if (!said.ok()) return;
   const n2k::Origin origin{.pgn = identifier.pgn, .address = identifier.source, .instance = {}};

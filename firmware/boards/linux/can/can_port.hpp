@@ -13,6 +13,7 @@
 #include "firmware/config/capacities.hpp"
 #include "firmware/core/fixed_vector.hpp"
 #include "firmware/host/transport/can_socket.hpp"
+#include "firmware/wire/n2k/heard_frame.hpp"
 #include "firmware/wire/n2k/local_plane.hpp"
 #include "firmware/wire/n2k/node/node.hpp"
 #include "firmware/wire/n2k/own/orders.hpp"
@@ -71,15 +72,15 @@ class CanPort final : public Port {
 
   [[nodiscard]] n2k::Node new_node() const;
   [[nodiscard]] Time host_now() const { return Time{} + host_.monotonic(); }
-  void take(const n2k::Frame& frame, const Arrival& arrival, Clock& clock, InputSink& sink);
-  void take_navigation(const n2k::Frame& frame, const Arrival& arrival, InputSink& sink);
-  void take_snr(const n2k::Frame& frame, const n2k::Identifier& identifier, const Arrival& arrival, InputSink& sink);
-  void take_hull(const n2k::Frame& frame, const Arrival& arrival);
-  void take_autopilot_status(const n2k::Frame& frame, const n2k::Identifier& identifier, const Arrival& arrival, InputSink& sink);
+  void take(const n2k::HeardFrame& heard, const Arrival& arrival, Clock& clock, InputSink& sink);
+  void take_navigation(const n2k::HeardFrame& heard, const Arrival& arrival, InputSink& sink);
+  void take_snr(const n2k::HeardFrame& heard, const Arrival& arrival, InputSink& sink);
+  void take_hull(const n2k::HeardFrame& heard, const Arrival& arrival);
+  void take_autopilot_status(const n2k::HeardFrame& heard, const Arrival& arrival, InputSink& sink);
   void tell_hearing(const Result<bool>& deaf, bool has_snr, std::uint8_t source, const Arrival& arrival, InputSink& sink);
   void tell_vehicle_status(Time now, InputSink& sink);
   void note_refusal(Status status);
-  void take_order(const n2k::Frame& frame, const Arrival& arrival, Clock& clock, InputSink& sink);
+  void take_order(const n2k::HeardFrame& heard, const Arrival& arrival, Clock& clock, InputSink& sink);
   void zero_pressure(Time now, const runtime::Outputs& outputs);
   [[nodiscard]] bool send(std::span<const n2k::Frame> frames, const host::Waiting& waiting = {});
   /// Sends one message, or counts that it could not. @param compose  Status(address to send from, Frames&)

@@ -14,12 +14,12 @@ constexpr Duration kChallengePeriod{n2k::table::kChallenge.period.us * 9 / 10};
 
 }  // namespace
 
-void CanPort::take_order(const n2k::Frame& frame, const Arrival& arrival, Clock& clock, InputSink& sink) {
+void CanPort::take_order(const n2k::HeardFrame& heard, const Arrival& arrival, Clock& clock, InputSink& sink) {
   messages::OperatorCommand command;
   std::uint8_t sender = n2k::kNullAddress;
   const std::uint64_t cut = orders_.counters().cut;
   // Without an address only what is meant for all is for us.
-  const Status status = orders_.accept(frame, arrival.utc, node_.address().value_or(n2k::kNullAddress), command, sender);
+  const Status status = orders_.accept(heard, arrival.utc, node_.address().value_or(n2k::kNullAddress), command, sender);
   if (status == Status::kNotReady) return;
   if (status != Status::kOk) {
     sink.tell_order_trouble(index(), OrderTrouble::kUnreadable);

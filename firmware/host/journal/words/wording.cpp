@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "firmware/core/math.hpp"
+#include "firmware/core/compass.hpp"
 #include "firmware/host/text/numbers.hpp"
 #include "firmware/host/text/utc.hpp"
 

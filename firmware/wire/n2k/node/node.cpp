@@ -32,10 +32,10 @@ Frame request_for_claims(std::uint8_t source) {
 
 }  // namespace
 
-void Node::accept(const Frame& frame, Time now) {
-  const Result<Identifier> parsed = parse_identifier(frame.identifier);
-  if (!parsed.ok()) return;
-  const Identifier& identifier = parsed.value();
+void Node::accept(const HeardFrame& heard, Time now) {
+  if (!heard.identifier.ok()) return;
+  const Identifier& identifier = heard.identifier.value();
+  const Frame& frame = heard.frame;
   switch (identifier.pgn) {
     case kAddressClaimPgn:
       if (const std::optional<Name> name = name_in(frame)) claim_.accept(identifier.source, *name, now);

@@ -9,7 +9,7 @@
 #include "firmware/core/fixed_vector.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/wire/n2k/fast_packet.hpp"
-#include "firmware/wire/n2k/frame.hpp"
+#include "firmware/wire/n2k/heard_frame.hpp"
 #include "firmware/wire/n2k/node/address_claim.hpp"
 #include "firmware/wire/n2k/node/commanded_address.hpp"
 #include "firmware/wire/n2k/node/group_function.hpp"
@@ -52,7 +52,7 @@ class Node {
       : identity_(identity), transmitted_(transmitted), received_(received), claim_(identity.name, identity.preferred_address) {}
 
   /// Every frame on the bus, our own among them or not.
-  void accept(const Frame& frame, Time now);
+  void accept(const HeardFrame& heard, Time now);
   /// What is to be sent now. To be called at least every 100 ms; time never goes back.
   void step(Time now, NodeFrames& frames);
 

@@ -81,10 +81,10 @@ Result<CommandAcknowledgement> read_acknowledgement(std::span<const std::uint8_t
   return acknowledgement;
 }
 
-Status OrderReceiver::accept(const Frame& frame, Time now, std::uint8_t address, OperatorCommand& command, std::uint8_t& sender) {
-  const Result<Identifier> parsed = parse_identifier(frame.identifier);
-  if (!parsed.ok() || parsed.value().pgn != kPeerPgn) return Status::kNotReady;
-  const Identifier& identifier = parsed.value();
+Status OrderReceiver::accept(const HeardFrame& heard, Time now, std::uint8_t address, OperatorCommand& command, std::uint8_t& sender) {
+  if (!heard.identifier.ok() || heard.identifier.value().pgn != kPeerPgn) return Status::kNotReady;
+  const Identifier& identifier = heard.identifier.value();
+  const Frame& frame = heard.frame;
   if (identifier.destination != address && identifier.destination != kBroadcast) return Status::kNotReady;
   sender = identifier.source;
   if (is_ours(table::kAbort, frame.bytes()) && !assembly_.expects(identifier, frame)) return take(frame.bytes(), now, command);

@@ -7,7 +7,7 @@
 #include "firmware/core/time.hpp"
 #include "firmware/messages/operator_command.hpp"
 #include "firmware/wire/n2k/fast_packet.hpp"
-#include "firmware/wire/n2k/frame.hpp"
+#include "firmware/wire/n2k/heard_frame.hpp"
 
 namespace earshot::n2k {
 
@@ -47,7 +47,8 @@ class OrderReceiver {
   /// @return kOk: `command` is new, and `sender` is to have its acknowledgement. kNotReady: nothing came of it. Otherwise refused and
   /// counted: of `command` there are issuer, number and order, as far as they are readable, to answer by. A command whose order is an ABORT
   /// is never refused, whatever else of it is missing or impossible.
-  [[nodiscard]] Status accept(const Frame& frame, Time now, std::uint8_t address, messages::OperatorCommand& command, std::uint8_t& sender);
+  [[nodiscard]] Status accept(const HeardFrame& heard, Time now, std::uint8_t address, messages::OperatorCommand& command,
+                              std::uint8_t& sender);
 
   [[nodiscard]] const OrderCounters& counters() const { return counters_; }
 

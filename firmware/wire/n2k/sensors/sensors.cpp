@@ -28,13 +28,13 @@ Sensors::Sensors(const SensorSettings& settings) : pressure_kind_(settings.press
   for (std::size_t i = 0; i < kMeasured; ++i) gates_[i] = SourceGate(settings.sources[i]);
 }
 
-Status Sensors::accept(const Frame& frame, Time now, Measured& measured) {
-  const Result<Identifier> parsed = parse_identifier(frame.identifier);
-  if (!parsed.ok()) {
+Status Sensors::accept(const HeardFrame& heard, Time now, Measured& measured) {
+  if (!heard.identifier.ok()) {
     ++counters_.of_no_interest;
     return Status::kNotReady;
   }
-  const Identifier& identifier = parsed.value();
+  const Identifier& identifier = heard.identifier.value();
+  const Frame& frame = heard.frame;
   Status status = Status::kNotReady;
   if (identifier.pgn == kAddressClaimPgn) {
     directory_.accept(identifier.source, frame);

@@ -8,7 +8,7 @@
 #include "firmware/core/status.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/wire/n2k/fast_packet.hpp"
-#include "firmware/wire/n2k/frame.hpp"
+#include "firmware/wire/n2k/heard_frame.hpp"
 #include "firmware/wire/n2k/sensors/directory.hpp"
 #include "firmware/wire/n2k/sensors/readings.hpp"
 #include "firmware/wire/n2k/sensors/source_gate.hpp"
@@ -66,7 +66,7 @@ class Sensors {
   /// @param now  arrival of the frame
   /// @return kOk: `measured` has a new reading. kNotReady: nothing came of it (another group or device, half a message, no value).
   /// Otherwise refused and counted: kOutOfRange and kMalformed as decode(), kUnsupported for what has a meaning that is not taken.
-  [[nodiscard]] Status accept(const Frame& frame, Time now, Measured& measured);
+  [[nodiscard]] Status accept(const HeardFrame& heard, Time now, Measured& measured);
 
   /// Takes the newest pressure for that at the surface. kNotReady: there is none. kOutOfRange: nobody is at the surface with it (a gauge
   /// over 20 kPa from zero, an absolute pressure outside 80 to 110 kPa), and nothing is changed.

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "firmware/core/compass.hpp"
 #include "firmware/core/math.hpp"
 #include "firmware/wire/n2k/codec.hpp"
 #include "firmware/wire/n2k/hydrostatics.hpp"
@@ -44,10 +45,10 @@ Status compose_navigation(const messages::Navigation& navigation, const LocalPla
   return Status::kOk;
 }
 
-Status NavigationReceiver::accept(const Frame& frame, Time now, Fix& fix) {
+Status NavigationReceiver::accept(const HeardFrame& heard, Time now, Fix& fix) {
   const SensorCounters before = sensors_.counters();
   Measured measured{};
-  Status status = sensors_.accept(frame, now, measured);
+  Status status = sensors_.accept(heard, now, measured);
   if (sensors_.counters().of_no_interest != before.of_no_interest) ++counters_.other;
   if (status == Status::kMalformed || status == Status::kOutOfRange) ++counters_.malformed;
   if (status == Status::kOk) status = measured == Measured::kPosition ? complete(fix) : Status::kNotReady;
@@ -57,9 +58,9 @@ Status NavigationReceiver::accept(const Frame& frame, Time now, Fix& fix) {
   return status;
 }
 
-Status NavigationReceiver::accept(const Frame& frame, Time now, messages::Navigation& navigation) {
+Status NavigationReceiver::accept(const HeardFrame& heard, Time now, messages::Navigation& navigation) {
   Fix fix;
-  const Status status = accept(frame, now, fix);
+  const Status status = accept(heard, now, fix);
   if (status != Status::kOk) return status;
   navigation = {.time = fix.time,
                 .position = fix.position,

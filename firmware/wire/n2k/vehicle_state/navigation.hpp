@@ -7,7 +7,7 @@
 #include "firmware/core/status.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/messages/navigation.hpp"
-#include "firmware/wire/n2k/frame.hpp"
+#include "firmware/wire/n2k/heard_frame.hpp"
 #include "firmware/wire/n2k/local_plane.hpp"
 #include "firmware/wire/n2k/sensors/sensors.hpp"
 
@@ -58,9 +58,9 @@ class NavigationReceiver {
   /// @param now  arrival of the frame
   /// @return kOk: `fix` is new. kNotReady: kept, or not ours. kOutOfRange, kMalformed, kUnsupported: refused and counted. kStale: a
   /// position, but heading or depth is missing or old.
-  [[nodiscard]] Status accept(const Frame& frame, Time now, Fix& fix);
+  [[nodiscard]] Status accept(const HeardFrame& heard, Time now, Fix& fix);
   /// Likewise; a speed that is missing is messages::kUnknownSpeed.
-  [[nodiscard]] Status accept(const Frame& frame, Time now, messages::Navigation& navigation);
+  [[nodiscard]] Status accept(const HeardFrame& heard, Time now, messages::Navigation& navigation);
 
   [[nodiscard]] const NavigationCounters& counters() const { return counters_; }
   [[nodiscard]] const Sensors& sensors() const { return sensors_; }

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "firmware/wire/n2k/identifier.hpp"
-
 namespace earshot::n2k {
 namespace {
 
@@ -18,12 +16,11 @@ bool has_new_alarm(const messages::VehicleStatus& status, const messages::Vehicl
 
 }  // namespace
 
-Status VehicleCondition::accept_hull(const Frame& frame, const Directory& directory, Time now) {
-  const Result<Identifier> identifier = parse_identifier(frame.identifier);
-  if (!identifier.ok()) return identifier.status();
-  const Result<Hull> hull = read_hull(frame.bytes());
+Status VehicleCondition::accept_hull(const HeardFrame& heard, const Directory& directory, Time now) {
+  if (!heard.identifier.ok()) return heard.identifier.status();
+  const Result<Hull> hull = read_hull(heard.frame.bytes());
   if (!hull.ok()) return hull.status();
-  hull_.take(hull.value(), identifier.value().source, directory);
+  hull_.take(hull.value(), heard.identifier.value().source, directory);
   hull_heard_ = now;
   return Status::kOk;
 }

@@ -5,7 +5,7 @@
 #include "firmware/core/status.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/messages/vehicle_status.hpp"
-#include "firmware/wire/n2k/frame.hpp"
+#include "firmware/wire/n2k/heard_frame.hpp"
 #include "firmware/wire/n2k/own/hull_alarms.hpp"
 #include "firmware/wire/n2k/sensors/sensors.hpp"
 
@@ -21,10 +21,10 @@ class VehicleCondition {
   /// @param oldest_altitude  what it may be older than the newest part, at most; a charge, which changes slowly: its message's timeout
   explicit VehicleCondition(Duration oldest_altitude) : oldest_altitude_(oldest_altitude) {}
 
-  /// @param frame  of 65293
+  /// @param heard  of 65293
   /// @param now  its arrival
   /// @return otherwise than kOk: not taken, as read_hull() says.
-  [[nodiscard]] Status accept_hull(const Frame& frame, const Directory& directory, Time now);
+  [[nodiscard]] Status accept_hull(const HeardFrame& heard, const Directory& directory, Time now);
 
   /// @param now  never goes back
   /// @return kOk: `status`, dated as its newest part arrived, is to be given. kNotReady: nothing is new, or the last was given less than

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "firmware/host/mission/mission_file.hpp"
+#include "firmware/host/mission/ports/flight_needs.hpp"
 #include "tests/firmware/host/mission/missions_folder.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <string>
 
+#include "firmware/host/mission/ports/port_override.hpp"
 #include "tests/firmware/host/mission/shipped_mission.hpp"
 #include "tests/support/secret_file.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -8,6 +8,8 @@
 #include <sstream>
 #include <string>
 
+#include "firmware/host/mission/ports/flight_needs.hpp"
+#include "firmware/host/mission/ports/port_override.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "tests/firmware/host/mission/shipped_mission.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -103,8 +105,8 @@ TEST(MissionFile, HasEachAddressOfAKindOnce) {
   file.ports.push_back({.name = "bus", .kind = PortKind::kCan, .address = "can0", .roles = {Role::kNavigation}});
   file.ports.push_back({.name = "other", .kind = PortKind::kCan, .address = "can1", .roles = {Role::kNavigation}});
   file.ports.push_back({.name = "again", .kind = PortKind::kCan, .address = "can0", .roles = {Role::kNavigation}});
-  EXPECT_EQ(addresses_of(file, PortKind::kCan), (std::vector<std::string>{"can0", "can1"}));
-  EXPECT_EQ(addresses_of(file, PortKind::kLcm).size(), 1U);
+  EXPECT_EQ(addresses_of(file.ports, PortKind::kCan), (std::vector<std::string>{"can0", "can1"}));
+  EXPECT_EQ(addresses_of(file.ports, PortKind::kLcm).size(), 1U);
 }
 
 TEST(MissionFile, FilesItNamesAreRelativeToItsOwnFolder) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "firmware/host/mission/mission_file.hpp"
+#include "firmware/host/mission/ports/port_override.hpp"
 #include "tests/firmware/host/mission/missions_folder.hpp"
 #include "tests/support/temporary_folder.hpp"
 

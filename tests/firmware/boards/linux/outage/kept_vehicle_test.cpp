@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "firmware/host/mission/mission_file.hpp"
+#include "firmware/host/mission/ports/port_override.hpp"
 
 namespace earshot::board {
 namespace {

@@ -28,14 +28,14 @@ class VehicleConditionTest : public testing::Test {
   void charge(std::uint8_t percent) {
     const auto head = static_cast<std::uint8_t>(32 * (packets_++ % 8));
     Measured measured{};
-    (void)sensors_.accept({.identifier = 0x19F2122B, .size = 8, .data = {head, 11, 0xFF, 0, 0, percent, 0xFF, 0xFF}}, now_, measured);
+    (void)sensors_.accept(Frame{.identifier = 0x19F2122B, .size = 8, .data = {head, 11, 0xFF, 0, 0, percent, 0xFF, 0xFF}}, now_, measured);
     (void)sensors_.accept(
-        {.identifier = 0x19F2122B, .size = 8, .data = {static_cast<std::uint8_t>(head + 1), 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}},
+        Frame{.identifier = 0x19F2122B, .size = 8, .data = {static_cast<std::uint8_t>(head + 1), 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}},
         now_, measured);
   }
   /// 65293 from 0x2C: leak in bits 0 and 1 of byte 3, ground fault in bits 2 and 3.
   Status hull(std::uint8_t states) {
-    return condition_.accept_hull({.identifier = 0x04FF0D2C, .size = 8, .data = {0xFC, 0x9F, 0, states, 0xFF, 0xFF, 0xFF, 0xFF}},
+    return condition_.accept_hull(Frame{.identifier = 0x04FF0D2C, .size = 8, .data = {0xFC, 0x9F, 0, states, 0xFF, 0xFF, 0xFF, 0xFF}},
                                   sensors_.directory(), now_);
   }
   std::optional<messages::VehicleStatus> given() {
