@@ -20,7 +20,7 @@ def complaints_about(name: str, command: list[str], entries: list[Entry]) -> lis
         found = faults_of(ROOT / name, arguments_for_clang(command))
     except CannotRead as e:
         return [f"{name}: {e}"]
-    return faults_meant(entries, name, (ROOT / name).read_text(), found)[1]
+    return faults_meant(entries, name, found)[1]
 
 
 def main() -> int:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,20 +13,19 @@ from project import BadInput
 if TYPE_CHECKING:  # the list can be read where clang's module, which sites.py needs, is not installed
     from sites import Fault
 
-_TEXTS = {"file", "line", "change", "reason"}
+_TEXTS = {"file", "function", "fault", "reason"}
 
 
 @dataclass(frozen=True)
 class Entry:
     file: str
-    line: str  # without blanks around it
-    change: str  # as Fault.change
+    function: str  # as Fault.function
+    fault: str  # as Fault.kind
     reason: str  # why nobody can notice
-    occurrence: int | None = None  # which of the file's faults of this line and change, counted from 1
+    site: str | None = None  # "2 of 5": which of the function's faults of this kind, counted from 1, and of how many
 
     def told(self) -> str:
-        which = "" if self.occurrence is None else f" (occurrence {self.occurrence})"
-        return f"{self.file}: {self.line}\n    {self.change}{which}"
+        return f"{self.file}: {self.function}: {self.fault}" + ("" if self.site is None else f", {self.site}")
 
 
 def read_entries(path: Path, root: Path) -> list[Entry]:
@@ -43,44 +43,48 @@ def read_entries(path: Path, root: Path) -> list[Entry]:
 
 def _entry(path: Path, fields: dict[str, object]) -> Entry:
     texts = {name: value for name, value in fields.items() if isinstance(value, str)}
-    occurrence = fields.get("occurrence")
-    is_number = isinstance(occurrence, int) and not isinstance(occurrence, bool) and occurrence >= 1
-    if texts.keys() != _TEXTS or fields.keys() - _TEXTS - {"occurrence"} or not (occurrence is None or is_number):
-        needs = "the texts file, line, change, reason, may have a number occurrence from 1 on, and nothing else"
+    site = re.fullmatch(r"([1-9]\d*) of ([1-9]\d*)", texts.get("site", "1 of 2"))
+    is_site = site is not None and int(site[1]) <= int(site[2]) > 1
+    if texts.keys() != fields.keys() or texts.keys() - {"site"} != _TEXTS or not is_site:
+        needs = 'the texts file, function, fault, reason, may have a site such as "2 of 5", and nothing else'
         raise BadInput(f"{path}: an entry needs {needs}; it has {fields}")
-    return Entry(**texts, occurrence=occurrence if isinstance(occurrence, int) else None)
+    return Entry(**texts)
 
 
-def faults_meant(
-    entries: list[Entry], name: str, text: str, faults: list[Fault]
-) -> tuple[dict[Fault, Entry], list[str]]:
+def faults_meant(entries: list[Entry], name: str, faults: list[Fault]) -> tuple[dict[Fault, Entry], list[str]]:
     """The fault of each entry for the file `name`, and a complaint about every one that does not mean just one fault.
 
     @param faults  all of the file, in the order of its text
     """
-    lines = [line.strip() for line in text.split("\n")]
     meant: dict[Fault, Entry] = {}
     complaints: list[str] = []
     for entry in entries:
         if entry.file != name:
             continue
-        alike = [f for f in faults if f.change == entry.change and lines[f.line - 1] == entry.line]
-        planted = [f for f in alike if f.switchable]
-        number = entry.occurrence or 1
-        if not alike:
-            complaints.append(f"no such fault (any more): {entry.told()}")
-        elif not planted:
-            complaints.append(f"only the compiler computes this, so it is not tried: {entry.told()}")
-        elif entry.occurrence is None and len(planted) > 1:
-            places = ", ".join(f"{n} on line {f.line}" for n, f in enumerate(planted, 1))
-            complaints.append(f"{len(planted)} faults are alike, say which by occurrence = {places}: {entry.told()}")
-        elif number > len(planted):
-            complaints.append(f"no more than {len(planted)} such faults: {entry.told()}")
-        elif planted[number - 1] in meant:
-            complaints.append(f"listed twice: {entry.told()}")
+        of_function = [f for f in faults if f.function == entry.function]
+        alike = [f for f in of_function if f.kind == entry.fault]
+        found = next((f for f in alike if f.switchable and f.site == entry.site), None)
+        if found is None:
+            complaints.append(f"{entry.told()}: {_what_is_wrong(of_function, alike)}")
+        elif found in meant:
+            complaints.append(f"{entry.told()}: listed twice")
         else:
-            meant[planted[number - 1]] = entry
+            meant[found] = entry
     return meant, complaints
+
+
+def _what_is_wrong(of_function: list[Fault], alike: list[Fault]) -> str:
+    planted = [f for f in alike if f.switchable]
+    if not of_function:
+        return "no such function (any more)"
+    if not alike:
+        return f"no such fault in it (any more); it has: {', '.join(sorted({f.kind for f in of_function}))}"
+    if not planted:
+        return "only the compiler computes this, so it is not tried"
+    if len(planted) == 1:
+        return "it has one such fault (by now), which needs no site"
+    places = "".join(f'\n    site = "{f.site}": line {f.line}: {f.change}' for f in planted)
+    return f"it has {len(planted)} such faults (by now); say which:{places}"
 
 
 def complain_of(path: Path, complaints: list[str]) -> None:

@@ -195,7 +195,10 @@ def report(name: str, planted: list[Planted], skipped: str) -> tuple[int, int]:
         if not p.seen_by:
             why = "" if p.reached else " (no test comes by)"
             why += f" (tests of {time_told(p.left_out)} were not run)" if p.left_out else ""
-            print(f"  {name}:{p.fault.line}: survived: {p.fault.kind}: {p.fault.change}{why}")
+            site = f", {p.fault.site}" if p.fault.site else ""
+            print(
+                f"  {name}:{p.fault.line}: survived: {p.fault.kind}: {p.fault.change} [{p.fault.function}{site}]{why}"
+            )
     return noticed, len(counted)
 
 
@@ -247,7 +250,7 @@ def measure(options: argparse.Namespace, names: list[str], project: Project, lis
             print(f"{name}: not tried, it is part of no test program")
             continue
         found = faults_of(project.tree / name, arguments_for_clang(commands.of(name)))
-        meant, wrong = faults_meant(entries, name, sources[name].decode(), found)
+        meant, wrong = faults_meant(entries, name, found)
         complaints += wrong
         constant[name] = sum(1 for f in found if not f.switchable)
         plans[name] = dict(

@@ -12,7 +12,6 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-import equivalents
 import measure
 import sites
 import switch
@@ -36,7 +35,7 @@ class Finding(unittest.TestCase):
             told("bool is_less(int a, int b) { return a < b; }"),
             {
                 "comparison: a < b: < -> >=",
-                "off by one: a < b: < -> <=",
+                "boundary: a < b: < -> <=",
                 "early return: is_less begins with return {};",
             },
         )
@@ -62,8 +61,8 @@ class Finding(unittest.TestCase):
         found = told("void f(int& a) { if (a > 3) a = 2; ++a; }")
         self.assertLessEqual(
             {
-                "removed check: if (a > 3) never",
-                "removed check: if (a > 3) always",
+                "never true: if (a > 3) never",
+                "always true: if (a > 3) always",
                 "dropped statement: a = 2 left out",
                 "dropped statement: ++a left out",
                 "sign: ++a -> --a",
@@ -139,72 +138,34 @@ int main() { std::printf("%d %d %d", f(1, 2), f(2, 2), f(3, 2)); }
             self.assertEqual(reached.read_bytes(), b"\0" + b"\1" * len(numbered))
 
 
-class Listing(unittest.TestCase):
-    """Two faults of its first line are alike, a third on its second."""
-
-    TEXT = "int f(int a) { return a < 0 ? 0 : a; }\n  int g(int a) { return a < 0 ? 0 : a; }\n"
-
-    def meant(self, *entries: equivalents.Entry) -> tuple[list[tuple[int, int]], list[str]]:
-        """The places of the faults that are meant: line and column, from 1; and the complaints."""
-        found, complaints = equivalents.faults_meant(list(entries), "some.cpp", self.TEXT, faults(self.TEXT))
-        places = [(f.line, f.start - self.TEXT.rfind("\n", 0, f.start)) for f in found]
-        return places, [c.split(":")[0] for c in complaints]
+class Naming(unittest.TestCase):
+    """Where a fault stands, in words that stay the same when its line is written anew."""
 
     @staticmethod
-    def entry(function: str, change: str, occurrence: int | None = None) -> equivalents.Entry:
-        line = f"int {function}(int a) {{ return a < 0 ? 0 : a; }}"
-        return equivalents.Entry("some.cpp", line, change, "none", occurrence)
+    def places(text: str, change: str) -> list[tuple[str, str | None]]:
+        return [(f.function, f.site) for f in faults(text) if f.change == change]
 
-    def test_means_the_one_fault_of_a_line_and_a_change(self):
-        self.assertEqual(self.meant(self.entry("f", "a < 0: < -> <=")), ([(1, 23)], []))
-        self.assertEqual(self.meant(self.entry("g", "a < 0: < -> <=")), ([(2, 25)], []))
-
-    def test_refuses_an_entry_that_several_faults_fit_unless_it_says_which(self):
+    def test_names_the_function_with_what_it_is_a_member_of(self):
+        text = "namespace a { namespace { struct B { void f(); static int g() { return 1; } };\n"
+        text += "void B::f() { struct C { int h() { return 2; } }; auto i = [] { return 3; }; } } }\n"
+        text += "template <class T> T j(T k = 4) { return k; }\nint l = 5;\nstruct M { int n = 6; };"
         self.assertEqual(
-            self.meant(self.entry("f", "0 -> 0 + 1")),
-            ([], ["2 faults are alike, say which by occurrence = 1 on line 1, 2 on line 1"]),
+            [self.places(text, f"{n} -> {n} + 1") for n in range(1, 7)],
+            [[(name, None)] for name in ("a::B::g", "a::B::f::C::h", "a::B::f", "j", "l", "M::n")],
         )
-        self.assertEqual(self.meant(self.entry("f", "0 -> 0 + 1", 1)), ([(1, 27)], []))
-        self.assertEqual(self.meant(self.entry("f", "0 -> 0 + 1", 2)), ([(1, 31)], []))
-        self.assertEqual(self.meant(self.entry("f", "0 -> 0 + 1", 3)), ([], ["no more than 2 such faults"]))
 
-    def test_counts_occurrences_through_all_lines_that_are_alike(self):
-        self.TEXT = "struct A { int f(); int g(); };\nint A::f() {\nreturn 3;\n}\nint A::g() {\n  return 3;\n}\n"
-        alike = [equivalents.Entry("some.cpp", "return 3;", "3 -> 3 + 1", "none", n) for n in (1, 2, 3)]
-        self.assertEqual(self.meant(*alike), ([(3, 8), (6, 10)], ["no more than 2 such faults"]))
+    def test_counts_faults_of_a_kind_through_a_function_and_those_of_its_name(self):
+        text = (
+            "int f(int a) { if (a < 7) return 7; return a < 8 ? 7 : 9; }\nint f() { return 7; }\nint g() { return 7; }"
+        )
+        self.assertEqual(
+            self.places(text, "7 -> 7 + 1"),
+            [("f", "1 of 6"), ("f", "2 of 6"), ("f", "4 of 6"), ("f", "6 of 6"), ("g", None)],
+        )
+        self.assertEqual(self.places(text, "a < 8: < -> <="), [("f", "2 of 2")])
 
-    def test_refuses_what_no_fault_fits_what_is_listed_twice_and_what_the_compiler_computes(self):
-        self.assertEqual(self.meant(self.entry("f", "0 -> 1")), ([], ["no such fault (any more)"]))
-        self.assertEqual(self.meant(self.entry("h", "a < 0: < -> <=")), ([], ["no such fault (any more)"]))
-        twice = self.entry("f", "a < 0: < -> <=")
-        self.assertEqual(self.meant(twice, twice), ([(1, 23)], ["listed twice"]))
-        self.TEXT = "constexpr int kSize = 3;\n"
-        constant = equivalents.Entry("some.cpp", "constexpr int kSize = 3;", "3 -> 3 + 1", "none")
-        self.assertEqual(self.meant(constant), ([], ["only the compiler computes this, so it is not tried"]))
-
-    def test_reads_entries_of_just_their_fields_for_files_that_are_there(self):
-        with tempfile.TemporaryDirectory() as place:
-            root, listed = Path(place), Path(place) / "equivalents.toml"
-            (root / "some.cpp").touch()
-            whole = '[[equivalent]]\nfile = "some.cpp"\nline = "a"\nchange = "b"\nreason = "c"\n'
-            listed.write_text(whole + "occurrence = 2\n" + whole)
-            there = equivalents.Entry("some.cpp", "a", "b", "c")
-            second = equivalents.Entry("some.cpp", "a", "b", "c", 2)
-            self.assertEqual(equivalents.read_entries(listed, root), [second, there])
-            needs = r"equivalents.toml: an entry needs the texts file, line, change, reason"
-            for wrong, complaint in {
-                whole.replace('reason = "c"\n', ""): needs,
-                whole.replace('"c"', "3"): needs,
-                whole + 'author = "d"\n': needs,
-                whole + "occurrence = 0\n": needs,
-                whole + "occurrence = true\n": needs,
-                whole + 'occurrence = "2"\n': needs,
-                whole.replace("some.cpp", "other.cpp"): r"equivalents.toml: no such file \(any more\):\s+other.cpp: a",
-                "[[equivalent\n": r"equivalents.toml: .*at line 1",
-            }.items():
-                listed.write_text(wrong)
-                with self.assertRaisesRegex(equivalents.BadInput, complaint):
-                    equivalents.read_entries(listed, root)
+    def test_counts_nothing_that_only_the_compiler_computes(self):
+        self.assertEqual(self.places("int f() { constexpr int kA = 3; return 3; }", "3 -> 3 + 1"), [("f", None)] * 2)
 
 
 class CommandLine(unittest.TestCase):
@@ -223,7 +184,7 @@ class CommandLine(unittest.TestCase):
         here = Path(__file__).resolve().parent
         shutil.copytree(here, self.tool, ignore=shutil.ignore_patterns("__pycache__", "*.toml"))
         (self.tool / "equivalents.toml").write_text(
-            '[[equivalent]]\nfile = "firmware/some.cpp"\nline = "int a = 0;"\nchange = "0 -> 0 + 1"\n'
+            '[[equivalent]]\nfile = "firmware/some.cpp"\nfunction = "a"\nfault = "off by one"\n'
             'reason = "nobody looks"\n'
         )
         subprocess.run(["git", "init", "-q", self.root], check=True)
@@ -240,7 +201,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual((told.returncode, told.stderr), (0, ""))
         self.assertEqual(
             told.stdout,
-            "firmware/some.cpp: int a = 0;\n    0 -> 0 + 1\n    nobody looks\n1 fault is listed as equivalent\n",
+            "firmware/some.cpp: a: off by one\n    nobody looks\n1 fault is listed as equivalent\n",
         )
         self.assertEqual(self.ran("--show-equivalents").stdout, told.stdout)
 
@@ -293,7 +254,7 @@ int main(int argc, char** argv) {
 """,
 }
 SURVIVORS = """\
-  firmware/core/bounds.cpp:3: survived: off by one: 400 -> 400 + 1
+  firmware/core/bounds.cpp:3: survived: off by one: 400 -> 400 + 1 [is_deep]
 """
 
 
@@ -325,20 +286,18 @@ class Measuring(unittest.TestCase):
         self.assertIn(SURVIVORS, said)
         self.assertEqual((said.count("survived"), status), (1, 1))
 
-        entry = '[[equivalent]]\nfile = "firmware/core/bounds.cpp"\nline = "return depth > 400;"\nreason = "none"\n'
-        status, said = self.measured(entry + 'change = "400 -> 400 + 1"\n')
+        entry = '[[equivalent]]\nfile = "firmware/core/bounds.cpp"\nfunction = "is_deep"\nreason = "none"\n'
+        status, said = self.measured(entry + 'fault = "off by one"\n')
         self.assertIn("bounds.cpp: 3 of 3 noticed, 100 %", said)
 
         with self.assertRaisesRegex(
-            measure.BadInput, r"no such fault \(any more\): firmware/core/bounds.cpp: return depth"
+            measure.BadInput, r"firmware/core/bounds.cpp: is_deep: units: no such fault in it \(any more\)"
         ):
-            self.measured(entry + 'change = "500 -> 500 + 1"\n')
+            self.measured(entry + 'fault = "units"\n')
 
     def test_refutes_at_the_end_what_a_test_notices_though_it_is_listed(self):
-        entry = '[[equivalent]]\nfile = "firmware/core/bounds.cpp"\nline = "return depth > 400;"\nreason = "none"\n'
-        status, said = self.measured(
-            entry + 'change = "400 -> 400 + 1"\n' + entry + 'change = "depth > 400: > -> <="\n'
-        )
+        entry = '[[equivalent]]\nfile = "firmware/core/bounds.cpp"\nfunction = "is_deep"\nreason = "none"\n'
+        status, said = self.measured(entry + 'fault = "off by one"\n' + entry + 'fault = "comparison"\n')
         self.assertIn("bounds.cpp: 2 of 2 noticed, 100 %", said)
         refuted = (
             "no equivalent, a test notices it: firmware/core/bounds.cpp:3: depth > 400: > -> <=: tests/bounds_test"
@@ -347,10 +306,10 @@ class Measuring(unittest.TestCase):
         self.assertEqual((said.count("no equivalent"), status), (1, 1))
 
     def test_plants_just_what_is_listed_when_told(self):
-        entry = '[[equivalent]]\nfile = "firmware/core/bounds.cpp"\nline = "return depth > 400;"\nreason = "none"\n'
-        status, said = self.measured(entry + 'change = "400 -> 400 + 1"\n', only_equivalents=True)
+        entry = '[[equivalent]]\nfile = "firmware/core/bounds.cpp"\nfunction = "is_deep"\nreason = "none"\n'
+        status, said = self.measured(entry + 'fault = "off by one"\n', only_equivalents=True)
         self.assertEqual((said.count("no equivalent"), said.count("survived"), status), (0, 0, 0))
-        status, said = self.measured(entry + 'change = "depth > 400: > -> <="\n', only_equivalents=True)
+        status, said = self.measured(entry + 'fault = "comparison"\n', only_equivalents=True)
         self.assertEqual((said.count("no equivalent"), said.count("survived"), status), (1, 0, 1))
         with self.assertRaisesRegex(measure.BadInput, "no fault of these files is listed as an equivalent"):
             self.measured("", only_equivalents=True)

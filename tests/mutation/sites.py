@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from clang.cindex import Cursor, CursorKind, Index, TranslationUnit, TypeKind
@@ -18,15 +19,18 @@ class Fault:
     end: int
     text: str
     kind: str
+    function: str  # whose body it stands in, by its qualified name; outside of functions the variable or member
     line: int
     change: str  # as a person reads it
     switchable: bool = True  # false where only the compiler looks: constants, sizes
+    site: str | None = None  # "2 of 5" where a function has several switchable ones of a kind, in the order of its text
 
 
 class CannotRead(Exception):
     """The compiler's complaint about a file."""
 
 
+CHECKS = ("never true", "always true")  # kinds of faults of an if's condition
 _ARITHMETIC = {"+": ["-"], "-": ["+"], "*": ["/"], "/": ["*"], "%": ["*"], "<<": [">>"], ">>": ["<<"]}
 _BITS = {"&": ["|"], "|": ["&"], "^": ["&"]}
 _ASSIGNMENT = {"+=": ["-="], "-=": ["+="], "*=": ["/="], "/=": ["*="], "|=": ["&="], "&=": ["|="], "^=": ["|="]}
@@ -84,6 +88,16 @@ def arguments_for_clang(command: list[str]) -> list[str]:
     return [*kept, "-x", "c++", "-w", "-Wno-error", "-fno-spell-checking"]
 
 
+def qualified_name(cursor: Cursor) -> str:
+    """Of a declaration, as C++ spells it; namespaces without a name are left out."""
+    names: list[str] = []
+    while cursor is not None and cursor.kind != CursorKind.TRANSLATION_UNIT:
+        if cursor.spelling and not cursor.spelling.startswith("("):
+            names.append(cursor.spelling)
+        cursor = cursor.semantic_parent
+    return "::".join(reversed(names))
+
+
 def faults_of(file: Path, arguments: list[str]) -> list[Fault]:
     """Every fault that can be planted in `file`, in the order of its text."""
     unit = Index.create().parse(str(file), arguments, options=TranslationUnit.PARSE_DETAILED_PROCESSING_RECORD)
@@ -95,7 +109,19 @@ def faults_of(file: Path, arguments: list[str]) -> list[Fault]:
     first: dict[tuple[int, int, str], Fault] = {}
     for fault in reader.faults:
         first.setdefault((fault.start, fault.end, fault.text), fault)
-    return sorted(first.values(), key=lambda f: (f.start, -f.end, f.text))
+    return _with_sites(sorted(first.values(), key=lambda f: (f.start, -f.end, f.text)))
+
+
+def _with_sites(faults: list[Fault]) -> list[Fault]:
+    counts = Counter((f.function, f.kind) for f in faults if f.switchable)
+    numbers: Counter[tuple[str, str]] = Counter()
+    found: list[Fault] = []
+    for fault in faults:
+        alike = fault.function, fault.kind
+        numbers[alike] += fault.switchable
+        is_one_of_several = fault.switchable and counts[alike] > 1
+        found.append(replace(fault, site=f"{numbers[alike]} of {counts[alike]}") if is_one_of_several else fault)
+    return found
 
 
 class _Reader:
@@ -104,6 +130,7 @@ class _Reader:
         self.bytes = file.read_bytes()
         self.faults: list[Fault] = []
         self.constant = False
+        self.function_name = ""  # of what is being read
         self.named: set[int] = set()  # where constructors name what they initialise: no expression begins there
         self.macros = [
             (c.extent.start.offset, c.extent.end.offset)
@@ -131,7 +158,7 @@ class _Reader:
             return
         line = self.bytes.count(b"\n", 0, start) + 1
         told = change or f"{_short(self.text(start, end))} -> {_short(text)}"
-        self.faults.append(Fault(start, end, text, kind, line, told, not self.constant))
+        self.faults.append(Fault(start, end, text, kind, self.function_name, line, told, not self.constant))
 
     def declarations(self, cursor: Cursor) -> None:
         for child in cursor.get_children():
@@ -201,9 +228,11 @@ class _Reader:
         at = cursor.location.offset
         if re.search(r"=\s*(default|delete)\s*$", self.of(cursor)):
             return
-        before, self.constant = self.constant, self.constant or "consteval" in self.text(cursor.extent.start.offset, at)
+        before = self.constant, self.function_name
+        self.constant = self.constant or "consteval" in self.text(cursor.extent.start.offset, at)
+        self.function_name = qualified_name(cursor)
         self.function_body(cursor, [c for c in children if c.extent.start.offset > at])
-        self.constant = before
+        self.constant, self.function_name = before
 
     def function_body(self, cursor: Cursor, children: list[Cursor]) -> None:
         names = [c for c in children if c.kind in (CursorKind.MEMBER_REF, CursorKind.TYPE_REF)]
@@ -223,12 +252,15 @@ class _Reader:
     def variable(self, cursor: Cursor, children: list[Cursor]) -> None:
         at = cursor.location.offset
         is_constant = "constexpr" in self.text(cursor.extent.start.offset, at)
+        before = self.function_name
+        self.function_name = before or qualified_name(cursor)
         for child in children:
             start = child.extent.start.offset
             between = self.text(at, start) if start > at else ""
             is_size = between.rstrip().endswith("[") or (cursor.kind == CursorKind.FIELD_DECL and cursor.is_bitfield())
             if start > at:
                 (self.visit_constant if is_constant or is_size else self.visit_all)([child])
+        self.function_name = before
 
     def statements(self, children: list[Cursor]) -> None:
         """What stands as a statement: each may be left out."""
@@ -249,8 +281,9 @@ class _Reader:
         condition = next((c for c in children if c.kind.is_expression()), None)
         if condition is not None and children[0].kind != CursorKind.VAR_DECL:
             told = _short(self.of(condition))
-            self.add(condition, "false", "removed check", f"if ({told}) never")
-            self.add(condition, "true", "removed check", f"if ({told}) always")
+            never, always = CHECKS
+            self.add(condition, "false", never, f"if ({told}) never")
+            self.add(condition, "true", always, f"if ({told}) always")
             self.visit(condition)
             children = [c for c in children if c != condition]
         self.statements(children)
@@ -269,7 +302,7 @@ class _Reader:
             "bits": _BITS,
             "assignment": _ASSIGNMENT,
             "comparison": _COMPARISON,
-            "off by one": {k: [v] for k, v in _BOUNDARY.items()},
+            "boundary": {k: [v] for k, v in _BOUNDARY.items()},
             "logic": _LOGIC,
         }.items():
             for other in table.get(operator, []):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from sites import Fault
+from sites import CHECKS, Fault
 
 # Where a constant is computed by the compiler every fault is off. EARSHOT_FAULTS_REACHED names a file of a byte a
 # fault, set to 1 as a program comes by: it is mapped, so that what a child or a program that dies came by is kept too.
@@ -114,7 +114,7 @@ class _Writer:
             self.put(f"(earshot_fault({number}) ? void() : void(", number)
             self.put("\n")
         # A condition may be a pointer or an optional, which are of no type with true and false.
-        is_condition = any(self.numbered[n].kind == "removed check" for n in others)
+        is_condition = any(self.numbered[n].kind in CHECKS for n in others)
         cast = "static_cast<bool>" if is_condition else ""
         if others:
             self.put("\n(")

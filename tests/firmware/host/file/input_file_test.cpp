@@ -17,6 +17,7 @@
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/shipped.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::host {
 namespace {
@@ -73,7 +74,7 @@ TEST_F(InputFileTest, ReadsPieceByPiece) {
 TEST_F(InputFileTest, RefusesAPipeWithoutWaitingForAWriter) {
   const fs::path pipe = folder_ / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  EXPECT_EQ(refusal(pipe), pipe.string() + ": cannot be read: it is a pipe, and only regular files are read: write it to a file first");
+  EXPECT_TRUE(support::tells(refusal(pipe), {pipe.string(), "cannot", "read", "only", "read"}));
 }
 
 TEST_F(InputFileTest, LeavesWhatIsInAPipe) {
@@ -120,8 +121,8 @@ TEST_F(InputFileTest, SaysWhereTheOneThatShipsIsAndDoesNotOpenIt) {
   fs::create_directories(data / "some/worlds");
   std::ofstream(data / "some/worlds/noisy.toml") << "seed = 1\n";
   setenv(kDataVariable, data.c_str(), 1);
-  EXPECT_EQ(refusal("some/worlds/noisy.toml"),
-            "some/worlds/noisy.toml: no such file; the one that ships is " + (data / "some/worlds/noisy.toml").string());
+  EXPECT_TRUE(support::tells(refusal("some/worlds/noisy.toml"),
+                             {"some/worlds/noisy.toml", "no", "file", "ships", (data / "some/worlds/noisy.toml").string()}));
   EXPECT_EQ(refusal("some/worlds/none.toml"), "some/worlds/none.toml: no such file");
   EXPECT_EQ(refusal("some/worlds"), "some/worlds: no such file");
   EXPECT_EQ(refusal("/nowhere/some/worlds/noisy.toml"), "/nowhere/some/worlds/noisy.toml: no such file");
@@ -130,13 +131,13 @@ TEST_F(InputFileTest, SaysWhereTheOneThatShipsIsAndDoesNotOpenIt) {
 
 TEST_F(InputFileTest, RefusesOneByteMoreThanItsKindHas) {
   EXPECT_EQ(refusal(written("1234"), kFourBytes), "");
-  EXPECT_EQ(refusal(written("12345"), kFourBytes), (folder_ / "file").string() + ": has 5 bytes or more: a test has at most 4");
+  EXPECT_TRUE(support::tells(refusal(written("12345"), kFourBytes), {(folder_ / "file").string(), "5 bytes", "more", "at most 4"}));
 }
 
 TEST_F(InputFileTest, RefusesASparseFileBySizeAlone) {
   const fs::path path = written("");
   fs::resize_file(path, std::uintmax_t{3} << 30U);
-  EXPECT_NE(refusal(path, kCsvFile).find("has 3221225472 bytes or more: a CSV table has at most"), std::string::npos);
+  EXPECT_TRUE(support::has_line(refusal(path, kCsvFile), {"3221225472 bytes", "more", "CSV", "at most"}));
 }
 
 TEST_F(InputFileTest, RefusesAFileThatGrewBeyondItsKindWhileItWasRead) {

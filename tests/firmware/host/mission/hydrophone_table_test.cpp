@@ -12,6 +12,7 @@
 #include "firmware/host/mission/ports/flight_needs.hpp"
 #include "tests/firmware/host/mission/missions_folder.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::host {
 namespace {
@@ -199,83 +200,64 @@ TEST(HydrophoneTable, ComplainsOfAValueOnce) {
 TEST(HydrophoneTable, ComplainsOfAThresholdThatNoDetectorHasWhereItStands) {
   const std::string text =
       replaced(mission_with(std::string(kPort) + kTable), "detection_threshold_db = 10.0", "detection_threshold_db = 61.0");
-  EXPECT_NE(complaint_of(text).find("search.detection_threshold_db = 61.0: the detection threshold must lie from -10 to 60 dB"),
-            std::string::npos)
-      << complaint_of(text);
+  EXPECT_TRUE(support::has_line(complaint_of(text), {"search.detection_threshold_db", "61.0", "-10 to 60 dB"})) << complaint_of(text);
 }
 
 TEST(HydrophoneTable, NeedsOnePortThatBringsSound) {
   const std::string what = complaint_of(mission_with(kTable));
-  EXPECT_NE(what.find("needs one [[port]] with the role \"hydrophone\", and not 0"), std::string::npos) << what;
+  EXPECT_TRUE(support::has_line(what, {"needs", "[[port]]", "role", "hydrophone", "not 0"})) << what;
 }
 
 TEST(HydrophoneTable, RefusesAMissionThatWouldEndWithOneLostBlock) {
   const std::string text = replaced(mission_with(std::string(kPort) + kTable), "snr_timeout_s = 20.0", "snr_timeout_s = 4.0");
-  EXPECT_NE(complaint_of(text).find("limits.snr_timeout_s = 4.0: must be at least 5 where the hydrophone is listened to"),
-            std::string::npos)
-      << complaint_of(text);
+  EXPECT_TRUE(support::has_line(complaint_of(text), {"limits.snr_timeout_s", "4.0", "at least 5"})) << complaint_of(text);
 }
 
 // A vehicle for 35 Hz that listened at 18 to 22 Hz passed for ready to dive, and heard nothing for 9.4 h.
 TEST(HydrophoneTable, RefusesAPresetWhoseBandDoesNotHoldWhatIsSearchedFor) {
   const std::string mission = mission_with(std::string(kPort) + replaced(kTable, "fin_whale", "continuous_tone"));
   const std::string above = complaint_of(searching_at("35.0", mission));
-  EXPECT_NE(above.find("hydrophone.preset = 'continuous_tone': band_high_hz must be at least 35: what is searched for lies outside of the "
-                       "band of 18 to 22 Hz, and the vehicle would hear nothing of it: search.source_frequency_hz = 35 ("),
-            std::string::npos)
+  EXPECT_TRUE(support::has_line(above, {"hydrophone.preset", "continuous_tone", "band_high_hz", "at least 35", "outside", "18 to 22 Hz",
+                                        "it", "search.source_frequency_hz", "35"}))
       << above;
   EXPECT_NE(above.find("mission.toml:20)"), std::string::npos) << "where it stands: " << above;
   const std::string below = complaint_of(searching_at("17.9", mission));
-  EXPECT_NE(below.find("hydrophone.preset = 'continuous_tone': band_low_hz must be at most 17.9"), std::string::npos) << below;
+  EXPECT_TRUE(support::has_line(below, {"hydrophone.preset", "continuous_tone", "band_low_hz", "at most 17.9"})) << below;
   EXPECT_EQ(complaint_of(searching_at("18.0", mission)), "");
   EXPECT_EQ(complaint_of(searching_at("22.0", mission)), "");
 }
 
 TEST(HydrophoneTable, RefusesABandOfItsOwnThatDoesNotHoldWhatIsSearchedFor) {
   const std::string high = complaint_about("band_high_hz = 19.0");
-  EXPECT_EQ(high.find("hydrophone.band_high_hz = 19.0: must be at least 20: what is searched for lies outside of the band of 15 to 19 Hz"),
-            0U)
-      << high;
+  EXPECT_TRUE(support::tells(high, {"hydrophone.band_high_hz", "19.0", "at least 20", "15 to 19 Hz"})) << high;
   const std::string low = complaint_about("band_low_hz = 21.0");
-  EXPECT_EQ(low.find("hydrophone.band_low_hz = 21.0: must be at most 20: what is searched for lies outside of the band of 21 to 30 Hz"), 0U)
-      << low;
+  EXPECT_TRUE(support::tells(low, {"hydrophone.band_low_hz", "21.0", "at most 20", "21 to 30 Hz"})) << low;
 }
 
 // No detector listens above 1 kHz.
 TEST(HydrophoneTable, RefusesWhatIsSearchedForAboveEveryBand) {
   const std::string what = complaint_of(searching_at("10000.0", mission_with(std::string(kPort) + kTable)));
-  EXPECT_NE(what.find("hydrophone.preset = 'fin_whale': band_high_hz must be at least 10000"), std::string::npos) << what;
+  EXPECT_TRUE(support::has_line(what, {"hydrophone.preset", "fin_whale", "band_high_hz", "at least 10000"})) << what;
 }
 
 TEST(HydrophoneTable, SaysWhichFrequencyCountsWhereTheMissionNamesNone) {
   const std::string mission = mission_with(std::string(kPort) + replaced(kTable, "fin_whale", "blue_whale"));
   const std::string what = complaint_of(searching_at_20_hz_unsaid(mission));
-  EXPECT_NE(what.find("hydrophone.preset = 'blue_whale': band_high_hz must be at least 20"), std::string::npos) << what;
-  EXPECT_NE(what.find("search.source_frequency_hz = 20, which counts where it is left out"), std::string::npos) << what;
+  EXPECT_TRUE(support::has_line(what, {"hydrophone.preset", "blue_whale", "band_high_hz", "at least 20"})) << what;
+  EXPECT_TRUE(support::has_line(what, {"search.source_frequency_hz", "20"})) << what;
 }
 
 TEST(HydrophoneTable, RefusesAVehicleThatSearchesFasterThanItHears) {
   const std::string what = complaint_about("self_noise_speed_mps = 1.9");
-  EXPECT_EQ(what.find("hydrophone.self_noise_speed_mps = 1.9: must be at least 2: faster than that the vehicle measures nothing, and it "
-                      "searches at search.speed_mps = 2 ("),
-            0U)
-      << what;
+  EXPECT_TRUE(support::tells(what, {"hydrophone.self_noise_speed_mps", "1.9", "at least 2", "search.speed_mps", "2"})) << what;
   EXPECT_EQ(complaint_about("self_noise_speed_mps = 2.0"), "");
 }
 
 TEST(HydrophoneTable, RefusesAChainThatHearsNothingOfTheSeaThatIsExpected) {
   const std::string clipping = complaint_about("expected_noise_db_re_1upa = 200.0");
-  EXPECT_EQ(
-      clipping.find("hydrophone.expected_noise_db_re_1upa = 200.0: the chain would clip all the time: a sample of full scale is 176 dB "
-                    "re 1 uPa, and the noise that is expected with a source at the detection threshold needs 213"),
-      0U)
-      << clipping;
+  EXPECT_TRUE(support::tells(clipping, {"hydrophone.expected_noise_db_re_1upa", "200.0", "clip", "176 dB", "213"})) << clipping;
   const std::string any_sea = complaint_about("gain_db = 200.0");
-  EXPECT_EQ(
-      any_sea.find("hydrophone.sensitivity_db_re_1v_per_upa = -170.0: the chain would clip all the time: a sample of full scale is -24 "
-                   "dB re 1 uPa, and the noise of the quietest sea with a source at the detection threshold needs 33"),
-      0U)
-      << any_sea;
+  EXPECT_TRUE(support::tells(any_sea, {"hydrophone.sensitivity_db_re_1v_per_upa", "-170.0", "clip", "-24 dB", "33"})) << any_sea;
 }
 
 TEST(HydrophoneTable, ComplainsOfNoBandWhereTheFrequencyItselfIsWrong) {

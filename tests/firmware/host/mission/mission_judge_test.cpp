@@ -11,6 +11,7 @@
 #include "tests/support/process.hpp"
 #include "tests/support/signed_mission.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 #include "tests/support/three_oceans.hpp"
 
 namespace earshot::host {
@@ -127,8 +128,7 @@ TEST_F(MissionJudged, FliesAgainWithItsCounterOnlyAsTheSameBytes) {
 TEST_F(MissionJudged, IsRefusedWhenItsCounterWouldLeaveNoneForLaterMissions) {
   mission_.sign(9'223'372'036'854'775'807U);
   const std::string said = complaint();
-  EXPECT_NE(said.find("counter 9223372036854775807 is more than 4294967296 above 0, which the vehicle has flown"), std::string::npos)
-      << said;
+  EXPECT_TRUE(support::has_line(said, {"counter 9223372036854775807", "4294967296", "above 0"})) << said;
   EXPECT_TRUE(said.ends_with("): a slip? Sign with a lower counter")) << said << " (no --raise-counter goes so far)";
   mission_.sign(4'611'686'018'427'387'906U);
   EXPECT_TRUE(complaint().ends_with(": a slip? Sign with a lower counter")) << complaint();
@@ -212,7 +212,7 @@ TEST_F(MissionJudged, NeedsNoSignatureWhereTheVehicleAsksForNone) {
   fs::remove(folder_ / "mission.counter");
   EXPECT_EQ(complaint(), "");
   fs::copy_file(EARSHOT_SOURCE_DIR "/policy/frozen/shipped.policy", folder_ / "walk.policy", fs::copy_options::overwrite_existing);
-  EXPECT_NE(complaint().find("is signed by none of trust.policy_keys of"), std::string::npos);
+  EXPECT_TRUE(support::has_line(complaint(), {"signed", "none", "trust.policy_keys"}));
 }
 
 /// A mission whose policy searches by ocean tables, all signed by who is trusted.

@@ -10,6 +10,7 @@
 #include "firmware/host/mission/ports/port_override.hpp"
 #include "tests/firmware/host/mission/missions_folder.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::host {
 namespace {
@@ -111,31 +112,29 @@ TEST(N2kTable, GivesEveryKey) {
 
 TEST(N2kTable, HasNoPartOfAFixOlderThanNavigationMayBe) {
   EXPECT_EQ(default_n2k(Duration::seconds(2)).navigation.oldest_part, Duration::seconds(2));
-  EXPECT_EQ(complaint("[port.n2k]\noldest_part_s = 5.5"),
-            "FILE:36: port 1: n2k.oldest_part_s = 5.5: must be a finite number of at least 1e-06 and at most 5");
-  EXPECT_EQ(complaint("[port.n2k]\noldest_part_s = 0.0"),
-            "FILE:36: port 1: n2k.oldest_part_s = 0.0: must be a finite number of at least 1e-06 and at most 5");
+  EXPECT_TRUE(support::tells(complaint("[port.n2k]\noldest_part_s = 5.5"),
+                             {"FILE:36", "port 1", "n2k.oldest_part_s", "5.5", "at least 1e-06", "at most 5"}));
+  EXPECT_TRUE(support::tells(complaint("[port.n2k]\noldest_part_s = 0.0"),
+                             {"FILE:36", "port 1", "n2k.oldest_part_s", "0.0", "at least 1e-06", "at most 5"}));
 }
 
 TEST(N2kTable, RefusesEachNumberOutsideItsBitsWithWhatIsAllowed) {
-  EXPECT_EQ(complaint("[port.n2k]\naddress = 252"), "FILE:36: port 1: n2k.address = 252: must be a whole number from 0 to 251");
-  EXPECT_EQ(complaint("[port.n2k]\nunique_number = 2097152"),
-            "FILE:36: port 1: n2k.unique_number = 2097152: must be a whole number from 0 to 2097151");
-  EXPECT_EQ(complaint("[port.n2k]\ndevice_instance = 256"),
-            "FILE:36: port 1: n2k.device_instance = 256: must be a whole number from 0 to 255");
-  EXPECT_EQ(complaint("[port.n2k.sources]\ndepth = { instance = 253 }"),
-            "FILE:36: port 1: n2k.sources.depth.instance = 253: must be a whole number from 0 to 252");
+  EXPECT_TRUE(support::tells(complaint("[port.n2k]\naddress = 252"), {"FILE:36", "port 1", "n2k.address", "252", "0 to 251"}));
+  EXPECT_TRUE(support::tells(complaint("[port.n2k]\nunique_number = 2097152"),
+                             {"FILE:36", "port 1", "n2k.unique_number", "2097152", "0 to 2097151"}));
+  EXPECT_TRUE(
+      support::tells(complaint("[port.n2k]\ndevice_instance = 256"), {"FILE:36", "port 1", "n2k.device_instance", "256", "0 to 255"}));
+  EXPECT_TRUE(support::tells(complaint("[port.n2k.sources]\ndepth = { instance = 253 }"),
+                             {"FILE:36", "port 1", "n2k.sources.depth.instance", "253", "0 to 252"}));
 }
 
 TEST(N2kTable, RefusesAPressureOfAnotherKindAndAnAbsoluteOneThatIsNeverZeroed) {
-  EXPECT_EQ(complaint("[port.n2k]\npressure = \"sealed\""),
-            "FILE:36: port 1: n2k.pressure = 'sealed': must be one of \"gauge\", \"absolute\"");
-  EXPECT_EQ(
-      complaint("[port.n2k]\npressure = \"absolute\""),
-      "FILE:35: port 1: n2k.zero_pressure_at_surface: must be true with an absolute pressure, which gives no depth before the air's is "
-      "known");
-  EXPECT_EQ(complaint("[port.n2k]\nzero_pressure_at_surface = \"yes\""),
-            "FILE:36: port 1: n2k.zero_pressure_at_surface = 'yes': must be true or false");
+  EXPECT_TRUE(
+      support::tells(complaint("[port.n2k]\npressure = \"sealed\""), {"FILE:36", "port 1", "n2k.pressure", "sealed", "gauge", "absolute"}));
+  EXPECT_TRUE(support::tells(complaint("[port.n2k]\npressure = \"absolute\""),
+                             {"FILE:35", "port 1", "n2k.zero_pressure_at_surface", "true", "no", "before"}));
+  EXPECT_TRUE(support::tells(complaint("[port.n2k]\nzero_pressure_at_surface = \"yes\""),
+                             {"FILE:36", "port 1", "n2k.zero_pressure_at_surface", "yes", "true", "false"}));
 }
 
 TEST(N2kTable, RefusesASourceThatNamesNoDevice) {
@@ -144,44 +143,44 @@ TEST(N2kTable, RefusesASourceThatNamesNoDevice) {
     EXPECT_EQ(complaint("[port.n2k.sources]\nheading = { name = \"" + name + "\" }"),
               "FILE:36: port 1: n2k.sources.heading.name = '" + name + "': " + rule);
   }
-  EXPECT_EQ(complaint("[port.n2k.sources]\nheading = {}"), "FILE:36: port 1: n2k.sources.heading: must give a device's name");
-  EXPECT_EQ(complaint("[port.n2k.sources]\ndepth = {}"),
-            "FILE:36: port 1: n2k.sources.depth: must give a device's name, an instance, or both");
-  EXPECT_EQ(complaint("[port.n2k.sources]\nheading = { instance = 1 }"),
-            "FILE:36: port 1: n2k.sources.heading.instance = 1: only messages of depth (pressure) and battery bear an instance: give the "
-            "device's name");
+  EXPECT_TRUE(support::tells(complaint("[port.n2k.sources]\nheading = {}"), {"FILE:36", "port 1", "n2k.sources.heading", "name"}));
+  EXPECT_TRUE(support::tells(complaint("[port.n2k.sources]\ndepth = {}"), {"FILE:36", "port 1", "n2k.sources.depth", "name", "instance"}));
+  EXPECT_TRUE(support::tells(complaint("[port.n2k.sources]\nheading = { instance = 1 }"),
+                             {"FILE:36", "port 1", "n2k.sources.heading.instance", "1", "only", "instance"}));
 }
 
 TEST(N2kTable, RefusesUnknownKeysOnEveryLevelAndATableOfAnLcmPort) {
-  EXPECT_EQ(complaint("[port.n2k]\nadress = 3\n[port.n2k.sources]\nwind = { name = \"0x1\" }\ndepth = { serial = 1 }"),
-            "FILE:39: port 1: n2k.sources.depth: must give a device's name, an instance, or both\n"
-            "FILE:36: port 1: n2k.adress: unknown key\n"
-            "FILE:38: port 1: n2k.sources.wind: unknown key\n"
-            "FILE:39: port 1: n2k.sources.depth.serial: unknown key");
+  EXPECT_TRUE(
+      support::lines_tell(complaint("[port.n2k]\nadress = 3\n[port.n2k.sources]\nwind = { name = \"0x1\" }\ndepth = { serial = 1 }"),
+                          {{"FILE:39", "port 1", "n2k.sources.depth", "both"},
+                           {"FILE:36", "port 1", "n2k.adress", "unknown"},
+                           {"FILE:38", "port 1", "n2k.sources.wind", "unknown"},
+                           {"FILE:39", "port 1", "n2k.sources.depth.serial", "unknown"}}));
   EXPECT_EQ(
       complaint("[[port]]\nname = \"l\"\nkind = \"lcm\"\nurl = \"udpm://239.255.76.67:7667\"\nroles = [\"snr\"]\n[port.n2k]\naddress = 3"),
       "FILE:40: port 2: n2k: unknown key");
 }
 
 TEST(N2kTable, RefusesKeysThatThePortsRolesHaveNoUseFor) {
-  EXPECT_EQ(complaint("[port.n2k]\noldest_part_s = 1.0\npressure = \"gauge\"\nzero_pressure_at_surface = true\n[port.n2k.sources]\n"
-                      "heading = { name = \"0x1\" }\nsnr = { name = \"0x1\" }",
-                      "\"autopilot\""),
-            "FILE:36: port 1: n2k.oldest_part_s = 1.0: of use only to a port with the role \"navigation\"\n"
-            "FILE:37: port 1: n2k.pressure = 'gauge': of use only to a port with the role \"navigation\"\n"
-            "FILE:38: port 1: n2k.zero_pressure_at_surface = true: of use only to a port with the role \"navigation\"\n"
-            "FILE:40: port 1: n2k.sources.heading: of use only to a port with the role \"navigation\"\n"
-            "FILE:41: port 1: n2k.sources.snr: of use only to a port with the role \"snr\"");
+  EXPECT_TRUE(support::lines_tell(
+      complaint("[port.n2k]\noldest_part_s = 1.0\npressure = \"gauge\"\nzero_pressure_at_surface = true\n[port.n2k.sources]\n"
+                "heading = { name = \"0x1\" }\nsnr = { name = \"0x1\" }",
+                "\"autopilot\""),
+      {{"FILE:36", "port 1", "n2k.oldest_part_s", "1.0", "only", "role", "navigation"},
+       {"FILE:37", "port 1", "n2k.pressure", "gauge", "only", "role", "navigation"},
+       {"FILE:38", "port 1", "n2k.zero_pressure_at_surface", "true", "only", "role", "navigation"},
+       {"FILE:40", "port 1", "n2k.sources.heading", "only", "role", "navigation"},
+       {"FILE:41", "port 1", "n2k.sources.snr", "only", "role", "snr"}}));
 }
 
 TEST(N2kTable, RefusesAnAutopilotsNameForAPortWithoutThatRole) {
-  EXPECT_EQ(complaint("[port.n2k.sources]\nautopilot = { name = \"0x1\" }", "\"navigation\""),
-            "FILE:36: port 1: n2k.sources.autopilot: of use only to a port with the role \"autopilot\"");
+  EXPECT_TRUE(support::tells(complaint("[port.n2k.sources]\nautopilot = { name = \"0x1\" }", "\"navigation\""),
+                             {"FILE:36", "port 1", "n2k.sources.autopilot", "only", "role", "autopilot"}));
 }
 
 TEST(N2kTable, RefusesSoundOverCan) {
-  EXPECT_EQ(complaint("", "\"hydrophone\""),
-            "FILE:33: port 1: roles: a CAN port carries no sound: \"hydrophone\" needs a port of kind \"lcm\"");
+  EXPECT_TRUE(
+      support::tells(complaint("", "\"hydrophone\""), {"FILE:33", "port 1", "roles", "CAN", "no sound", "hydrophone", "needs", "lcm"}));
 }
 
 TEST(N2kTable, StaysThatOfTheMissionWhenACommandLineNamesTheBusAndIsWhatHoldsWithoutOneElse) {

@@ -9,6 +9,7 @@
 
 #include "firmware/host/mission/mission_file.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::host {
 namespace {
@@ -130,11 +131,10 @@ TEST(SafetyTable, NamesBothKeysThatDoNotFitEachOther) {
 
 TEST(SafetyTable, RefusesAVehicleThatRisesFasterThanItMoves) {
   const std::string said = complaint("ascent_rate_mps = 0.3", "ascent_rate_mps = 5.0");
-  EXPECT_TRUE(said.starts_with("vehicle.ascent_rate_mps = 5.0: must be at most vehicle.ascent_speed_mps (")) << said;
-  EXPECT_TRUE(said.ends_with("vehicle.ascent_speed_mps = 1.5): a vehicle that must move to come up rises no faster than it moves")) << said;
+  EXPECT_TRUE(support::tells(said, {"vehicle.ascent_rate_mps", "5.0", "at most vehicle.ascent_speed_mps", "1.5"})) << said;
   EXPECT_EQ(complaint("ascent_rate_mps = 0.3", "ascent_rate_mps = 1.5"), "");
   const std::string slow = complaint("ascent_speed_mps = 1.5\nascent_rate_mps = 0.3", "ascent_speed_mps = 0.05");
-  EXPECT_TRUE(slow.starts_with("vehicle.ascent_speed_mps = 0.05: must be 0 or at least 0.1: ")) << slow;
+  EXPECT_TRUE(support::tells(slow, {"vehicle.ascent_speed_mps", "0.05", "0 or at least 0.1"})) << slow;
 }
 
 TEST(SafetyTable, NamesTheKeyAndWhatIsWrongWithIt) {
@@ -143,16 +143,13 @@ TEST(SafetyTable, NamesTheKeyAndWhatIsWrongWithIt) {
   EXPECT_EQ(complaint("ascent_speed_mps = 1.5", "ascent_speed_mps = 3.1").substr(0, 24), "vehicle.ascent_speed_mps");
   EXPECT_EQ(complaint("ascent_rate_mps = 0.3", "ascent_rate_mps = 0.09").substr(0, 23), "vehicle.ascent_rate_mps");
   EXPECT_EQ(complaint("surface_depth_m = 0.8", "surface_depth_m = 0").substr(0, 23), "vehicle.surface_depth_m");
-  EXPECT_NE(complaint("inside_east_m = [0, 0, 25000, 25000]", "inside_east_m = [0, 0, 25000]")
-                .find("must have as many numbers as inside_north_m"),
-            std::string::npos);
-  EXPECT_NE(complaint("save_north_m = [-100, 25100, 25100, -100]", "save_north_m = [-100, 25100, -100, 25100]")
-                .find("the polygon crosses or touches itself: the edge after corner 2 meets the one after corner 4"),
-            std::string::npos);
+  EXPECT_TRUE(
+      support::has_line(complaint("inside_east_m = [0, 0, 25000, 25000]", "inside_east_m = [0, 0, 25000]"), {"many", "inside_north_m"}));
+  EXPECT_TRUE(support::has_line(complaint("save_north_m = [-100, 25100, 25100, -100]", "save_north_m = [-100, 25100, -100, 25100]"),
+                                {"itself", "after corner 2 meets", "after corner 4"}));
   // 2 m/s, 0.5 m/s, 20 m: 20 (1 + pi/8) + 20 (1 + pi/8 + 0.571 / 16) = 56.4 m; straight on for 8 s would be 48.6 m.
-  EXPECT_NE(complaint("halt_north_m = [-300, 25300, 25300, -300]", "halt_north_m = [-110, 25300, 25300, -110]")
-                .find("must lie in the halt polygon and keep 57 m from its edges"),
-            std::string::npos);
+  EXPECT_TRUE(support::has_line(complaint("halt_north_m = [-300, 25300, 25300, -300]", "halt_north_m = [-110, 25300, 25300, -110]"),
+                                {"polygon", "57 m", "edges"}));
   EXPECT_NE(
       complaint("inside_north_m = [0, 25000, 25000, 0]", "inside_north_m = [2000, 25000, 25000, 2000]").find("must hold every way-point"),
       std::string::npos);
@@ -160,7 +157,7 @@ TEST(SafetyTable, NamesTheKeyAndWhatIsWrongWithIt) {
   EXPECT_NE(complaint("north_m = [5000, 6000, 6000]", "north_m = [5000, 5000, 6000]").find("corner 1 and the next are one place"),
             std::string::npos);
   EXPECT_NE(complaint("below = 15.0", "below = 101.0").find("[[rule]] number 1 of the file: below"), std::string::npos);
-  EXPECT_NE(complaint("below = 15.0", "above = 15.0").find("[[rule]] number 1 of the file: below is missing"), std::string::npos);
+  EXPECT_TRUE(support::has_line(complaint("below = 15.0", "above = 15.0"), {"[[rule]]", "number 1", "file", "below", "missing"}));
   EXPECT_NE(complaint("when = \"leak\"", "when = \"leaks\"").find("[[rule]] number 2 of the file: when"), std::string::npos);
   EXPECT_NE(complaint("then = \"return\"", "then = \"go home\"").find("[[rule]] number 1 of the file: then"), std::string::npos);
 }
@@ -175,32 +172,30 @@ TEST(SafetyTable, TakesABatteryThatLastsForEverForOneThatIsNotSpokenOf) {
 TEST(SafetyTable, HasRoomForFourZonesAndSaysSo) {
   std::string zones;
   for (int i = 0; i < 4; ++i) zones += "[[no_surface]]\nnorth_m = [5000, 6000, 6000]\neast_m = [5000, 5000, 6000]\n\n";
-  EXPECT_EQ(complaint("[[no_surface]]", zones + "[[no_surface]]"), "no_surface: has 5 tables, must have at most 4");
+  EXPECT_TRUE(support::tells(complaint("[[no_surface]]", zones + "[[no_surface]]"), {"no_surface", "5 tables", "at most 4"}));
 }
 
 TEST(SafetyTable, HasRoomForTwentyFiveRulesAndSaysSoInOneLine) {
   std::string rules;
   for (int i = 0; i < 25'000; ++i) rules += "[[rule]]\nwhen = \"leak\"\nthen = \"release\"\n\n";
   const std::string said = complaint("[[no_surface]]", rules + "[[no_surface]]");
-  EXPECT_NE(said.find("rule: has 25002 tables, must have at most 25"), std::string::npos) << said;
+  EXPECT_TRUE(support::has_line(said, {"rule", "25002 tables", "at most 25"})) << said;
   EXPECT_EQ(said.find("rule 26"), std::string::npos) << said;
 }
 
 TEST(SafetyTable, NamesTheMissionsOwnRuleThatLeavesAnotherNothingToDo) {
   const std::string what =
       complaint("when = \"leak\"\nthen = \"release\"", "when = \"battery_percent\"\nbelow = 14.0\nfor_s = 10.0\nthen = \"hold\"");
-  EXPECT_NE(what.find("[[rule]] number 2 of the file: when = 'battery_percent': never does anything: another rule does as much, and "
-                      "sooner: battery_percent below 15"),
-            std::string::npos)
+  EXPECT_TRUE(support::has_line(
+      what, {"[[rule]]", "number 2", "file", "when", "battery_percent", "never", "anything", "sooner", "battery_percent", "below 15"}))
       << what;
   EXPECT_EQ(what.find("stands in every mission"), std::string::npos) << what;
 }
 
 TEST(SafetyTable, NamesTheRuleThatLeavesAnotherNothingToDo) {
-  EXPECT_EQ(complaint("when = \"leak\"\nthen = \"release\"", "when = \"navigation_age_s\"\nabove = 9\nthen = \"hold\""),
-            "[[rule]] number 2 of the file: when = 'navigation_age_s': never does anything: another rule does as much, and sooner: "
-            "navigation_age_s above 5 then abort "
-            "(which stands in every mission)");
+  EXPECT_TRUE(support::tells(complaint("when = \"leak\"\nthen = \"release\"", "when = \"navigation_age_s\"\nabove = 9\nthen = \"hold\""),
+                             {"[[rule]]", "number 2", "file", "when", "navigation_age_s", "never", "anything", "sooner", "navigation_age_s",
+                              "above 5", "then abort"}));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "tests/firmware/policy/tables/made_up_tables.hpp"
 #include "tests/support/signed_policy.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::host {
 namespace {
@@ -92,7 +93,7 @@ TEST_F(TablesFile, NamesTheSignerAmongSeveralThatAreTrusted) {
     (void)signed_tables_from(whole_, "a.tables", {other}, "policy_keys of v.toml");
     FAIL();
   } catch (const BadInput& e) {
-    EXPECT_STREQ(e.what(), "a.tables: is signed by none of policy_keys of v.toml (other.pub)");
+    EXPECT_TRUE(support::tells(e.what(), {"a.tables", "signed", "none", "policy_keys", "v.toml", "other.pub"}));
   }
 }
 
@@ -109,10 +110,9 @@ std::string uncovered(double depth_m, double frequency_hz, double furthest_m) {
 
 TEST(RequireCoverage, NamesWhatTheTablesAreOfAndWhatTheMissionAsks) {
   EXPECT_EQ(uncovered(290.0, 20.5, 200.0), "");
-  EXPECT_EQ(uncovered(100.0, 20.0, 200.0), "a.tables: is of a vehicle's depth of 300 m (270 to 330 m): the mission's is 100 m");
-  EXPECT_EQ(uncovered(300.0, 40.0, 200.0), "a.tables: is of a frequency of 20 Hz (19 to 21 Hz): the mission's is 40 Hz");
-  EXPECT_EQ(uncovered(300.0, 20.0, 35'355.5),
-            "a.tables: extends to 200 m, but in the mission's area a source may be 35355.5 m from the vehicle");
+  EXPECT_TRUE(support::tells(uncovered(100.0, 20.0, 200.0), {"a.tables", "300 m", "270 to 330 m", "100 m"}));
+  EXPECT_TRUE(support::tells(uncovered(300.0, 40.0, 200.0), {"a.tables", "20 Hz", "19 to 21 Hz", "40 Hz"}));
+  EXPECT_TRUE(support::tells(uncovered(300.0, 20.0, 35'355.5), {"a.tables", "200 m", "35355.5 m"}));
 }
 
 }  // namespace

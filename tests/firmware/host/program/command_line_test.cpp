@@ -7,6 +7,7 @@
 
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/program/version.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::program {
 namespace {
@@ -61,8 +62,8 @@ TEST(CommandLine, RefusesTheEmptyWordWhereAFileMustBeNamed) {
   std::optional<std::filesystem::path> policy;
   e.line.option("--tables", &tables, "tables").names("a file or a folder");
   e.line.option("--policy", &policy, "policy").names("a file");
-  EXPECT_EQ(e.complaint({"--tables", "a", ""}), "earshot try: --tables: must name a file or a folder (earshot try --help lists all)");
-  EXPECT_EQ(e.complaint({"--policy", ""}), "earshot try: --policy: must name a file (earshot try --help lists all)");
+  EXPECT_TRUE(support::tells(e.complaint({"--tables", "a", ""}), {"try", "--tables", "--help"}));
+  EXPECT_TRUE(support::tells(e.complaint({"--policy", ""}), {"try", "--policy", "--help"}));
   EXPECT_EQ(e.complaint({"--policy", "a"}), "");
 }
 
@@ -79,9 +80,9 @@ TEST(CommandLine, TakesNoEmptyWordForAnyTextOrPath) {
   e.line.option("--perhaps-path", &perhaps_path, "path");
   e.line.option("--texts", &texts, "texts");
   for (const char* option : {"--text", "--path", "--perhaps-text", "--perhaps-path", "--texts"})
-    EXPECT_EQ(e.complaint({option, ""}),
-              "earshot try: " + std::string(option) + ": must not be the empty word (earshot try --help lists all)");
-  EXPECT_EQ(e.complaint({""}), "earshot try: FILE: must not be the empty word (earshot try --help lists all)");
+    EXPECT_TRUE(
+        support::tells(e.complaint({option, ""}), {"earshot", "try", std::string(option), "not", "empty", "earshot", "--help", "lists"}));
+  EXPECT_TRUE(support::tells(e.complaint({""}), {"try", "FILE", "not", "empty", "--help"}));
 }
 
 TEST(CommandLine, PutsEveryValueWhereItBelongs) {
@@ -109,13 +110,10 @@ TEST(CommandLine, ReadsWhatFollowsTheProgramsName) {
 TEST(CommandLine, KeepsTheBoundsOfARange) {
   EXPECT_EQ(Example().complaint({"--depth-m", "0"}), "");
   EXPECT_EQ(Example().complaint({"--depth-m", "12000"}), "");
-  EXPECT_EQ(Example().complaint({"--depth-m=-0.001"}),
-            "earshot try: --depth-m: -0.001: must be a number from 0 to 12000 (earshot try --help lists all)");
-  EXPECT_EQ(Example().complaint({"--depth-m", "12000.1"}),
-            "earshot try: --depth-m: 12000.1: must be a number from 0 to 12000 (earshot try --help lists all)");
+  EXPECT_TRUE(support::tells(Example().complaint({"--depth-m=-0.001"}), {"try", "--depth-m", "-0.001", "0 to 12000", "--help"}));
+  EXPECT_TRUE(support::tells(Example().complaint({"--depth-m", "12000.1"}), {"try", "--depth-m", "12000.1", "0 to 12000", "--help"}));
   EXPECT_EQ(Example().complaint({"--spacing-m", "0.5"}), "");
-  EXPECT_EQ(Example().complaint({"--spacing-m", "0"}),
-            "earshot try: --spacing-m: 0: must be a number greater than 0 (earshot try --help lists all)");
+  EXPECT_TRUE(support::tells(Example().complaint({"--spacing-m", "0"}), {"try", "--spacing-m", "0", "greater than 0", "--help"}));
 }
 
 TEST(CommandLine, TakesZeroWhereOnlyLessIsRefused) {
@@ -141,10 +139,10 @@ TEST(CommandLine, TakesAsManyValuesAsItIsToldTo) {
 }
 
 TEST(CommandLine, NamesTheOptionThatWasMeant) {
-  EXPECT_EQ(Example().complaint({"--sed", "3"}), "earshot try: --sed: no such option; did you mean --seed? (earshot try --help lists all)");
-  EXPECT_EQ(Example().complaint({"--sed=3"}), "earshot try: --sed: no such option; did you mean --seed? (earshot try --help lists all)");
-  EXPECT_EQ(Example().complaint({"--whatever"}), "earshot try: --whatever: no such option (earshot try --help lists all)");
-  EXPECT_EQ(Example().complaint({"-x"}), "earshot try: -x: no such option (earshot try --help lists all)");
+  EXPECT_TRUE(support::tells(Example().complaint({"--sed", "3"}), {"try", "--sed", "no", "mean --seed", "--help"}));
+  EXPECT_TRUE(support::tells(Example().complaint({"--sed=3"}), {"try", "--sed", "no", "mean --seed", "--help"}));
+  EXPECT_TRUE(support::tells(Example().complaint({"--whatever"}), {"try", "--whatever", "no", "--help"}));
+  EXPECT_TRUE(support::tells(Example().complaint({"-x"}), {"try", "no", "--help"}));
 }
 
 TEST(CommandLine, NamesTheUnknownOptionRatherThanTheOneThatIsMissingForIt) {
@@ -155,7 +153,7 @@ TEST(CommandLine, NamesTheUnknownOptionRatherThanTheOneThatIsMissingForIt) {
     (void)line.read(Words{"--enviroment", "x.toml"});
     FAIL();
   } catch (const host::BadInput& e) {
-    EXPECT_NE(std::string(e.what()).find("--enviroment: no such option; did you mean --environment?"), std::string::npos) << e.what();
+    EXPECT_TRUE(support::has_line(std::string(e.what()), {"--enviroment", "no", "mean --environment"})) << e.what();
   }
 }
 
@@ -201,7 +199,7 @@ TEST(CommandLine, TakesTheGreatestSeed) {
 }
 
 TEST(CommandLine, SaysWhichWordsAreAllowed) {
-  EXPECT_NE(Example().complaint({"--bus", "cna"}).find("cna: must be one of lcm, can; did you mean can?"), std::string::npos);
+  EXPECT_TRUE(support::has_line(Example().complaint({"--bus", "cna"}), {"cna", "lcm", "can", "mean can"}));
 }
 
 TEST(CommandLine, TakesAWordThatIsAllowed) {
@@ -284,7 +282,7 @@ TEST(CommandLine, NamesTheVerbOrTheVerbsOptionThatWasMeant) {
   EXPECT_NE(complaint({"mpa"}).find("mpa: no such verb; did you mean map?"), std::string::npos) << complaint({"mpa"});
   // --source is no option of the verb that was given.
   EXPECT_EQ(complaint({"decision", "--sorce", "1,2"}).find("did you mean"), std::string::npos) << complaint({"decision", "--sorce", "1,2"});
-  EXPECT_NE(complaint({"map", "--sorce", "1,2"}).find("--sorce: no such option; did you mean --source?"), std::string::npos);
+  EXPECT_TRUE(support::has_line(complaint({"map", "--sorce", "1,2"}), {"--sorce", "no", "mean --source"}));
   EXPECT_NE(complaint({}), "");
 }
 
@@ -295,8 +293,8 @@ TEST(AsTyped, IsTheProgramWithoutItsFolderAndAllItWasGiven) {
 }
 
 TEST(VersionLine, SaysWhetherTheTreeWasClean) {
-  EXPECT_EQ(version_line("earshot", "1.2.3", "abc123"), "earshot 1.2.3 (commit abc123, clean tree)");
-  EXPECT_EQ(version_line("earshot", "1.2.3", "abc123-dirty"), "earshot 1.2.3 (commit abc123, with changes that no commit holds)");
+  EXPECT_TRUE(support::tells(version_line("earshot", "1.2.3", "abc123"), {"1.2.3", "abc123", "clean"}));
+  EXPECT_TRUE(support::tells(version_line("earshot", "1.2.3", "abc123-dirty"), {"1.2.3", "abc123", "changes", "no"}));
   EXPECT_EQ(version_line("earshot", "1.2.3", "unknown"), "earshot 1.2.3 (commit unknown)");
 }
 

@@ -18,6 +18,7 @@
 #include "firmware/host/file/output_file.hpp"
 #include "firmware/host/program/version.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::program {
 namespace {
@@ -75,7 +76,7 @@ TEST(Run, LeavesNothingOfAFileThatALibraryWritesWhenASignalEndsTheProgram) {
 TEST(Run, SaysOfAPathThatIsEmptyThatItIs) {
   const Ran refused = ran([]() -> int { throw std::filesystem::filesystem_error("", std::make_error_code(std::errc::invalid_argument)); });
   EXPECT_EQ(refused.status, kBadInput);
-  EXPECT_EQ(refused.error, "a file or folder without a name: cannot be read or written: Invalid argument\n");
+  EXPECT_TRUE(support::lines_tell(refused.error, {{"without", "name", "cannot", "written"}}));
 }
 
 TEST(Run, AnswersAQuestionAndDoesNoWork) {
@@ -113,10 +114,10 @@ TEST(Run, SaysVersionSettingsAndTimeWhenAskedForMore) {
 TEST(Run, TurnsWhatIsThrownIntoOneMessageWithoutControlCharacters) {
   EXPECT_EQ(ran([]() -> int { throw host::BadInput("mission.toml: depth_m is \033[2J"); }).error, "mission.toml: depth_m is \\x1b[2J\n");
   EXPECT_EQ(ran([]() -> int { throw std::runtime_error("no such bus"); }).error, "earshot try: no such bus\n");
-  EXPECT_EQ(ran([]() -> int { throw std::bad_alloc(); }).error, "earshot try: not enough memory for what was asked\n");
+  EXPECT_TRUE(support::lines_tell(ran([]() -> int { throw std::bad_alloc(); }).error, {{"earshot", "try", "not enough"}}));
   const Ran unreadable = ran(
       []() -> int { throw std::filesystem::filesystem_error("status", "/sea/floor", std::make_error_code(std::errc::permission_denied)); });
-  EXPECT_EQ(unreadable.error, "/sea/floor: cannot be read or written: Permission denied\n");
+  EXPECT_TRUE(support::lines_tell(unreadable.error, {{"floor", "cannot", "written"}}));
   EXPECT_EQ(unreadable.status, kBadInput);
 }
 
@@ -127,7 +128,7 @@ TEST(Run, SaysWhenWhatItPrintedIsLost) {
   });
   std::cout.clear();
   EXPECT_EQ(lost.status, kLost);
-  EXPECT_EQ(lost.error, "earshot try: standard output cannot be written\n");
+  EXPECT_TRUE(support::lines_tell(lost.error, {{"earshot", "try", "standard", "cannot"}}));
 }
 
 }  // namespace

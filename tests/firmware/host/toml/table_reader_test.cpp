@@ -7,6 +7,7 @@
 #include <fstream>
 #include <string>
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::host {
 namespace {
@@ -67,7 +68,7 @@ TEST(TableReader, FallsBackOnlyWhereTheKeyIsMissing) {
 
 TEST(TableReader, NamesLineKeyValueAndAllowedRange) {
   const auto read = [](TableReader& root) { static_cast<void>(root.number("frequency_hz", Range::above(0))); };
-  EXPECT_EQ(complaint("\nfrequency_hz = -20\n", read), ":2: frequency_hz = -20: must be a finite number above 0");
+  EXPECT_TRUE(support::tells(complaint("\nfrequency_hz = -20\n", read), {"2", "frequency_hz", "-20", "above 0"}));
 }
 
 TEST(TableReader, SaysOfEveryKindOfKeyThatIsMissingWhatBelongsThere) {
@@ -79,13 +80,12 @@ TEST(TableReader, SaysOfEveryKindOfKeyThatIsMissingWhatBelongsThere) {
     EXPECT_TRUE(root.numbers("at_m").empty());
     EXPECT_TRUE(root.tables("port").empty());
   });
-  EXPECT_EQ(said,
-            ":1: steps is missing: must be a whole number from 2 to 1000\n"
-            ":1: name is missing: must be a text of at least one character\n"
-            ":1: kind is missing: must be one of \"one\", \"two\"\n"
-            ":1: roles is missing: must be one of \"one\", \"two\", or several of them in an array, each once\n"
-            ":1: at_m is missing: must be an array of numbers\n"
-            ":1: port is missing: must be an array of tables");
+  EXPECT_TRUE(support::lines_tell(said, {{"1", "steps", "missing", "2 to 1000"},
+                                         {"1", "name", "missing", "at least"},
+                                         {"1", "kind", "missing", "one", "two"},
+                                         {"1", "roles", "missing", "one", "two", "once"},
+                                         {"1", "at_m", "missing"},
+                                         {"1", "port", "missing"}}));
 }
 
 TEST(TableReader, FallsBackOnEveryKindOfValue) {
@@ -124,9 +124,7 @@ TEST(TableReader, RefusesWhatIsNoTruthValueNoArrayAndNoTable) {
     EXPECT_TRUE(root.tables("port").empty());
     (void)root.table("sea");
   });
-  EXPECT_EQ(said,
-            ":1: dry = 1: must be true or false\n:2: at_m = 2.0: must be an array of numbers\n:3: port = 3: must be an array of tables\n"
-            ":4: sea = 4: must be a table");
+  EXPECT_TRUE(support::lines_tell(said, {{"1", "dry", "1", "true", "false"}, {"2", "at_m", "2.0"}, {"3", "port", "3"}, {"4", "sea", "4"}}));
 }
 
 TEST(TableReader, RefusesNanAndInfinityWithoutAskingForARange) {
@@ -159,20 +157,20 @@ TEST(TableReader, KeepsTheBoundsOfARange) {
 
 TEST(TableReader, RefusesAFractionOrATextWhereAWholeNumberBelongs) {
   const auto read = [](TableReader& root) { static_cast<void>(root.integer("n", 1, 9)); };
-  EXPECT_EQ(complaint("n = 2.5", read), ":1: n = 2.5: must be a whole number from 1 to 9");
-  EXPECT_EQ(complaint("n = 'two'", read), ":1: n = 'two': must be a whole number from 1 to 9");
-  EXPECT_EQ(complaint("n = 10", read), ":1: n = 10: must be a whole number from 1 to 9");
+  EXPECT_TRUE(support::tells(complaint("n = 2.5", read), {"1", "n", "2.5", "1 to 9"}));
+  EXPECT_TRUE(support::tells(complaint("n = 'two'", read), {"1", "n", "two", "1 to 9"}));
+  EXPECT_TRUE(support::tells(complaint("n = 10", read), {"1", "n", "10", "1 to 9"}));
 }
 
 TEST(TableReader, RefusesAnEmptyTextAndANumberWhereATextBelongs) {
   const auto read = [](TableReader& root) { static_cast<void>(root.text("file")); };
-  EXPECT_EQ(complaint("\nfile = ''", read), ":2: file = '': must be a text of at least one character");
-  EXPECT_EQ(complaint("file = 3", read), ":1: file = 3: must be a text of at least one character");
+  EXPECT_TRUE(support::tells(complaint("\nfile = ''", read), {"2", "file", "at least"}));
+  EXPECT_TRUE(support::tells(complaint("file = 3", read), {"1", "file", "3", "at least"}));
 }
 
 TEST(TableReader, ListsTheWordsThatAreAllowed) {
   const auto read = [](TableReader& root) { static_cast<void>(root.choice("bus", {"lcm", "can"})); };
-  EXPECT_EQ(complaint("bus = 'usb'", read), ":1: bus = 'usb': must be one of \"lcm\", \"can\"");
+  EXPECT_TRUE(support::tells(complaint("bus = 'usb'", read), {"1", "bus", "usb", "lcm", "can"}));
 }
 
 TEST(TableReader, RefusesAKeyNobodyAskedFor) {
@@ -187,7 +185,7 @@ TEST(TableReader, DoesNotCountLookingForAKeyAsAskingForIt) {
 
 TEST(TableReader, NamesTheElementOfAnArray) {
   const auto read = [](TableReader& root) { static_cast<void>(root.numbers("speed_mps", Range::above(0))); };
-  EXPECT_EQ(complaint("speed_mps = [1500,\n nan]", read), ":2: speed_mps[1] = nan: must be a finite number above 0");
+  EXPECT_TRUE(support::tells(complaint("speed_mps = [1500,\n nan]", read), {"2", "speed_mps[1]", "nan", "above 0"}));
 }
 
 TEST(TableReader, ReadsTablesInTablesAndNamesTheirPath) {
@@ -197,8 +195,7 @@ TEST(TableReader, ReadsTablesInTablesAndNamesTheirPath) {
     static_cast<void>(bed.number("density_kg_per_m3"));
   };
   EXPECT_EQ(complaint("[ocean.seabed]\ndensity_kg_per_m3 = 1500", read), "");
-  EXPECT_EQ(complaint("[ocean.seabed]\ndensity_kg_per_m3 = 'mud'", read),
-            ":2: ocean.seabed.density_kg_per_m3 = 'mud': must be a finite number");
+  EXPECT_TRUE(support::tells(complaint("[ocean.seabed]\ndensity_kg_per_m3 = 'mud'", read), {"2", "ocean.seabed.density_kg_per_m3", "mud"}));
   EXPECT_EQ(complaint("[ocean]\nseabed = 3", read), ":2: ocean.seabed = 3: must be a table");
 }
 
@@ -222,8 +219,8 @@ TEST(TableReader, ReadsEachTableOfAnArray) {
   const auto read = [](TableReader& root) {
     for (TableReader& layer : root.tables("layer")) static_cast<void>(layer.number("thickness_m", Range::above(0)));
   };
-  EXPECT_EQ(complaint("[[layer]]\nthickness_m = 1\n[[layer]]\nthickness_m = 0\n", read),
-            ":4: layer 2: thickness_m = 0: must be a finite number above 0");
+  EXPECT_TRUE(support::tells(complaint("[[layer]]\nthickness_m = 1\n[[layer]]\nthickness_m = 0\n", read),
+                             {"4", "layer 2", "thickness_m", "0", "above 0"}));
 }
 
 TEST(TableReader, GivesNoMoreTablesOfAnArrayThanThereIsRoomFor) {
@@ -234,7 +231,8 @@ TEST(TableReader, GivesNoMoreTablesOfAnArrayThanThereIsRoomFor) {
   };
   EXPECT_EQ(complaint("[[layer]]\n[[layer]]\n", read), "");
   EXPECT_EQ(given, 2U);
-  EXPECT_EQ(complaint("\n[[layer]]\n[[layer]]\n[[layer]]\nof_no_interest = 1\n", read), ":2: layer: has 3 tables, must have at most 2");
+  EXPECT_TRUE(
+      support::tells(complaint("\n[[layer]]\n[[layer]]\n[[layer]]\nof_no_interest = 1\n", read), {"2", "layer", "3 tables", "at most 2"}));
   EXPECT_EQ(given, 2U);
 }
 
@@ -243,7 +241,7 @@ TEST(TableReader, ReportsTheCallersOwnFindings) {
     static_cast<void>(root.number("search_depth_m"));
     root.problem("search_depth_m", "must be less than max_depth_m");
   };
-  EXPECT_EQ(complaint("search_depth_m = 400", read), ":1: search_depth_m = 400: must be less than max_depth_m");
+  EXPECT_TRUE(support::tells(complaint("search_depth_m = 400", read), {"1", "search_depth_m", "400", "less than max_depth_m"}));
 }
 
 TEST(TableReader, KnowsOfWhichKeysItHasNotedAProblem) {
@@ -311,7 +309,7 @@ TEST(TomlFile, SaysInOneLineWhatIsNotTomlWhereALineBreaksInAValue) {
 TEST(TomlFile, RefusesAKeyOfFortyThousandDotsBeforeItIsParsed) {
   std::string key = "a";
   for (int i = 0; i < 40'000; ++i) key += ".a";
-  EXPECT_NE(refusal(written(key + "=1\n")).find(":1: tables, arrays or dots of a key stand more than 32 deep"), std::string::npos);
+  EXPECT_TRUE(support::has_line(refusal(written(key + "=1\n")), {"1", "32 deep"}));
 }
 
 TEST(TomlFile, RefusesTomlOfMoreThanFourMebibytes) {

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "tests/support/private_network.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::host {
 namespace {
@@ -34,7 +35,7 @@ TEST_F(LcmInterfacesTest, SaysWhichInterfaceItCannotHearForTheKernelsLimitAndHea
   allow_memberships(1);
   LcmInterfaces interfaces;
   EXPECT_EQ(interfaces.join_all(socket_.number(), group_), 1U);
-  EXPECT_EQ(interfaces.names(), "lo, but not ears0 (sysctl net.ipv4.igmp_max_memberships)");
+  EXPECT_TRUE(support::tells(interfaces.names(), {"not ears0", "net.ipv4.igmp_max_memberships"}));
   EXPECT_EQ(interfaces.unheard(), 1U);
   allow_memberships(20);
   interfaces.refresh();
@@ -47,7 +48,7 @@ TEST_F(LcmInterfacesTest, SaysHowManyAddressesItPassesOverAndNamesAnInterfaceOfM
   for (int i = 1; i <= 40; ++i) ip("addr add 10.9.0." + std::to_string(i) + "/32 dev lo");
   LcmInterfaces interfaces;
   (void)interfaces.join_all(socket_.number(), group_);
-  EXPECT_EQ(interfaces.names(), "lo, and not 9 addresses beyond the first 32") << "127.0.0.1 and forty";
+  EXPECT_TRUE(support::tells(interfaces.names(), {"not 9 addresses", "beyond", "32"})) << "127.0.0.1 and forty";
   EXPECT_EQ(interfaces.unheard(), 9U);
 }
 

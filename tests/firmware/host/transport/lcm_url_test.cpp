@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/support/text/tells.hpp"
+
 namespace earshot::host {
 namespace {
 
@@ -32,13 +34,13 @@ TEST(LcmUrl, StaysOnThisHostUnlessTold) {
 }
 
 TEST(LcmUrl, SaysWhichPartIsWrongAndWhatIsAllowed) {
-  EXPECT_EQ(complaint("tcpq://localhost"), "LCM URL \"tcpq://localhost\": must be udpm://GROUP:PORT?ttl=N");
-  EXPECT_EQ(complaint("udpm://10.0.0.1:7667"), "LCM group \"10.0.0.1\": must be an IPv4 multicast address, 224.0.0.0 to 239.255.255.255");
-  EXPECT_EQ(complaint("udpm://239.255.76.67:0"), "LCM port \"0\": must be a whole number from 1 to 65535");
-  EXPECT_EQ(complaint("udpm://239.255.76.67"), "LCM port \"\": must be a whole number from 1 to 65535");
-  EXPECT_EQ(complaint("udpm://239.255.76.67:7667?ttl=256"), "LCM ttl \"256\": must be a whole number from 0 to 255");
-  EXPECT_EQ(complaint("udpm://239.255.76.67:7667?ttl=1x"), "LCM ttl \"1x\": must be a whole number from 0 to 255");
-  EXPECT_EQ(complaint("udpm://239.255.76.67:7667?hops=1"), "LCM option \"hops=1\": must be ttl=N or recv_buf_size=N");
+  EXPECT_TRUE(support::tells(complaint("tcpq://localhost"), {"LCM", "URL", "tcpq://localhost", "udpm://GROUP:PORT?ttl=N"}));
+  EXPECT_TRUE(support::tells(complaint("udpm://10.0.0.1:7667"), {"LCM", "10.0.0.1", "IPv4", "224.0.0.0 to 239.255.255.255"}));
+  EXPECT_TRUE(support::tells(complaint("udpm://239.255.76.67:0"), {"LCM", "0", "1 to 65535"}));
+  EXPECT_TRUE(support::tells(complaint("udpm://239.255.76.67"), {"LCM", "1 to 65535"}));
+  EXPECT_TRUE(support::tells(complaint("udpm://239.255.76.67:7667?ttl=256"), {"LCM", "256", "0 to 255"}));
+  EXPECT_TRUE(support::tells(complaint("udpm://239.255.76.67:7667?ttl=1x"), {"LCM", "1x", "0 to 255"}));
+  EXPECT_TRUE(support::tells(complaint("udpm://239.255.76.67:7667?hops=1"), {"LCM", "hops=1", "ttl=N", "recv_buf_size=N"}));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "tests/firmware/host/trust/complaint.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::host {
 namespace {
@@ -46,9 +47,7 @@ TEST_F(StrictModes, AcceptWhatRootAndThisUserAloneCanChange) {
 
 TEST_F(StrictModes, RefuseAFileThatItsGroupOrEverybodyMayWrite) {
   set_mode(file_, 0664);
-  EXPECT_NE(complaint().find(file_.string() + " may be written by its group. What mends it: chmod go-w " + file_.string()),
-            std::string::npos)
-      << complaint();
+  EXPECT_TRUE(support::has_line(complaint(), {file_.string(), "written", "group", "it", file_.string()})) << complaint();
   set_mode(file_, 0646);
   EXPECT_NE(complaint().find(file_.string() + " may be written by everybody"), std::string::npos) << complaint();
 }
@@ -67,7 +66,7 @@ TEST_F(StrictModes, NameAllThatIsWrongAtOnceAndEachThingOnce) {
   set_mode(folder_ / "etc", 0775);
   set_mode(key_, 0666);
   const std::string said = complaint({file_, key_});
-  EXPECT_TRUE(said.starts_with(file_.string() + ": whom the vehicle trusts can be changed by others than root")) << said;
+  EXPECT_TRUE(support::has_line(said, {file_.string(), "changed by others than root"})) << said;
   EXPECT_TRUE(said.ends_with("What mends it: chmod go-w " + (folder_ / "etc").string() + " " + key_.string())) << said;
   set_mode(folder_ / "etc", 0755);
   set_mode(key_, 0644);
@@ -99,9 +98,7 @@ TEST_F(StrictModes, RefuseWhatBelongsToSomebodyElse) {
   if (::geteuid() != 0) GTEST_SKIP() << "only root gives files away";
   ASSERT_EQ(::chown(key_.c_str(), 4711, 4711), 0);
   const std::string said = complaint({file_, key_});
-  EXPECT_NE(said.find("ops.pub belongs to user 4711. What mends it: chown root " + key_.string() + " (or run this as their owner)"),
-            std::string::npos)
-      << said;
+  EXPECT_TRUE(support::has_line(said, {"ops.pub", "4711", "it", key_.string(), "owner"})) << said;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "firmware/host/program/exit_status.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::hil {
 namespace {
@@ -36,7 +37,7 @@ class BenchFlightTest : public testing::Test {
 
 TEST_F(BenchFlightTest, DoesNotWaitForAnEarshotdThatHasEnded) {
   const BenchFlight flight = fly("echo garbage; exit 0", out_);
-  EXPECT_EQ(flight.failure, "earshotd did not answer the simulator's first call");
+  EXPECT_TRUE(support::tells(flight.failure, {"earshotd", "not answer", "simulator's"}));
   EXPECT_EQ(flight.exit_statuses, std::vector{program::kDone});
   EXPECT_LT(flight.wall_s, 10.0) << "20 s are for one that is there";
 }

