@@ -74,7 +74,7 @@ bool is_flown(FaultFlight fault, bool is_at_sea) {
 }
 
 void read_whom(TableReader& table, TimedFault& fault) {
-  const std::vector<std::string> subjects = subjects_of(fault.fault);
+  const std::vector<std::string> subjects(fault.traits().subjects.begin(), fault.traits().subjects.end());
   if (subjects.empty()) return;
   fault.device = subjects.front();
   if (table.has("of")) fault.device = subjects.at(table.choice("of", subjects));
@@ -108,7 +108,7 @@ TimedFault read_fault(TableReader table, const Case& c) {
   if (fault.from - Time{} >= c.at_most && !table.is_noted("at_s")) table.problem("at_s", "the flight is over by then (at_most_s)");
   if (table.has("for_s")) fault.until = fault.from + Duration{seconds_from_start(table.number("for_s", Range::between(0.1, kLongest))).us};
   if (!traits.amount.empty()) fault.amount = table.number(traits.amount, Range::between(traits.lowest, traits.highest));
-  if (has_direction(fault.fault)) fault.direction_deg = table.number_or("towards_deg", 0.0, Range::between(-360.0, 360.0));
+  if (traits.has_direction) fault.direction_deg = table.number_or("towards_deg", 0.0, Range::between(-360.0, 360.0));
   if (is_at_sea) read_whom(table, fault);
   if (fault.fault == Fault::kNetem) fault.how = read_netem(table);
   if (index >= kFrameFaults) return fault;
@@ -187,7 +187,8 @@ Case load_case(const std::filesystem::path& path, const std::filesystem::path& u
   if (root.has("fault")) {
     for (const TableReader& table : root.tables("fault")) made.faults.push_back(read_fault(table, made));
   }
-  if (made.sound_port == 0 && std::ranges::any_of(made.faults, is_of_sound, &TimedFault::fault))
+  if (made.sound_port == 0 &&
+      std::ranges::any_of(made.faults, [](const TimedFault& fault) { return fault.traits().befalls == Befalls::kSound; }))
     root.problem("mission", "must have a port of the role \"hydrophone\", for faults in its samples");
   made.expected = read_expectation(root.table("expect"), mission, made.speed.has_value());
   file.finish();

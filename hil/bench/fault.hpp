@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/time.hpp"
@@ -96,98 +96,15 @@ enum class FaultBus : std::uint8_t { kEither, kCan, kLcm };
 /// How a case with such a fault can be flown.
 enum class FaultFlight : std::uint8_t { kLockStep, kAtSea, kEither };
 
-/// The number that says how much of it there is, and where there is any.
-struct FaultTraits {
-  std::string_view word;    ///< in files
-  std::string_view amount;  ///< key of the number, its end the unit; empty: there is none
-  double lowest = 0.0;
-  double highest = 0.0;
-  FaultBus bus = FaultBus::kEither;
-  FaultFlight flight = FaultFlight::kLockStep;
+/// What a fault befalls.
+enum class Befalls : std::uint8_t {
+  kFrames,      ///< on the bus, or messages over LCM
+  kBus,         ///< and who is on it
+  kController,  ///< the computer's CAN controller
+  kVehicle,     ///< and its instruments
+  kSound,       ///< of the hydrophone whose samples come over LCM
+  kComputer,
 };
-
-/// In the order of Fault.
-inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
-    {"loss", ""},
-    {"delay", "seconds", 0.1, 600.0},
-    {"jitter", "seconds", 0.1, 600.0},
-    {"duplication", ""},
-    {"corruption", ""},
-    {"not_available", ""},
-    {"truncation", ""},
-    {"wrong_length", "", 0.0, 0.0, FaultBus::kCan},
-    {"replay", "seconds", 0.1, 3600.0},
-    {"reordering", "", 0.0, 0.0, FaultBus::kLcm},
-    {"date_error", "seconds", -1e6, 1e6, FaultBus::kLcm},
-    {"flood", "frames_per_s", 1.0, 20'000.0},
-    {"navigation_flood", "messages_per_s", 1.0, 3.0, FaultBus::kLcm},
-    {"second_navigation", "metres_off", 0.0, 1e6},
-    {"walking_navigation", "mps", 0.0, 100.0, FaultBus::kLcm},
-    {"pausing_navigation", "mps", 0.0, 100.0, FaultBus::kLcm},
-    {"second_autopilot", "", 0.0, 0.0, FaultBus::kCan},
-    {"address_thief", "", 0.0, 0.0, FaultBus::kCan},
-    {"strangers_order", ""},
-    {"unknown_order", "", 0.0, 0.0, FaultBus::kLcm},
-    {"cut_abort", "", 0.0, 0.0, FaultBus::kLcm},
-    {"recorded_order", "", 0.0, 0.0, FaultBus::kLcm},
-    {"interface_down", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kEither},
-    {"error_passive", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kAtSea},
-    {"bus_off", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kAtSea},
-    {"netem", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kAtSea},
-    {"rudder_stuck", ""},
-    {"planes_stuck", ""},
-    {"no_thrust", ""},
-    {"disengaged", ""},
-    {"obstinate", ""},
-    {"steerage_way", "mps", 0.1, 3.0},
-    {"current", "mps", 0.0, 10.0},
-    {"battery", "percent", 0.0, 100.0},
-    {"leak", ""},
-    {"ground_fault", ""},
-    {"floor_rise", "metres", -11'000.0, 11'000.0},
-    {"frozen", ""},
-    {"position_error", "metres", -1e6, 1e6},
-    {"heading_error", "degrees", -180.0, 180.0},
-    {"depth_error", "metres", -11'000.0, 11'000.0},
-    {"speed_error", "mps", -10.0, 10.0},
-    {"position_drift", "mps", 0.0, 100.0},
-    {"position_shiver", "metres", 0.0, 100.0},
-    {"depth_drift", "mps", -10.0, 10.0},
-    {"depth_stuck", "metres", -1e6, 1e6},
-    {"deaf", ""},
-    {"gain_error", "decibels", -120.0, 120.0},
-    {"sound_dropout", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kAtSea},
-    {"sound_gain", "decibels", -120.0, 120.0, FaultBus::kCan, FaultFlight::kAtSea},
-    {"sound_open", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kAtSea},
-    {"sound_shorted", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kAtSea},
-    {"kill", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kEither},
-    {"power_cut", "bytes", 1.0, 1e6},
-    {"pause", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kEither},
-    {"stop", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kEither},
-    {"full_disk", "bytes", 10'000.0, 1e12, FaultBus::kEither, FaultFlight::kEither},
-    {"slow_disk", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kAtSea},
-    {"read_only_disk", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kAtSea},
-    {"no_room", "frames_per_s", 1.0, 20'000.0, FaultBus::kCan, FaultFlight::kAtSea},
-    {"wall_clock", "seconds", -1e6, 1e6, FaultBus::kEither, FaultFlight::kAtSea},
-    {"flipped_bit", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kAtSea},
-    {"file_gone", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kAtSea},
-    {"bus_taken", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kAtSea},
-    {"order", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kAtSea},
-}};
-
-[[nodiscard]] constexpr bool is_of_frames(Fault fault) {
-  return static_cast<std::size_t>(fault) < kFrameFaults;
-}
-/// Whether it happens once, whatever its end is.
-[[nodiscard]] constexpr bool is_of_a_moment(Fault fault) {
-  return fault == Fault::kKill || fault == Fault::kPowerCut || fault == Fault::kStop || fault == Fault::kFlippedBit ||
-         fault == Fault::kOrder;
-}
-
-/// Who sends Earshot's own frames, or messages, among the names of the devices.
-inline constexpr std::string_view kEarshotsFrames = "earshot";
-/// The senders whose messages a case over LCM may name.
-inline constexpr std::string_view kLcmSenders[]{"autopilot", "navigation", "hydrophone", "vehicle-status", kEarshotsFrames};
 
 /// The programs of a flight at sea, by which a case says whom a signal befalls.
 inline constexpr std::string_view kEarshotsProgram = "earshotd";
@@ -200,37 +117,278 @@ inline constexpr std::string_view kMissionFile = "mission";
 inline constexpr std::string_view kAbortOrder = "abort";
 inline constexpr std::string_view kPauseOrder = "pause";
 
+inline constexpr std::array kPrograms{kEarshotsProgram, kVehiclesProgram};
+inline constexpr std::array kFiles{kPolicyFile, kTablesFile, kMissionFile};
+inline constexpr std::array kOrders{kAbortOrder, kPauseOrder};
+
+/// All that is known of a fault but how it is made.
+struct FaultTraits {
+  Fault fault;
+  std::string_view word;  ///< in files
+  Befalls befalls;
+  std::string_view amount = {};  ///< key of the number that says how much of it there is, its end the unit; empty: there is none
+  double lowest = 0.0;
+  double highest = 0.0;
+  FaultBus bus = FaultBus::kEither;
+  FaultFlight flight = FaultFlight::kLockStep;
+  bool is_of_a_moment = false;  ///< it happens once, whatever its end is
+  bool has_direction = false;   ///< `direction_deg` says where to
+  /// The vehicle may truly be led out of its area by it: what is told of its place is a lie that goes on growing.
+  bool leads_away = false;
+  /// Which of several it befalls at sea, the usual one first: a program, a file, an order. Empty: there is but one.
+  std::span<const std::string_view> subjects = {};
+};
+
+/// In the order of Fault.
+inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
+    {.fault = Fault::kLoss, .word = "loss", .befalls = Befalls::kFrames},
+    {.fault = Fault::kDelay, .word = "delay", .befalls = Befalls::kFrames, .amount = "seconds", .lowest = 0.1, .highest = 600.0},
+    {.fault = Fault::kJitter, .word = "jitter", .befalls = Befalls::kFrames, .amount = "seconds", .lowest = 0.1, .highest = 600.0},
+    {.fault = Fault::kDuplication, .word = "duplication", .befalls = Befalls::kFrames},
+    {.fault = Fault::kCorruption, .word = "corruption", .befalls = Befalls::kFrames},
+    {.fault = Fault::kNotAvailable, .word = "not_available", .befalls = Befalls::kFrames},
+    {.fault = Fault::kTruncation, .word = "truncation", .befalls = Befalls::kFrames},
+    {.fault = Fault::kWrongLength, .word = "wrong_length", .befalls = Befalls::kFrames, .bus = FaultBus::kCan},
+    {.fault = Fault::kReplay, .word = "replay", .befalls = Befalls::kFrames, .amount = "seconds", .lowest = 0.1, .highest = 3600.0},
+    {.fault = Fault::kReordering, .word = "reordering", .befalls = Befalls::kFrames, .bus = FaultBus::kLcm},
+    {.fault = Fault::kDateError,
+     .word = "date_error",
+     .befalls = Befalls::kFrames,
+     .amount = "seconds",
+     .lowest = -1e6,
+     .highest = 1e6,
+     .bus = FaultBus::kLcm},
+    {.fault = Fault::kFlood, .word = "flood", .befalls = Befalls::kBus, .amount = "frames_per_s", .lowest = 1.0, .highest = 20'000.0},
+    {.fault = Fault::kNavigationFlood,
+     .word = "navigation_flood",
+     .befalls = Befalls::kBus,
+     .amount = "messages_per_s",
+     .lowest = 1.0,
+     .highest = 3.0,
+     .bus = FaultBus::kLcm},
+    {.fault = Fault::kSecondNavigation,
+     .word = "second_navigation",
+     .befalls = Befalls::kBus,
+     .amount = "metres_off",
+     .lowest = 0.0,
+     .highest = 1e6,
+     .has_direction = true},
+    {.fault = Fault::kWalkingNavigation,
+     .word = "walking_navigation",
+     .befalls = Befalls::kBus,
+     .amount = "mps",
+     .lowest = 0.0,
+     .highest = 100.0,
+     .bus = FaultBus::kLcm,
+     .has_direction = true,
+     .leads_away = true},
+    {.fault = Fault::kPausingNavigation,
+     .word = "pausing_navigation",
+     .befalls = Befalls::kBus,
+     .amount = "mps",
+     .lowest = 0.0,
+     .highest = 100.0,
+     .bus = FaultBus::kLcm,
+     .has_direction = true,
+     .leads_away = true},
+    {.fault = Fault::kSecondAutopilot, .word = "second_autopilot", .befalls = Befalls::kBus, .bus = FaultBus::kCan},
+    {.fault = Fault::kAddressThief, .word = "address_thief", .befalls = Befalls::kBus, .bus = FaultBus::kCan},
+    {.fault = Fault::kStrangersOrder, .word = "strangers_order", .befalls = Befalls::kBus},
+    {.fault = Fault::kUnknownOrder, .word = "unknown_order", .befalls = Befalls::kBus, .bus = FaultBus::kLcm},
+    {.fault = Fault::kCutAbort, .word = "cut_abort", .befalls = Befalls::kBus, .bus = FaultBus::kLcm},
+    {.fault = Fault::kRecordedOrder, .word = "recorded_order", .befalls = Befalls::kBus, .bus = FaultBus::kLcm},
+    {.fault = Fault::kInterfaceDown,
+     .word = "interface_down",
+     .befalls = Befalls::kBus,
+     .bus = FaultBus::kCan,
+     .flight = FaultFlight::kEither},
+    {.fault = Fault::kErrorPassive,
+     .word = "error_passive",
+     .befalls = Befalls::kController,
+     .bus = FaultBus::kCan,
+     .flight = FaultFlight::kAtSea},
+    {.fault = Fault::kBusOff, .word = "bus_off", .befalls = Befalls::kController, .bus = FaultBus::kCan, .flight = FaultFlight::kAtSea},
+    {.fault = Fault::kNetem, .word = "netem", .befalls = Befalls::kBus, .bus = FaultBus::kCan, .flight = FaultFlight::kAtSea},
+    {.fault = Fault::kRudderStuck, .word = "rudder_stuck", .befalls = Befalls::kVehicle},
+    {.fault = Fault::kPlanesStuck, .word = "planes_stuck", .befalls = Befalls::kVehicle},
+    {.fault = Fault::kNoThrust, .word = "no_thrust", .befalls = Befalls::kVehicle},
+    {.fault = Fault::kDisengaged, .word = "disengaged", .befalls = Befalls::kVehicle},
+    {.fault = Fault::kObstinate, .word = "obstinate", .befalls = Befalls::kVehicle},
+    {.fault = Fault::kSteerageWay, .word = "steerage_way", .befalls = Befalls::kVehicle, .amount = "mps", .lowest = 0.1, .highest = 3.0},
+    {.fault = Fault::kCurrent,
+     .word = "current",
+     .befalls = Befalls::kVehicle,
+     .amount = "mps",
+     .lowest = 0.0,
+     .highest = 10.0,
+     .has_direction = true},
+    {.fault = Fault::kBattery, .word = "battery", .befalls = Befalls::kVehicle, .amount = "percent", .lowest = 0.0, .highest = 100.0},
+    {.fault = Fault::kLeak, .word = "leak", .befalls = Befalls::kVehicle},
+    {.fault = Fault::kGroundFault, .word = "ground_fault", .befalls = Befalls::kVehicle},
+    {.fault = Fault::kFloorRise,
+     .word = "floor_rise",
+     .befalls = Befalls::kVehicle,
+     .amount = "metres",
+     .lowest = -11'000.0,
+     .highest = 11'000.0},
+    {.fault = Fault::kFrozen, .word = "frozen", .befalls = Befalls::kVehicle},
+    {.fault = Fault::kPositionError,
+     .word = "position_error",
+     .befalls = Befalls::kVehicle,
+     .amount = "metres",
+     .lowest = -1e6,
+     .highest = 1e6,
+     .has_direction = true},
+    {.fault = Fault::kHeadingError,
+     .word = "heading_error",
+     .befalls = Befalls::kVehicle,
+     .amount = "degrees",
+     .lowest = -180.0,
+     .highest = 180.0},
+    {.fault = Fault::kDepthError,
+     .word = "depth_error",
+     .befalls = Befalls::kVehicle,
+     .amount = "metres",
+     .lowest = -11'000.0,
+     .highest = 11'000.0},
+    {.fault = Fault::kSpeedError, .word = "speed_error", .befalls = Befalls::kVehicle, .amount = "mps", .lowest = -10.0, .highest = 10.0},
+    {.fault = Fault::kPositionDrift,
+     .word = "position_drift",
+     .befalls = Befalls::kVehicle,
+     .amount = "mps",
+     .lowest = 0.0,
+     .highest = 100.0,
+     .has_direction = true,
+     .leads_away = true},
+    {.fault = Fault::kPositionShiver,
+     .word = "position_shiver",
+     .befalls = Befalls::kVehicle,
+     .amount = "metres",
+     .lowest = 0.0,
+     .highest = 100.0},
+    {.fault = Fault::kDepthDrift, .word = "depth_drift", .befalls = Befalls::kVehicle, .amount = "mps", .lowest = -10.0, .highest = 10.0},
+    {.fault = Fault::kDepthStuck, .word = "depth_stuck", .befalls = Befalls::kVehicle, .amount = "metres", .lowest = -1e6, .highest = 1e6},
+    {.fault = Fault::kDeaf, .word = "deaf", .befalls = Befalls::kVehicle},
+    {.fault = Fault::kGainError,
+     .word = "gain_error",
+     .befalls = Befalls::kVehicle,
+     .amount = "decibels",
+     .lowest = -120.0,
+     .highest = 120.0},
+    {.fault = Fault::kSoundDropout,
+     .word = "sound_dropout",
+     .befalls = Befalls::kSound,
+     .bus = FaultBus::kCan,
+     .flight = FaultFlight::kAtSea},
+    {.fault = Fault::kSoundGain,
+     .word = "sound_gain",
+     .befalls = Befalls::kSound,
+     .amount = "decibels",
+     .lowest = -120.0,
+     .highest = 120.0,
+     .bus = FaultBus::kCan,
+     .flight = FaultFlight::kAtSea},
+    {.fault = Fault::kSoundOpen, .word = "sound_open", .befalls = Befalls::kSound, .bus = FaultBus::kCan, .flight = FaultFlight::kAtSea},
+    {.fault = Fault::kSoundShorted,
+     .word = "sound_shorted",
+     .befalls = Befalls::kSound,
+     .bus = FaultBus::kCan,
+     .flight = FaultFlight::kAtSea},
+    {.fault = Fault::kKill,
+     .word = "kill",
+     .befalls = Befalls::kComputer,
+     .flight = FaultFlight::kEither,
+     .is_of_a_moment = true,
+     .subjects = kPrograms},
+    {.fault = Fault::kPowerCut,
+     .word = "power_cut",
+     .befalls = Befalls::kComputer,
+     .amount = "bytes",
+     .lowest = 1.0,
+     .highest = 1e6,
+     .is_of_a_moment = true},
+    {.fault = Fault::kPause, .word = "pause", .befalls = Befalls::kComputer, .flight = FaultFlight::kEither, .subjects = kPrograms},
+    {.fault = Fault::kStop,
+     .word = "stop",
+     .befalls = Befalls::kComputer,
+     .flight = FaultFlight::kEither,
+     .is_of_a_moment = true,
+     .subjects = kPrograms},
+    {.fault = Fault::kFullDisk,
+     .word = "full_disk",
+     .befalls = Befalls::kComputer,
+     .amount = "bytes",
+     .lowest = 10'000.0,
+     .highest = 1e12,
+     .flight = FaultFlight::kEither},
+    {.fault = Fault::kSlowDisk, .word = "slow_disk", .befalls = Befalls::kComputer, .flight = FaultFlight::kAtSea},
+    {.fault = Fault::kReadOnlyDisk, .word = "read_only_disk", .befalls = Befalls::kComputer, .flight = FaultFlight::kAtSea},
+    {.fault = Fault::kNoRoom,
+     .word = "no_room",
+     .befalls = Befalls::kComputer,
+     .amount = "frames_per_s",
+     .lowest = 1.0,
+     .highest = 20'000.0,
+     .bus = FaultBus::kCan,
+     .flight = FaultFlight::kAtSea},
+    {.fault = Fault::kWallClock,
+     .word = "wall_clock",
+     .befalls = Befalls::kComputer,
+     .amount = "seconds",
+     .lowest = -1e6,
+     .highest = 1e6,
+     .flight = FaultFlight::kAtSea},
+    {.fault = Fault::kFlippedBit,
+     .word = "flipped_bit",
+     .befalls = Befalls::kComputer,
+     .flight = FaultFlight::kAtSea,
+     .is_of_a_moment = true},
+    {.fault = Fault::kFileGone, .word = "file_gone", .befalls = Befalls::kComputer, .flight = FaultFlight::kAtSea, .subjects = kFiles},
+    {.fault = Fault::kBusTaken, .word = "bus_taken", .befalls = Befalls::kComputer, .flight = FaultFlight::kAtSea},
+    {.fault = Fault::kOrder,
+     .word = "order",
+     .befalls = Befalls::kComputer,
+     .flight = FaultFlight::kAtSea,
+     .is_of_a_moment = true,
+     .subjects = kOrders},
+}};
+static_assert([] {
+  for (std::size_t i = 0; i < kFaults; ++i) {
+    if (kFaultTraits[i].fault != static_cast<Fault>(i) || (kFaultTraits[i].befalls == Befalls::kFrames) != (i < kFrameFaults)) return false;
+  }
+  return true;
+}());
+
+[[nodiscard]] constexpr const FaultTraits& traits_of(Fault fault) {
+  return kFaultTraits.at(static_cast<std::size_t>(fault));
+}
+
+/// Who sends Earshot's own frames, or messages, among the names of the devices.
+inline constexpr std::string_view kEarshotsFrames = "earshot";
+/// The senders whose messages a case over LCM may name.
+inline constexpr std::string_view kLcmSenders[]{"autopilot", "navigation", "hydrophone", "vehicle-status", kEarshotsFrames};
+
 /// A fault, when, and how much.
 struct TimedFault {
   Fault fault = Fault::kLoss;
   Time from;                                 ///< since the flight began
   std::optional<Time> until = std::nullopt;  ///< nothing: to the end
   double amount = 0.0;                       ///< FaultTraits::amount
-  double direction_deg = 0.0;                ///< clockwise from north, of those that has_direction() names
+  double direction_deg = 0.0;                ///< clockwise from north, of those that have one
   double share = 1.0;                        ///< of the frames
   std::string device = {};  ///< whose frames (kDeviceNames or kEarshotsFrames; kLcmSenders), empty: everybody's; at sea, which of
-                            ///< subjects_of()
+                            ///< FaultTraits::subjects
   std::optional<std::uint32_t> pgn = std::nullopt;  ///< of which group
   std::string how = {};                             ///< of kNetem: "delay 50ms 20ms loss 5%"
 
   [[nodiscard]] bool acts_at(Time now) const { return now >= from && (!until || now < *until); }
   /// Whether it began since the last tick.
   [[nodiscard]] bool is_new_at(Time now, Duration tick) const { return from <= now && now < from + tick; }
+  [[nodiscard]] const FaultTraits& traits() const { return traits_of(fault); }
   /// `amount` in its direction.
   [[nodiscard]] NorthEast vector() const;
   friend bool operator==(const TimedFault&, const TimedFault&) = default;
 };
-
-/// Which of several it befalls at sea, the usual one first: a program, a file, an order. Empty: there is but one.
-[[nodiscard]] std::vector<std::string> subjects_of(Fault fault);
-/// Whether it befalls the computer's CAN controller.
-[[nodiscard]] bool is_of_controller(Fault fault);
-/// Whether it befalls the hydrophone whose samples come over LCM.
-[[nodiscard]] bool is_of_sound(Fault fault);
-/// Whether the vehicle may truly be led out of its area by it: what is told of its place is a lie that goes on growing.
-[[nodiscard]] bool leads_away(Fault fault);
-/// Whether `direction_deg` says where to.
-[[nodiscard]] bool has_direction(Fault fault);
 
 /// "loss of 50 % of the compass's frames from 100 s for 20 s"
 [[nodiscard]] std::string in_words(const TimedFault& fault);

@@ -39,7 +39,7 @@ TimedFault moved(TimedFault fault, Pcg32& random) {
   const Time from = Time{} + Duration::seconds(1 + random.next() % kLatest_s);
   if (fault.until) fault.until = from + Duration{(*fault.until - fault.from).us};
   fault.from = from;
-  if (has_direction(fault.fault)) fault.direction_deg = 360.0 * random.uniform_double() - 180.0;
+  if (fault.traits().has_direction) fault.direction_deg = 360.0 * random.uniform_double() - 180.0;
   return fault;
 }
 
@@ -82,7 +82,7 @@ Case random_case(const std::vector<Case>& pool, std::uint64_t seed) {
   Case made = drawn(pool, seed);
   for (const Case& c : pool) {
     if (c.bus != made.bus) continue;
-    std::ranges::copy_if(c.faults, std::back_inserter(all), [](const TimedFault& fault) { return !leads_away(fault.fault); });
+    std::ranges::copy_if(c.faults, std::back_inserter(all), [](const TimedFault& fault) { return !fault.traits().leads_away; });
   }
   made.name = "random_" + std::to_string(seed);
   made.given = "a search that begins towards the fence";

@@ -79,7 +79,7 @@ json wish(std::optional<bool> wanted) {
 
 /// When a fault ceases to act; nothing: it does not.
 json end_of(const TimedFault& fault) {
-  if (is_of_a_moment(fault.fault)) return seconds(fault.from + kTick);
+  if (fault.traits().is_of_a_moment) return seconds(fault.from + kTick);
   return fault.until ? json(seconds(*fault.until)) : json(nullptr);
 }
 

@@ -103,9 +103,9 @@ void judge_notice(const Case& c, const JournalFindings& journal, std::vector<std
         return trouble.trouble == state && trouble.is_there == begins;
       });
     };
-    if (is_of_controller(fault.fault) && !says(true)) wrong.push_back("the journal does not report that it began: " + in_words(fault));
-    if (is_of_controller(fault.fault) && fault.until && !says(false))
-      wrong.push_back("the journal does not report that it ended: " + in_words(fault));
+    const bool is_controllers = fault.traits().befalls == Befalls::kController;
+    if (is_controllers && !says(true)) wrong.push_back("the journal does not report that it began: " + in_words(fault));
+    if (is_controllers && fault.until && !says(false)) wrong.push_back("the journal does not report that it ended: " + in_words(fault));
     if (fault.fault == Fault::kSoundDropout && fault.until && journal.lost.at(c.sound_port) == 0)
       wrong.emplace_back("the journal does not report that samples were lost");
   }
@@ -129,7 +129,8 @@ void judge_track(const config::Mission& mission, const BenchFlight& flight, std:
 void judge_faults(const Case& c, const BenchFlight& flight, std::vector<std::string>& wrong) {
   if (!flight.failure.empty()) return;
   for (const TimedFault& fault : flight.idle) wrong.push_back("the fault never acted: " + in_words(fault));
-  const bool has_frame_fault = std::ranges::any_of(c.faults, is_of_frames, &TimedFault::fault);
+  const bool has_frame_fault =
+      std::ranges::any_of(c.faults, [](const TimedFault& fault) { return fault.traits().befalls == Befalls::kFrames; });
   if (flight.idle.empty() && has_frame_fault && flight.afflicted == 0) wrong.emplace_back("no frame met the fault");
 }
 

@@ -34,7 +34,7 @@ SoundFault sound_of(const TimedFault& fault) {
 }  // namespace
 
 SeaEquipment::SeaEquipment(const Case& c, const Bench& bench) : case_(c), bus_(bench.interface), sound_url_(own_sound_url()) {
-  if (std::ranges::any_of(c.faults, is_of_controller, &TimedFault::fault)) {
+  if (std::ranges::any_of(c.faults, [](const TimedFault& fault) { return fault.traits().befalls == Befalls::kController; })) {
     try {
       adapter_.emplace(bus_);
     } catch (const NoSerialCan& e) {
@@ -59,19 +59,36 @@ std::vector<std::string> SeaEquipment::options_of_earshotd() const {
 }
 
 void SeaEquipment::begin(const TimedFault& fault) {
-  if (is_of_controller(fault.fault)) adapter_->become(fault.fault == Fault::kBusOff ? State::kBusOff : State::kErrorPassive);
-  if (is_of_sound(fault.fault)) hydrophone_->disturb(sound_of(fault));
-  if (fault.fault == Fault::kWallClock) clock_.emplace(fault.amount);
-  if (fault.fault == Fault::kNetem) has_netem_ = set_netem(bus_, fault.how);
+  switch (fault.fault) {
+    case Fault::kErrorPassive:
+      return adapter_->become(State::kErrorPassive);
+    case Fault::kBusOff:
+      return adapter_->become(State::kBusOff);
+    case Fault::kWallClock:
+      clock_.emplace(fault.amount);
+      return;
+    case Fault::kNetem:
+      has_netem_ = set_netem(bus_, fault.how);
+      return;
+    default:
+      if (fault.traits().befalls == Befalls::kSound) hydrophone_->disturb(sound_of(fault));
+  }
 }
 
 void SeaEquipment::end(const TimedFault& fault) {
-  if (is_of_controller(fault.fault)) adapter_->become(State::kErrorActive);
-  if (is_of_sound(fault.fault)) hydrophone_->disturb({});
-  if (fault.fault == Fault::kWallClock) clock_.reset();
-  if (fault.fault != Fault::kNetem) return;
-  netem_ = netem_now();
-  if (set_netem(bus_, "")) has_netem_ = false;
+  switch (fault.fault) {
+    case Fault::kErrorPassive:
+    case Fault::kBusOff:
+      return adapter_->become(State::kErrorActive);
+    case Fault::kWallClock:
+      return clock_.reset();
+    case Fault::kNetem:
+      netem_ = netem_now();
+      if (set_netem(bus_, "")) has_netem_ = false;
+      return;
+    default:
+      if (fault.traits().befalls == Befalls::kSound) hydrophone_->disturb({});
+  }
 }
 
 NetemCounts SeaEquipment::netem_now() const {

@@ -241,27 +241,54 @@ class SeaFlyer {
   }
 
   void begin(const TimedFault& fault) {
-    if (fault.fault == Fault::kKill) program_of(fault).kill();
-    if (fault.fault == Fault::kPause) program_of(fault).halt();
-    if (fault.fault == Fault::kStop) program_of(fault).stop();
-    if (fault.fault == Fault::kInterfaceDown) switch_bus(false);
-    if (fault.fault == Fault::kSlowDisk || fault.fault == Fault::kReadOnlyDisk) std::ofstream(disk_is_sick()) << "";
-    if (fault.fault == Fault::kNoRoom) queue_.emplace(bench_.interface, fault.amount);
-    if (fault.fault == Fault::kFlippedBit) flip_bit(host::newest_journal_in(flight_.folder));
-    if (fault.fault == Fault::kBusTaken) taken_.emplace(host::lock_can(bench_.interface));
-    if (fault.fault == Fault::kOrder)
-      give_order(bench_.interface, fault.device == kPauseOrder ? messages::Order::kPause : messages::Order::kAbort, ScaledClock::utc());
-    equipment_.begin(fault);
+    switch (fault.fault) {
+      case Fault::kKill:
+        return program_of(fault).kill();
+      case Fault::kPause:
+        return program_of(fault).halt();
+      case Fault::kStop:
+        return program_of(fault).stop();
+      case Fault::kInterfaceDown:
+        return switch_bus(false);
+      case Fault::kSlowDisk:
+      case Fault::kReadOnlyDisk:
+        std::ofstream(disk_is_sick()) << "";
+        return;
+      case Fault::kNoRoom:
+        queue_.emplace(bench_.interface, fault.amount);
+        return;
+      case Fault::kFlippedBit:
+        return flip_bit(host::newest_journal_in(flight_.folder));
+      case Fault::kBusTaken:
+        taken_.emplace(host::lock_can(bench_.interface));
+        return;
+      case Fault::kOrder:
+        return give_order(bench_.interface, fault.device == kPauseOrder ? messages::Order::kPause : messages::Order::kAbort,
+                          ScaledClock::utc());
+      default:
+        return equipment_.begin(fault);
+    }
   }
 
   void end(const TimedFault& fault) {
-    if (fault.fault == Fault::kKill) program_of(fault).start();
-    if (fault.fault == Fault::kPause) program_of(fault).go_on();
-    if (fault.fault == Fault::kInterfaceDown) switch_bus(true);
-    if (fault.fault == Fault::kSlowDisk || fault.fault == Fault::kReadOnlyDisk) std::filesystem::remove(disk_is_sick());
-    if (fault.fault == Fault::kNoRoom) widen_queue();
-    if (fault.fault == Fault::kBusTaken) taken_.reset();
-    equipment_.end(fault);
+    switch (fault.fault) {
+      case Fault::kKill:
+        return program_of(fault).start();
+      case Fault::kPause:
+        return program_of(fault).go_on();
+      case Fault::kInterfaceDown:
+        return switch_bus(true);
+      case Fault::kSlowDisk:
+      case Fault::kReadOnlyDisk:
+        std::filesystem::remove(disk_is_sick());
+        return;
+      case Fault::kNoRoom:
+        return widen_queue();
+      case Fault::kBusTaken:
+        return taken_.reset();
+      default:
+        return equipment_.end(fault);
+    }
   }
 
   void widen_queue() {

@@ -230,7 +230,7 @@ class Flyer {
   void note_faults() {
     for (std::size_t i = 0; i < case_.faults.size(); ++i) {
       const TimedFault& fault = case_.faults[i];
-      has_acted_[i] = has_acted_[i] || (is_of_a_moment(fault.fault) ? fault.is_new_at(now_, kTick) : fault.acts_at(now_));
+      has_acted_[i] = has_acted_[i] || (fault.traits().is_of_a_moment ? fault.is_new_at(now_, kTick) : fault.acts_at(now_));
     }
   }
 
