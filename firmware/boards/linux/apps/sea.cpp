@@ -19,6 +19,7 @@
 #include "firmware/boards/linux/memory_proof.hpp"
 #include "firmware/boards/linux/outage/outage_time.hpp"
 #include "firmware/boards/linux/outage/safety_places.hpp"
+#include "firmware/boards/linux/open_ports.hpp"
 #include "firmware/boards/linux/port/port_set.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/printable.hpp"

@@ -11,6 +11,7 @@
 #include "firmware/boards/linux/apps/flight.hpp"
 #include "firmware/boards/linux/apps/vehicle_trust.hpp"
 #include "firmware/boards/linux/clock/host_clock.hpp"
+#include "firmware/boards/linux/open_ports.hpp"
 #include "firmware/boards/linux/port/port_set.hpp"
 #include "firmware/boards/linux/service/service_manager.hpp"
 #include "firmware/boards/linux/simulation_plugin.hpp"
