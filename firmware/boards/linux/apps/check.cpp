@@ -1,4 +1,4 @@
-#include "firmware/boards/linux/apps/check.hpp"
+#include "firmware/boards/linux/apps/run_modes.hpp"
 
 #include <filesystem>
 #include <iostream>

@@ -16,7 +16,7 @@
 
 namespace earshot::board {
 
-// What earshotd puts together in the same way at sea (sea.hpp), in simulation (simulation.hpp) and for the checklist (check.hpp).
+// What earshotd puts together in the same way at sea, in simulation and for the checklist (run_modes.hpp).
 
 /// The mission of a command line, with what its options say in place of the mission's own words. Its ports are not judged yet.
 /// @throws host::BadInput naming file and key, or an option that a signed mission does not allow

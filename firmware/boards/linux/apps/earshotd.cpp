@@ -4,11 +4,9 @@
 #include <span>
 #include <string_view>
 
-#include "firmware/boards/linux/apps/check.hpp"
 #include "firmware/boards/linux/apps/earshotd_options.hpp"
 #include "firmware/boards/linux/apps/fly_or_come_up.hpp"
-#include "firmware/boards/linux/apps/sea.hpp"
-#include "firmware/boards/linux/apps/simulation.hpp"
+#include "firmware/boards/linux/apps/run_modes.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/standard_streams.hpp"
 

@@ -1,4 +1,4 @@
-#include "firmware/boards/linux/apps/sea.hpp"
+#include "firmware/boards/linux/apps/run_modes.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -17,14 +17,14 @@
 #include "firmware/boards/linux/clock/host_clock.hpp"
 #include "firmware/boards/linux/clock/host_mission_clock.hpp"
 #include "firmware/boards/linux/memory_proof.hpp"
+#include "firmware/boards/linux/open_ports.hpp"
 #include "firmware/boards/linux/outage/outage_time.hpp"
 #include "firmware/boards/linux/outage/safety_places.hpp"
-#include "firmware/boards/linux/open_ports.hpp"
 #include "firmware/boards/linux/port/port_set.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/memory/process_memory.hpp"
-#include "firmware/host/mission/lock_buses.hpp"
+#include "firmware/host/mission/ports/lock_buses.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/program/standard_streams.hpp"
 #include "firmware/host/safety_record/safety_copies.hpp"

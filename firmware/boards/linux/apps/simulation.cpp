@@ -1,4 +1,4 @@
-#include "firmware/boards/linux/apps/simulation.hpp"
+#include "firmware/boards/linux/apps/run_modes.hpp"
 
 #include <chrono>
 #include <memory>
@@ -15,8 +15,8 @@
 #include "firmware/boards/linux/port/port_set.hpp"
 #include "firmware/boards/linux/service/service_manager.hpp"
 #include "firmware/boards/linux/simulation_plugin.hpp"
-#include "firmware/host/mission/lock_buses.hpp"
 #include "firmware/host/mission/ports/flight_needs.hpp"
+#include "firmware/host/mission/ports/lock_buses.hpp"
 #include "firmware/host/mission/ports/port_override.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/transport/bus_lock.hpp"

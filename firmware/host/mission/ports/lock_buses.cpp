@@ -1,4 +1,4 @@
-#include "firmware/host/mission/lock_buses.hpp"
+#include "firmware/host/mission/ports/lock_buses.hpp"
 
 #include <string>
 
