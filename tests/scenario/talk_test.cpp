@@ -15,6 +15,7 @@
 #include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/terminal.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot {
 namespace {
@@ -110,9 +111,7 @@ TEST_F(Talk, GivenASourceOfAnotherFrequencyThanTheMissionListensForItWarnsAndFli
   const std::string ocean = kSource / "policy/worlds/oceans/hz_35.toml";
   support::Process flight(kFly, {"--environment", ocean, "--mission", mission, "--out", folder_ / "out", "--no-report"}, folder_ / "text");
   EXPECT_EQ(flight.wait(60s), 0) << flight.output();
-  EXPECT_NE(flight.output().find("earshot fly: warning: " + mission + ": search.source_frequency_hz = 20, and the source of " + ocean +
-                                 " has 35 Hz: "),
-            std::string::npos)
+  EXPECT_TRUE(support::has_line(flight.output(), {"fly", "warning", mission, "search.source_frequency_hz", "20", ocean, "35", "Hz"}))
       << flight.output();
 }
 
@@ -120,7 +119,7 @@ TEST_F(Talk, GivenTablesWithoutANameItSaysWhichOptionThatIs) {
   std::vector<std::string> a = arguments({"--tables", ""});
   support::Process refused(kFly, a, folder_ / "refused");
   EXPECT_EQ(refused.wait(10s), 2);
-  EXPECT_EQ(refused.output(), "earshot fly: --tables: must name a file or a folder (earshot fly --help lists all)\n");
+  EXPECT_TRUE(support::lines_tell(refused.output(), {{"fly", "--tables", "--help"}}));
 }
 
 TEST_F(Talk, GivenAFileForItsFolderItSaysSoInOneSentence) {
@@ -130,7 +129,7 @@ TEST_F(Talk, GivenAFileForItsFolderItSaysSoInOneSentence) {
   *std::ranges::find(a, (folder_ / "out").string()) = file;
   support::Process refused(kFly, a, folder_ / "refused");
   EXPECT_EQ(refused.wait(10s), 2);
-  EXPECT_EQ(refused.output(), file.string() + ": cannot be read or written: Not a directory\n");
+  EXPECT_TRUE(support::lines_tell(refused.output(), {{file.string(), "cannot", "read", "written", "Not", "directory"}}));
 }
 
 }  // namespace

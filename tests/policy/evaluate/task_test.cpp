@@ -7,6 +7,7 @@
 
 #include "firmware/host/file/bad_input.hpp"
 #include "tests/policy/evaluate/made_up_candidates.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::evaluate {
 namespace {
@@ -37,13 +38,12 @@ TEST_F(Task, SaysWhatIsTestedOtherwiseThanItWasTrained) {
   settings.border_reward = -40.0;
   settings.max_steps = 60;
   depth = Meters{200.0};
-  EXPECT_EQ(of(kFixed),
-            (std::vector<std::string>{
-                "p was trained with a fixed source and is tested with a changing one: another search than it is made for",
-                "p was trained from starts anywhere in the domain and is tested from starts 1000 m or more from every edge",
-                "p was trained with a border of 1000 m and is tested with one of 500 m",
-                "p was trained with a reward of -100 at the edge and is tested with -40",
-                "p was trained to search for 100 steps and is tested over 60", "p was trained 300 m deep and is tested 200 m deep"}));
+  EXPECT_TRUE(support::lines_tell(of(kFixed), {{"trained", "changing", "one"},
+                                               {"trained", "anywhere", "1000 m"},
+                                               {"1000 m", "500 m"},
+                                               {"-100", "-40"},
+                                               {"100 steps", "60"},
+                                               {"300 m", "200 m"}}));
 }
 
 TEST_F(Task, OfAPolicyWithoutANetworkIsTheKindOfItsSourceAlone) {
@@ -54,33 +54,26 @@ TEST_F(Task, OfAPolicyWithoutANetworkIsTheKindOfItsSourceAlone) {
   depth = Meters{100.0};
   EXPECT_EQ(differences(advised, {settings, depth, "01234567"}), std::vector<std::string>{}) << "its tables are of that depth";
   settings.placement = search::SourcePlacement::kChanging;
-  EXPECT_EQ(
-      differences(advised, {settings, depth, "01234567"}),
-      (std::vector<std::string>{"p is made for searches with a fixed source and is tested with a changing one: another search than it "
-                                "is made for"}));
+  EXPECT_TRUE(support::lines_tell(differences(advised, {settings, depth, "01234567"}), {{"searches", "changing", "one"}}));
 }
 
 TEST_F(Task, SaysThatAFixedSourceStandsElsewhere) {
   settings.source = {Meters{3'000.0}, Meters{4'000.5}};
-  EXPECT_EQ(of(kFixed + "source_north_m = 10000\nsource_east_m = 10000\n"),
-            (std::vector<std::string>{"p was trained with the source at 10000 m north, 10000 m east and is tested with it at 3000 m north, "
-                                      "4000.5 m east: another search than it is made for"}));
+  EXPECT_TRUE(support::lines_tell(of(kFixed + "source_north_m = 10000\nsource_east_m = 10000\n"),
+                                  {{"10000 m north", "10000 m east", "3000 m north", "4000.5 m east"}}));
   EXPECT_EQ(of(kFixed + "source_north_m = 3000\nsource_east_m = 4000.5\n"), std::vector<std::string>{});
   const std::vector<std::string> elsewhere = differences(learned("p", kFixed), {settings, depth, "76543210"});
-  EXPECT_EQ(elsewhere, (std::vector<std::string>{"p was trained with the source where a.toml had it and is tested with it at 3000 m north, "
-                                                 "4000.5 m east, where another environment puts it"}));
+  EXPECT_TRUE(support::lines_tell(elsewhere, {{"a.toml", "3000 m north", "4000.5 m east"}}));
 }
 
 TEST_F(Task, SaysThatAFileDoesNotNameItsSource) {
-  EXPECT_EQ(of(""), (std::vector<std::string>{"p does not state which source it was trained with and is tested with a fixed one"}));
+  EXPECT_TRUE(support::lines_tell(of(""), {{"not", "source", "trained", "tested"}}));
 }
 
 TEST_F(Task, KnowsTheStartsOfAPolicyTrainedInPython) {
   settings.placement = search::SourcePlacement::kChanging;
   EXPECT_EQ(of("source = changing\nstart = domain\n"), std::vector<std::string>{});
-  EXPECT_EQ(of("source = changing\nstart = inside_border\n"),
-            (std::vector<std::string>{
-                "p was trained from starts 1000 m or more from every edge and is tested from starts anywhere in the domain"}));
+  EXPECT_TRUE(support::lines_tell(of("source = changing\nstart = inside_border\n"), {{"trained", "1000 m", "anywhere"}}));
 }
 
 TEST(TaskOfMany, IsThatOfTheFirstWhoseFileNamesItsSource) {

@@ -12,6 +12,7 @@
 #include "firmware/host/toml/table_reader.hpp"
 #include "sim/search/scenario/soundscape.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::evaluate {
 namespace {
@@ -37,15 +38,12 @@ std::string refusal_of(const fs::path& path) {
 }
 
 TEST(Worlds, AreToldFromEnvironmentsAndMissionsInOneLineAndABareNameGetsItsFile) {
-  EXPECT_EQ(refusal_of(kMunk),
-            "--world " + kMunk +
-                ": is an environment (an ocean, for --environment), not a world (an environment and conditions to search "
-                "in, for --world)");
+  EXPECT_TRUE(support::tells(refusal_of(kMunk), {"--world", kMunk, "--environment", "not", "--world"}));
   const std::string mission = std::string(EARSHOT_SOURCE_DIR) + "/firmware/boards/linux/missions/search.toml";
-  EXPECT_TRUE(refusal_of(mission).starts_with("--world " + mission + ": is a mission (for --mission), not a world"));
+  EXPECT_TRUE(support::tells(refusal_of(mission), {"--world", mission, "--mission", "not a world"}));
   const std::string rock = (kPolicy / "worlds/rock.toml").string();
-  EXPECT_EQ(refusal_of("rock"), "rock: no such file; the world that ships is " + rock);
-  EXPECT_EQ(refusal_of("rock.toml"), "rock.toml: no such file; the world that ships is " + rock);
+  EXPECT_TRUE(support::tells(refusal_of("rock"), {"rock", "no", "world", "ships", rock}));
+  EXPECT_TRUE(support::tells(refusal_of("rock.toml"), {"rock.toml", "no", "world", "ships", rock}));
   EXPECT_EQ(refusal_of("swordfish"), "swordfish: no such file");
 }
 
@@ -142,19 +140,18 @@ TEST_F(LoadWorld, SaysHowDeepTheVehicleIsWhereItIsTold) {
 TEST_F(LoadWorld, RefusesAVehicleOutsideTheWater) {
   const std::string world = "name = \"a\"\nwhat = \"b\"\nseed = 5\nenvironment = \"" + kMunk + "\"\n";
   EXPECT_EQ(load(world + "vehicle_depth_m = 2999.9\n").vehicle_depth, Meters{2'999.9});
-  EXPECT_NE(complaint(world + "vehicle_depth_m = 3000.0\n")
-                .find("world.toml:5: vehicle_depth_m: 3000 must be less than the depth of the sea floor in " + kMunk + ", 3000 m"),
-            std::string::npos)
+  EXPECT_TRUE(support::has_line(complaint(world + "vehicle_depth_m = 3000.0\n"),
+                                {"world.toml:5", "vehicle_depth_m", "3000", "less than", kMunk, "3000 m"}))
       << complaint(world + "vehicle_depth_m = 3000.0\n");
   EXPECT_NE(complaint(world + "vehicle_depth_m = 0.0\n").find("vehicle_depth_m"), std::string::npos);
 }
 
 TEST_F(LoadWorld, IsRefusedWithWhatIsWrong) {
   EXPECT_NE(complaint("name = \"a\"\nwhat = \"b\"\nenvironment = \"" + kMunk + "\"\n").find("seed is missing"), std::string::npos);
-  EXPECT_NE(complaint("name = \"a\"\nwhat = \"b\"\nseed = 1\nenvironment = \"none.toml\"\n").find("none.toml: no such file"),
-            std::string::npos);
-  EXPECT_NE(complaint("name = \"a\"\nwhat = \"b\"\nseed = 1\nenvironment = \"" + kMunk + "\"\nsead = 1\n").find("sead: unknown key"),
-            std::string::npos);
+  EXPECT_TRUE(
+      support::has_line(complaint("name = \"a\"\nwhat = \"b\"\nseed = 1\nenvironment = \"none.toml\"\n"), {"none.toml", "no", "file"}));
+  EXPECT_TRUE(support::has_line(complaint("name = \"a\"\nwhat = \"b\"\nseed = 1\nenvironment = \"" + kMunk + "\"\nsead = 1\n"),
+                                {"sead", "unknown"}));
 }
 
 TEST_F(LoadWorld, IsLookedForInAFolderThatHasSome) {

@@ -8,6 +8,7 @@
 #include "tests/policy/freeze/bytes.hpp"
 #include "tests/policy/freeze/onnx_bytes.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::freeze {
 namespace {
@@ -116,7 +117,7 @@ TEST_F(OnnxTensorFiles, AreRefusedBesideValuesInTheModelAndWithoutAWordOfThem) {
   const auto refused_bytes = [&](const std::string& bytes) { return refusal([&] { (void)OnnxTensorReader(folder()).read(bytes); }); };
   EXPECT_EQ(refused_bytes(external), "");
   EXPECT_NE(refused_bytes(external + field(9, test::bytes_of({1}))).find("its values stand in more than one place"), std::string::npos);
-  EXPECT_NE(refused_bytes(external + field(14, 0)).find("data_location and external_data do not fit"), std::string::npos);
+  EXPECT_TRUE(support::has_line(refused_bytes(external + field(14, 0)), {"data_location", "external_data", "not"}));
   EXPECT_NE(refused_bytes(external + field(14, 2)).find("data_location = 2: is unknown"), std::string::npos);
   EXPECT_NE(refused_bytes(test::tensor("w", {1}, {1}) + field(14, 1)).find("do not fit each other"), std::string::npos);
 }

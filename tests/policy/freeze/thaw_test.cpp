@@ -11,6 +11,7 @@
 #include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/freeze/freeze.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::freeze {
 namespace {
@@ -67,7 +68,7 @@ TEST(Thaw, FliesTheGoldenSearchesAnewWhereAnotherBuildsArithmeticMadeThem) {
 TEST(Thaw, RefusesAnotherVersionOfTheFormat) {
   Bytes bytes = shipped("shipped.policy");
   bytes[8] = 3;
-  EXPECT_TRUE(refusal_of(bytes).starts_with("old.policy: is of version 3 of the .policy format")) << refusal_of(bytes);
+  EXPECT_TRUE(support::tells(refusal_of(bytes), {"old.policy", "version 3", ".policy"})) << refusal_of(bytes);
 }
 
 TEST(Thaw, KnowsAPolicyByItsFirstBytes) {
@@ -80,10 +81,10 @@ TEST(Thaw, RefusesWhatIsDamagedCutOrSignedByNobody) {
   const Bytes whole = shipped("fixed_source.policy");
   Bytes damaged = whole;
   damaged[5'000] ^= 1U;
-  EXPECT_EQ(refusal_of(damaged), "old.policy: is damaged: its CRC-32 is wrong");
+  EXPECT_TRUE(support::tells(refusal_of(damaged), {"old.policy", "damaged", "CRC-32", "wrong"}));
   Bytes unsigned_ = whole;
   unsigned_.back() ^= 1U;
-  EXPECT_EQ(refusal_of(unsigned_), "old.policy: its signature is not that of the key it carries");
+  EXPECT_TRUE(support::tells(refusal_of(unsigned_), {"old.policy", "signature", "not", "carries"}));
   for (std::size_t size = 8; size < whole.size(); size += 101)
     EXPECT_EQ(refusal_of({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)}).rfind("old.policy: ", 0), 0U) << size;
 }

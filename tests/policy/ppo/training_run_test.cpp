@@ -12,6 +12,7 @@
 
 #include "firmware/host/toml/table_reader.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::ppo {
 namespace {
@@ -98,24 +99,23 @@ TEST(TrainingRun, ReportsEveryProblemAtOnceWithItsLine) {
   const std::string path = written("seeed = 1\n[ppo]\nbatch_size = 1\ndiscount = 1.5\n[search]\ndirections = 33\n");
   const std::string text = complaint_of(path);
   EXPECT_NE(text.find(path + ":1: seeed"), std::string::npos) << text;
-  EXPECT_NE(text.find(path + ":3: ppo.batch_size = 1: must be a whole number from 2"), std::string::npos) << text;
+  EXPECT_TRUE(support::has_line(text, {path, "3", "ppo.batch_size", "1", "2"})) << text;
   EXPECT_NE(text.find(path + ":4: ppo.discount = 1.5"), std::string::npos) << text;
   EXPECT_NE(text.find(path + ":6: search.directions = 33"), std::string::npos) << text;
 }
 
 TEST(TrainingRun, RefusesABatchLargerThanTheRollout) {
   const std::string path = written("[ppo]\nenvironments = 4\nsteps_per_rollout = 16\nbatch_size = 65\n");
-  EXPECT_EQ(complaint_of(path), path + ":4: ppo.batch_size = 65: must not exceed a rollout, environments x steps_per_rollout = 64");
+  EXPECT_TRUE(support::tells(complaint_of(path), {path, "4", "ppo.batch_size", "65", "not", "steps_per_rollout", "64"}));
   EXPECT_EQ(load_run(written("[ppo]\nenvironments = 4\nsteps_per_rollout = 16\nbatch_size = 64\n")).hyper.batch_size, 64U);
 }
 
 TEST(TrainingRun, RefusesARolloutThatMemoryCannotHoldBeforeItIsMade) {
   const std::string path = written("[ppo]\nenvironments = 8192\nsteps_per_rollout = 513\n");
-  EXPECT_EQ(complaint_of(path), path +
-                                    ":3: ppo.steps_per_rollout = 513: environments x steps_per_rollout = 4202496: a rollout must not "
-                                    "exceed 4194304 steps");
+  EXPECT_TRUE(support::tells(complaint_of(path),
+                             {path, "3", "ppo.steps_per_rollout", "513", "steps_per_rollout", "4202496", "not", "4194304 steps"}));
   const std::string longer = written("[ppo]\nsteps_per_rollout = 16777216\n");
-  EXPECT_EQ(complaint_of(longer), longer + ":2: ppo.steps_per_rollout = 16777216: must be a whole number from 2 to 4194304");
+  EXPECT_TRUE(support::tells(complaint_of(longer), {longer, "2", "ppo.steps_per_rollout", "16777216", "2 to 4194304"}));
 }
 
 TEST(TrainingRun, RefusesNumbersThatNoTrainingCanUse) {
@@ -137,7 +137,7 @@ TEST(TrainingRun, RefusesNumbersThatNoTrainingCanUse) {
 TEST(TrainingRun, SaysOneThingOfADomainThatIsNoNumber) {
   const std::string path = written("[search]\nstart = \"inside_border\"\ndomain_north_m = nan\n");
   const std::string text = complaint_of(path);
-  EXPECT_EQ(text, path + ":3: search.domain_north_m = nan: must be a finite number above 0 and at most 1000000");
+  EXPECT_TRUE(support::tells(text, {path, "3", "search.domain_north_m", "nan", "above 0", "at most 1000000"}));
 }
 
 TEST(TrainingRun, RefusesAStartInTwoWays) {
@@ -178,7 +178,7 @@ TEST(TrainingRun, ListensAsItsFileSaysAndSaysSoInWhatItMakes) {
   EXPECT_NE(std::ranges::find(lines, Line("listening_window_s", "30")), lines.end());
   for (const auto& [name, value] : describe(TrainingRun{})) EXPECT_FALSE(name.starts_with("listening")) << name;
   const std::string path = written("[search]\nlistening_window_s = 30\n");
-  EXPECT_EQ(complaint_of(path), path + ":2: search.listening_window_s = 30: \"newest\" goes without a window, not with one of 30 s");
+  EXPECT_TRUE(support::tells(complaint_of(path), {path, "2", "search.listening_window_s", "30", "newest", "without", "not", "30 s"}));
 }
 
 TEST(TrainingRun, RefusesABorderThatLeavesNoRoomToStartIn) {

@@ -95,7 +95,7 @@ class Wheel(unittest.TestCase):
             f"try: earshot_gym.make_world(environment={str(HILLY)!r})\nexcept ValueError as bad: print(bad)",
             LD_LIBRARY_PATH=str(self.folder),
         )
-        self.assertIn("libnetcdf is not installed: sudo apt install libnetcdf19", read.stdout, read.stderr)
+        self.assertRegex(read.stdout, "libnetcdf .*apt install libnetcdf19", read.stderr)
 
     def test_refuses_a_processor_that_it_was_not_built_for(self):
         program = (
@@ -105,7 +105,7 @@ class Wheel(unittest.TestCase):
         (self.folder / "built_for").write_text("avx2 fma\n")
         (self.folder / "cpuinfo").write_text("processor\t: 0\nflags\t\t: fpu sse2 avx fma\n")
         refused = self.python(program)
-        self.assertIn("ImportError: this earshot_gym was built for a processor with avx2, which", refused.stderr)
+        self.assertRegex(refused.stderr, "ImportError: .*processor with avx2,")
         (self.folder / "cpuinfo").write_text("flags\t\t: fpu avx2 fma\n")
         self.assertEqual(self.python(program).returncode, 0)
 

@@ -10,6 +10,7 @@
 #include "tests/policy/report/flight_folder.hpp"
 #include "tests/policy/report/occurrences.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::report {
 namespace {
@@ -37,7 +38,7 @@ TEST_F(DecisionReportTest, SaysTheSameInEveryFormat) {
 TEST_F(DecisionReportTest, TellsALookTooFaintToMeasureFromAMeasuredOne) {
   const RecordedFlight flight = open_recording(folder_, {});
   const std::string first = as_html(make_decision_report(flight, 0, explain::Baseline::kCentre));
-  EXPECT_EQ(count(first, "The signal was too faint to measure: the SNR is below 31.0 dB."), 1U);
+  EXPECT_TRUE(support::has_line(first, {"too faint", "below 31.0 dB"}));
   EXPECT_EQ(count(first, "under 31.0 dB</td>"), 1U);
   EXPECT_EQ(count(as_html(make_decision_report(flight, 2, explain::Baseline::kCentre)), "a detection (threshold 10 dB)."), 1U);
 }
@@ -49,8 +50,8 @@ TEST_F(DecisionReportTest, SaysWhyTheVehicleSweptInPlaceOfWhatThePolicyWouldHave
   report.account.decision.surprise_bits = 9.25F;
   report.account.decision.was_surprised = true;
   const std::string html = as_html(report);
-  EXPECT_EQ(count(html, "It sweeps the whole area in parallel tracks, not by the policy, and went "), 1U);
-  EXPECT_EQ(count(html, "the SNR that it measured fits no ocean of its tables (model-mismatch score 9.2 bits)."), 1U);
+  EXPECT_TRUE(support::has_line(html, {"sweeps", "not by the policy"}));
+  EXPECT_TRUE(support::has_line(html, {"fits no ocean", "9.2 bits"}));
   EXPECT_EQ(count(html, ": a sweep, going "), 2U) << "title and heading";
   EXPECT_EQ(count(html, "It chose "), 0U);
   EXPECT_EQ(nlohmann::json::parse(as_json(report))["sweeping"], true);
@@ -61,7 +62,7 @@ TEST_F(DecisionReportTest, SaysThatTheVehicleSweptBecauseItHadHeardNothingWhereN
   DecisionReport report = make_decision_report(flight, 2, explain::Baseline::kCentre);
   report.account.decision.sweeping = true;
   const std::string html = as_html(report);
-  EXPECT_EQ(count(html, "it had detected nothing for long, where its tables predict detections."), 1U);
+  EXPECT_TRUE(support::has_line(html, {"detected nothing", "predict detections"}));
   EXPECT_EQ(count(html, "fits no ocean"), 0U);
 }
 
@@ -71,7 +72,7 @@ TEST_F(DecisionReportTest, SaysThatTheVehicleDeclaredTheSourceFound) {
   EXPECT_EQ(count(as_html(report), "found: with"), 0U);
   EXPECT_EQ(nlohmann::json::parse(as_json(report))["found_probability"], nullptr);
   report.account.decision.found_probability = 0.93F;
-  EXPECT_EQ(count(as_html(report), "It declared the source found: with 93 % the source lies within a step of here."), 1U);
+  EXPECT_TRUE(support::has_line(as_html(report), {"declared", "found", "93 %", "within a step"}));
 }
 
 }  // namespace

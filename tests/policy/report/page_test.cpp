@@ -6,11 +6,13 @@
 #include <iterator>
 
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/messages/dictionary/command_words.hpp"
 #include "tests/policy/explain/flown_policy.hpp"
 #include "tests/policy/report/flight_folder.hpp"
 #include "tests/policy/report/occurrences.hpp"
 #include "tests/policy/report/sea/sea_journal.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::report {
 namespace {
@@ -38,7 +40,7 @@ TEST_F(PageTest, UnfoldsTheReasonsOfEveryDecision) {
   EXPECT_EQ(count(text, "<details><summary>why "), 3U);
   EXPECT_EQ(count(text, "The likeliest place is "), 3U);
   EXPECT_EQ(count(text, "complete within 0.001"), 3U);
-  EXPECT_EQ(count(text, "<h3>What moved the choice</h3>\n<p>How much each number that the policy received moved the choice"), 3U);
+  EXPECT_EQ(count(text, "<h3>What moved the choice</h3>"), 3U);
   EXPECT_EQ(count(text, "<svg"), 4U) << "the map and a chart for each decision";
   EXPECT_EQ(count(text, "The safety layer moved the way-point"), 1U);
 }
@@ -55,8 +57,8 @@ TEST_F(PageTest, CountsStepsOnceAndSaysThatTheSourceCutTheLastOneShort) {
   flight.summary["steps"] = 16;
   flight.summary["whole_steps"] = 15;
   const std::string text = page(flight, {}, {});
-  EXPECT_EQ(count(text, "Source found after 16 steps: the vehicle came within one step length of it</h1>"), 1U);
-  EXPECT_EQ(count(text, "<p>The last step was cut short by the source.</p>"), 1U);
+  EXPECT_TRUE(support::has_line(text, {"<h1", "found", "after 16 steps"}));
+  EXPECT_EQ(count(text, "cut short"), 1U);
   EXPECT_EQ(count(text, "15 steps"), 0U);
   flight.summary["whole_steps"] = 16;
   EXPECT_EQ(count(page(flight, {}, {}), "cut short"), 0U);
@@ -66,7 +68,7 @@ TEST_F(PageTest, SaysThatTheMissionEndedWithinTheStepOfTheLastDecision) {
   Flight flight = read_flight(folder_);
   EXPECT_EQ(count(page(flight, {}, {}), "within the step"), 0U) << "3 steps, 3 decisions";
   flight.summary["steps"] = 2;
-  EXPECT_EQ(count(page(flight, {}, {}), "<p>The mission ended within the step of the last of 3 decisions, which does not count.</p>"), 1U);
+  EXPECT_EQ(count(page(flight, {}, {}), "within the step of the last of 3 decisions"), 1U);
 }
 
 TEST_F(PageTest, GivesInItsHeadTheModelMismatchTheSweepAndTheWrongDeclaration) {
@@ -77,17 +79,13 @@ TEST_F(PageTest, GivesInItsHeadTheModelMismatchTheSweepAndTheWrongDeclaration) {
   flight.summary["swept_from_step"] = 11;
   flight.summary["max_steps"] = 100;
   const std::string swept = page(flight, {}, {});
-  EXPECT_EQ(count(swept, "<h1 class=\"missed\">Source not found in 3 steps: a test</h1>"), 1U);
-  EXPECT_EQ(count(swept, "(model-mismatch score 13.2 bits at the end; from 6.75 on it is a mismatch). From step 11 of 100 on it swept"),
-            1U);
+  EXPECT_TRUE(support::has_line(swept, {"<h1", "missed", "not found", "3 steps", "a test"}));
+  EXPECT_TRUE(support::has_line(swept, {"13.2 bits", "6.75", "step 11", "100", "swept"}));
   flight.summary["end_reason"] = "found";
   flight.summary["step_length_m"] = 1'000.0;
   flight.summary["declared_found"] = {{"step", 3}, {"range_m", 1'020.6}};
   const std::string declared = page(flight, {}, {});
-  EXPECT_EQ(
-      count(declared,
-            "<h1 class=\"missed\">Source not found in 3 steps: the vehicle declared it found at step 3, wrongly, 1021 m from it</h1>"),
-      1U);
+  EXPECT_TRUE(support::has_line(declared, {"<h1", "missed", "not found", "3 steps", "step 3", "wrongly", "1021 m"}));
   EXPECT_EQ(count(declared, "Source found"), 0U);
   flight.summary["end_reason"] = "declared_found";
   EXPECT_EQ(page(flight, {}, {}), declared) << "a summary of an earlier version";
@@ -98,7 +96,7 @@ TEST_F(PageTest, NeverDeniesASourceThatTheVehicleRightlyDeclaredFound) {
   flight.summary["step_length_m"] = 1'000.0;
   flight.summary["declared_found"] = {{"step", 2}, {"range_m", 640.0}};
   const std::string text = page(flight, {}, {});
-  EXPECT_EQ(count(text, "<h1 class=\"found\">Source found: the vehicle declared it found at step 2, 640 m from it</h1>"), 1U);
+  EXPECT_TRUE(support::has_line(text, {"<h1", "class=\"found\"", "declared", "step 2", "640 m"}));
   EXPECT_EQ(count(text, "not found"), 0U);
   EXPECT_EQ(count(text, "class=\"missed\""), 0U);
   EXPECT_EQ(count(text, "<dt>found</dt><dd>yes</dd>"), 1U);
@@ -107,10 +105,7 @@ TEST_F(PageTest, NeverDeniesASourceThatTheVehicleRightlyDeclaredFound) {
 TEST_F(PageTest, StatesThatItIsASimulationAndThatTheColouredFieldIsTheTruthThatTheVehicleNeverSaw) {
   const std::string text = page(read_flight(folder_), {.map = "<svg>map</svg>", .history = ""}, {});
   EXPECT_EQ(count(text, "This flight is a simulation."), 1U);
-  EXPECT_EQ(
-      count(text,
-            "The coloured field is the truth, the SNR at the vehicle's depth as the simulation computes it. The vehicle never saw it."),
-      1U);
+  EXPECT_TRUE(support::has_line(text, {"coloured field", "truth", "never saw"}));
 }
 
 TEST_F(PageTest, GivesFrequencyDepthSpeedPlaceAndDateAndWhatEachResultMeans) {
@@ -122,10 +117,10 @@ TEST_F(PageTest, GivesFrequencyDepthSpeedPlaceAndDateAndWhatEachResultMeans) {
   flight.summary["origin"] = {{"latitude_deg", 38.5}, {"longitude_deg", -28.0}};
   flight.summary["flown_utc"] = "2026-11-29 18:38:46";
   const std::string text = page(flight, {}, {});
-  EXPECT_EQ(count(text, "<dt>frequency of the source</dt><dd>20.0 Hz</dd>"), 1U);
-  EXPECT_EQ(count(text, "<dt>depth of the vehicle</dt><dd>300 m</dd>"), 1U);
-  EXPECT_EQ(count(text, "<dt>speed of the vehicle</dt><dd>2.0 m/s</dd>"), 1U);
-  EXPECT_EQ(count(text, "its south-west corner lies at 38.500\u00B0 N, 28.000\u00B0 W"), 1U);
+  EXPECT_TRUE(support::has_line(text, {"frequency of the source</dt>", "<dd>20.0 Hz</dd>"}));
+  EXPECT_TRUE(support::has_line(text, {"depth of the vehicle</dt>", "<dd>300 m</dd>"}));
+  EXPECT_TRUE(support::has_line(text, {"speed of the vehicle</dt>", "<dd>2.0 m/s</dd>"}));
+  EXPECT_TRUE(support::has_line(text, {"38.500\u00B0 N", "28.000\u00B0 W"}));
   EXPECT_EQ(count(text, "<dt>simulated on</dt><dd>2026-11-29 18:38:46 UTC</dd>"), 1U);
   for (const char* meaning : {"0 for each step that ends with a detection", "a step that ends with an SNR of 10 dB or more",
                               "the vehicle came within one step length of the source", "the vehicle's own rule reports"})
@@ -134,8 +129,8 @@ TEST_F(PageTest, GivesFrequencyDepthSpeedPlaceAndDateAndWhatEachResultMeans) {
 
 TEST_F(PageTest, StatesThatARowIsTheDecisionThatBeginsAStepAndThatTheLastStepsEndHasNone) {
   const std::string text = page(read_flight(folder_), {}, {});
-  EXPECT_EQ(count(text, "<p>A row is the decision that begins a step, the first that of step 0. Its SNR was measured before it."), 1U);
-  EXPECT_EQ(count(text, "What was measured at the end of the last step has no row"), 1U);
+  EXPECT_TRUE(support::has_line(text, {"A row is the decision", "begins a step", "step 0", "SNR was measured before"}));
+  EXPECT_TRUE(support::has_line(text, {"end of the last step", "no row"}));
 }
 
 TEST_F(PageTest, RefusesASummaryWhoseOriginIsNoPlace) {
@@ -182,11 +177,12 @@ TEST_F(PageTest, SaysWhichRuleEndedASimulatedFlightWhatHappenedBeforeAndWhatIsLe
   EXPECT_EQ(count(page(flight, {}, {}), "battery left"), 0U);
   flight.summary["battery_percent"] = 29.998;
   const std::string text = page(flight, {}, {});
-  EXPECT_EQ(count(text, "Source not found in 3 steps: safety rule 10, battery_percent: 29.998, below 30.000: abort</h1>"), 1U);
+  EXPECT_TRUE(
+      support::has_line(text, {"<h1", "not found", "3 steps", "rule 10", "battery_percent", "29.998", "below 30.000", "abort</h1>"}));
   EXPECT_EQ(count(text, "<h2>What happened</h2>"), 1U);
-  EXPECT_EQ(count(text, "<td>10 min</td><td class=\"left\">rule 10, battery_percent: 29.998, below 30.000: abort</td>"), 1U);
-  EXPECT_EQ(count(text, "<td class=\"left\">order START, number 1 of issuer 1: obeyed</td>"), 1U);
-  EXPECT_EQ(count(text, "<p>The simulator gave the orders: START, COMPLETE once the vehicle was within a step length of the source"), 1U);
+  EXPECT_TRUE(support::has_line(text, {"<td>10 min</td>", "rule 10", "battery_percent", "29.998", "below 30.000", "abort</td>"}));
+  EXPECT_TRUE(support::has_line(text, {"START", "number 1", "issuer 1", messages::to_string(messages::CommandOutcome::kObeyed)}));
+  EXPECT_TRUE(support::has_line(text, {"simulator", "START", "COMPLETE", "within a step length"}));
   EXPECT_EQ(count(text, "<dt>battery left</dt><dd>30.0 %</dd>"), 1U);
   EXPECT_EQ(count(text, "Refused as they came in"), 0U);
 }
@@ -207,7 +203,7 @@ TEST_F(PageTest, OfAJournalAloneListsEveryDecisionAndSaysWhatIsMissing) {
   const FlightExplanation explanation = explain_flight(folder_);
   EXPECT_EQ(explanation.why_not, "");
   const std::string text = page(read_flight(folder_), {}, explanation);
-  EXPECT_EQ(count(text, "Not there: summary.json, track.csv, snr.csv."), 1U);
+  EXPECT_TRUE(support::has_line(text, {"Not there", "summary.json", "track.csv", "snr.csv"}));
   EXPECT_EQ(count(text, "<details><summary>why "), 3U);
 }
 
@@ -237,10 +233,8 @@ TEST_F(PageTest, TellsACutJournalFromADamagedOne) {
   fs::resize_file(journal, 3 * record - 1);
   const std::string said = lack_of(read_journal(journal));
   const std::string third = std::to_string(2 * record);
-  EXPECT_EQ(said, "The journal ends with " + std::to_string(record - 1) + " bytes from byte " + third + " on of " +
-                      std::to_string(3 * record - 1) +
-                      ", which are no whole record: the runtime was stopped while it wrote. Read before it: 2 records, 2 decisions among "
-                      "them.");
+  EXPECT_TRUE(support::tells(said, {"journal", "ends", std::to_string(record - 1), third, std::to_string(3 * record - 1), "no", "record",
+                                    "stopped", "before it", "2 records", "2 decisions"}));
 }
 
 TEST_F(PageTest, SaysFromWhichNumberOnAJournalLacksWhatAFullDiskDidNotTake) {

@@ -9,6 +9,7 @@
 #include "tests/policy/report/flight_folder.hpp"
 #include "tests/policy/report/occurrences.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::report {
 namespace {
@@ -24,10 +25,10 @@ class PlotsTest : public testing::Test {
 TEST_F(PlotsTest, ShowsSnrOnTheScaleOfEveryFieldUnderATrackThatStandsOutOnAnyColourOfIt) {
   const std::string svg = map_svg(read_flight(folder_));
   for (const char* tic : {">-10<", "> 40<"}) EXPECT_EQ(count(svg, tic), 1U) << "20 dB below the threshold of 10 dB to 30 above";
-  EXPECT_EQ(count(svg, "<title>SNR at the vehicle's depth and the vehicle's track</title>"), 1U);
+  EXPECT_TRUE(support::has_line(svg, {"<title>", "SNR", "track</title>"}));
   EXPECT_GT(svg.find("stroke='rgb(194,  18, 122)'"), svg.find("stroke='rgb(255, 255, 255)'")) << "the track lies on a white line";
   EXPECT_EQ(count(svg, "<polygon fill = 'rgb( 29,  92, 138)'"), 0U) << "the legend has no ground of its own";
-  EXPECT_EQ(count(history_svg(read_flight(folder_)), "<title>SNR heard and range to the source against time</title>"), 1U);
+  EXPECT_TRUE(support::has_line(history_svg(read_flight(folder_)), {"<title>", "SNR", "range", "time</title>"}));
 }
 
 }  // namespace

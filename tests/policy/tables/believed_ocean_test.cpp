@@ -7,6 +7,7 @@
 
 #include "firmware/host/file/bad_input.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::tables {
 namespace {
@@ -72,9 +73,8 @@ TEST(OneFrequency, IsRequiredOfAllAndBothFilesAreNamed) {
   EXPECT_NO_THROW(require_one_frequency(oceans));
   oceans[1].file = "other.toml";
   oceans[1].environment.source.frequency = Hertz{40.0};
-  EXPECT_EQ(
-      complaint_of([&] { require_one_frequency(oceans); }),
-      "source.frequency_hz = 40 in other.toml: must be one frequency in all environments, and is source.frequency_hz = 20 in " + kPapers);
+  EXPECT_TRUE(support::tells(complaint_of([&] { require_one_frequency(oceans); }),
+                             {"source.frequency_hz", "40", "other.toml", "source.frequency_hz", "20", kPapers}));
 }
 
 }  // namespace

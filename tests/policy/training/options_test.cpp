@@ -8,6 +8,7 @@
 
 #include "firmware/host/file/bad_input.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::training {
 namespace {
@@ -65,8 +66,8 @@ TEST(TrainOptions, RefuseMoreRememberedStepsThanTheStateHas) {
   options.state = "memory";  // 21 steps of 3 numbers fit in an observation of 64
   EXPECT_EQ(complaint_of([&] { (void)settled(options); }), "");
   options.state = "position_memory";  // and beside a position 20
-  EXPECT_EQ(complaint_of([&] { (void)settled(options); }),
-            "--remembered-steps, remembered_steps: at most 20 with the state position_memory");
+  EXPECT_TRUE(support::tells(complaint_of([&] { (void)settled(options); }),
+                             {"--remembered-steps", "remembered_steps", "at most 20", "position_memory"}));
 }
 
 TEST(TrainOptions, MakeThePathsOfACommandThatWasGivenElsewhereAbsolute) {
@@ -91,10 +92,8 @@ TEST(TrainOptions, OfAResumedTrainingChangeItsLengthAndFilesAlone) {
     });
   };
   EXPECT_EQ(complaint_about({"--resume", "a.checkpoint", "--episodes", "20", "--curve", "a.csv", "--force"}), "");
-  EXPECT_EQ(complaint_about({"--resume", "a.checkpoint", "--seed", "2"}),
-            "--seed: stays as it was in a training that --resume goes on with");
-  EXPECT_EQ(complaint_about({"--resume", "a.checkpoint", "--world", "train"}),
-            "--world: stays as it was in a training that --resume goes on with");
+  EXPECT_TRUE(support::tells(complaint_about({"--resume", "a.checkpoint", "--seed", "2"}), {"--seed", "--resume"}));
+  EXPECT_TRUE(support::tells(complaint_about({"--resume", "a.checkpoint", "--world", "train"}), {"--world", "--resume"}));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "sim/sonar/sonar_field.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::training {
 namespace {
@@ -65,10 +66,10 @@ TEST_F(TrainingWorldsTest, AreRefusedWhereOneIsNamedTwiceOrAFolderHasNone) {
   fs::create_directories(folder / "train");
   fs::create_directories(folder / "empty");
   const fs::path world = write("train/1.toml");
-  EXPECT_EQ(complaint([&] {
-              static_cast<void>(world_files(std::vector<fs::path>{folder / "train", world}));
-            }),
-            "--world, worlds: " + world.string() + " is named twice: it would be drawn twice as often");
+  EXPECT_TRUE(support::tells(complaint([&] {
+                               static_cast<void>(world_files(std::vector<fs::path>{folder / "train", world}));
+                             }),
+                             {"--world", "worlds", world.string(), "named", "twice", "drawn", "twice", "often"}));
   EXPECT_EQ(complaint([&] { static_cast<void>(world_files(std::vector<fs::path>{folder / "empty"})); }),
             (folder / "empty").string() + ": no worlds (*.toml) there");
 }
@@ -106,8 +107,7 @@ TEST_F(TrainingWorldsTest, HaveAnotherChecksumWhereAWorldOrItsOceanIsAnother) {
 TEST_F(TrainingWorldsTest, AreNoneThatPoliciesAreJudgedIn) {
   for (const fs::path world : {kSource + "/policy/worlds/paper.toml", kSource + "/policy/worlds/../worlds/test/test_043.toml",
                                write("drawn.toml", "", 2'000'000).string(), write("last.toml", "", 3'999'999).string()}) {
-    EXPECT_EQ(complaint_about(world),
-              world.string() + ": is a world that policies are judged in: none may learn there; policy/worlds/generate draws others");
+    EXPECT_TRUE(support::tells(complaint_about(world), {world.string(), "in", "none", "policy/worlds/generate"}));
   }
   EXPECT_EQ(complaint_about(write("drawn.toml", "", 1'999'999)), "");
   EXPECT_EQ(complaint_about(write("drawn.toml", "", 4'000'000)), "");
@@ -117,16 +117,15 @@ TEST_F(TrainingWorldsTest, AreNoneThatPoliciesAreJudgedIn) {
 TEST_F(TrainingWorldsTest, AreRefusedAtAnotherDepthOrFrequencyThanThePolicyIsTrainedFor) {
   EXPECT_EQ(complaint_about(write("a.toml", "vehicle_depth_m = 330.0\n")), "");
   const fs::path deep = write("a.toml", "vehicle_depth_m = 331.0\n");
-  EXPECT_EQ(complaint_about(deep), deep.string() + ": vehicle_depth_m: 331, where this training has 300: must be within 10 % of it");
+  EXPECT_TRUE(support::tells(complaint_about(deep), {deep.string(), "vehicle_depth_m", "331", "300", "within 10 %"}));
   EXPECT_EQ(complaint_about(write("a.toml", "", 1, ocean_with("frequency_hz = 20.0", "frequency_hz = 21.0"))), "");
   const fs::path high = write("a.toml", "", 1, ocean_with("frequency_hz = 20.0", "frequency_hz = 21.1"));
-  EXPECT_EQ(complaint_about(high),
-            high.string() + ": source.frequency_hz of its environment: 21.1, where this training has 20: must be within 5 % of it");
+  EXPECT_TRUE(support::tells(complaint_about(high), {high.string(), "source.frequency_hz", "environment", "21.1", "20", "within 5 %"}));
 }
 
 TEST_F(TrainingWorldsTest, AreRefusedWhereTheTrainingsDepthIsBelowTheSeaFloor) {
   const fs::path shallow = write("a.toml", "", 1, ocean_with("depth_m = 3000.0", "depth_m = 250.0"));
-  EXPECT_EQ(complaint_about(shallow), "--vehicle-depth-m 300: must be less than 250 m, the depth of the sea floor in " + shallow.string());
+  EXPECT_TRUE(support::tells(complaint_about(shallow), {"--vehicle-depth-m", "300", "less than 250 m", shallow.string()}));
 }
 
 TEST_F(TrainingWorldsTest, AreTheSameUnderAnotherNameToo) {
@@ -136,10 +135,10 @@ TEST_F(TrainingWorldsTest, AreTheSameUnderAnotherNameToo) {
   const fs::path world = write("train/1.toml");
   fs::create_symlink(world, folder / "alias.toml");
   for (const fs::path& other : std::vector<fs::path>{folder / "train/../train/1.toml", folder / "alias.toml"}) {
-    EXPECT_EQ(complaint([&] {
-                static_cast<void>(world_files(std::vector<fs::path>{world, other}));
-              }),
-              "--world, worlds: " + other.string() + " is named twice: it would be drawn twice as often");
+    EXPECT_TRUE(support::tells(complaint([&] {
+                                 static_cast<void>(world_files(std::vector<fs::path>{world, other}));
+                               }),
+                               {"--world", "worlds", other.string(), "named", "twice", "drawn", "twice", "often"}));
   }
 }
 

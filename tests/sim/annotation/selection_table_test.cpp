@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "firmware/host/file/bad_input.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::annotation {
 namespace {
@@ -44,12 +45,12 @@ TEST(SelectionTable, NeedsNothingButTheTimes) {
 }
 
 TEST(SelectionTable, IsRefusedWithEveryLineThatIsWrong) {
-  EXPECT_EQ(refusal_of("Begin Time (s)\tEnd Time (s)\n1\t2\nabc\t2\n5\t4\n1\n-1\t2\nnan\t2\n"),
-            "t.txt:3: Begin Time (s) = abc: must be a number from 0 to 1000000000\n"
-            "t.txt:4: End Time (s) = 4: lies before the begin\n"
-            "t.txt:5: End Time (s) = : must be a number from 0 to 1000000000\n"
-            "t.txt:6: Begin Time (s) = -1: must be a number from 0 to 1000000000\n"
-            "t.txt:7: Begin Time (s) = nan: must be a number from 0 to 1000000000");
+  EXPECT_TRUE(support::lines_tell(refusal_of("Begin Time (s)\tEnd Time (s)\n1\t2\nabc\t2\n5\t4\n1\n-1\t2\nnan\t2\n"),
+                                  {{"t.txt:3", "abc", "0 to 1000000000"},
+                                   {"t.txt:4", "4", "before"},
+                                   {"t.txt:5", "0 to 1000000000"},
+                                   {"t.txt:6", "-1", "0 to 1000000000"},
+                                   {"t.txt:7", "nan", "0 to 1000000000"}}));
 }
 
 TEST(SelectionTable, IsRefusedWhereTheFirstLineIsNoHeader) {
@@ -101,7 +102,7 @@ TEST(SelectionTable, IsReadFromPlainCsv) {
   EXPECT_EQ(own.selections[0].end_s, 72.0);
   EXPECT_EQ(own.selections[0].begin_file, "in/a, b.wav");
   EXPECT_TRUE(own.selections[0].tells_offset);
-  EXPECT_EQ(refusal_of("start,end\n1,x\n"), "t.txt:2: end = x: must be a number from 0 to 1000000000");
+  EXPECT_TRUE(support::tells(refusal_of("start,end\n1,x\n"), {"t.txt:2", "end", "0 to 1000000000"}));
 }
 
 TEST(SelectionTable, IsReadWithBlanksAboutItsCellsPlusSignsAndTheMarksOfR) {
@@ -117,7 +118,7 @@ TEST(SelectionTable, IsReadWithBlanksAboutItsCellsPlusSignsAndTheMarksOfR) {
 }
 
 TEST(SelectionTable, RefusesAHalfChannel) {
-  EXPECT_EQ(refusal_of("begin\tend\tChannel\n1\t2\t1.5\n"), "t.txt:2: Channel = 1.5: must be a whole number");
+  EXPECT_TRUE(support::tells(refusal_of("begin\tend\tChannel\n1\t2\t1.5\n"), {"t.txt:2", "Channel", "1.5"}));
 }
 
 TEST(SelectionTable, KeepsSelectionsOfTheSameNumberAndTimesInTwoFiles) {

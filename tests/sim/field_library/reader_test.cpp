@@ -19,6 +19,7 @@
 #include "sim/netcdf/file_error.hpp"
 #include "tests/support/bytes_read.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::field_library {
 namespace {
@@ -113,14 +114,14 @@ TEST_F(FieldLibraryInMemory, RefusesALossThatCannotBe) {
   const float infinite = std::numeric_limits<float>::infinity();
   for (const auto& [loss, said] : {std::pair{infinite, "inf"}, {-infinite, "-inf"}, {1e30F, "1e+30"}, {-61.0F, "-61"}, {301.0F, "301"}}) {
     write([value = loss](std::vector<float>& at_position_2) { at_position_2[4 * 2 + 2 * 1 + 0] = value; });  // bearing 2, range 1, depth 0
-    EXPECT_EQ(complaint(), ": transmission_loss[2, 2, 1, 0] = " + std::string(said) +
-                               ": must be a finite number of at least -60 and at most 300, or missing (_FillValue)");
+    EXPECT_TRUE(support::tells(
+        complaint(), {"transmission_loss[2", "2", "1", "0]", std::string(said), "at least -60", "at most 300", "missing", "_FillValue"}));
   }
 }
 
 TEST_F(FieldLibraryInMemory, RefusesAMissingValueAboveOneThatIsThere) {
   write([](std::vector<float>& at_position_2) { at_position_2[4 * 3 + 0] = std::numeric_limits<float>::quiet_NaN(); });
-  EXPECT_EQ(complaint(), ": transmission_loss[2, 3, 0, 0] = nan: must be there, because there is one deeper");
+  EXPECT_TRUE(support::tells(complaint(), {"transmission_loss[2", "3", "0", "0]", "nan"}));
 }
 
 TEST_F(FieldLibraryInMemory, RefusesMissingValuesAlone) {
@@ -130,7 +131,7 @@ TEST_F(FieldLibraryInMemory, RefusesMissingValuesAlone) {
     store.write(0, std::vector<float>(16, std::numeric_limits<float>::quiet_NaN()));
     store.commit();
   }
-  EXPECT_EQ(complaint(), ": transmission_loss: all its values are missing");
+  EXPECT_TRUE(support::tells(complaint(), {"transmission_loss", "values", "missing"}));
 }
 
 TEST_F(FieldLibraryInMemory, RefusesAnAxisThatCannotBe) {
@@ -217,8 +218,8 @@ TEST_F(FieldLibraryHeader, IsEnoughToRefuseALibraryWithFourGigabytesBehindIt) {
   write();
   EXPECT_EQ(complaint_of_header(path_), "");
   std::filesystem::resize_file(path_, kFourGiB);
-  EXPECT_EQ(complaint_of_header(path_), ": has 4294967296 bytes, many more than its header promises");
-  EXPECT_EQ(complaint(), ": has 4294967296 bytes, many more than its header promises");
+  EXPECT_TRUE(support::tells(complaint_of_header(path_), {"4294967296 bytes", "header", "promises"}));
+  EXPECT_TRUE(support::tells(complaint(), {"4294967296 bytes", "header", "promises"}));
 }
 
 TEST_F(FieldLibraryHeader, IsEnoughToRefuseMoreThanALibraryCanHold) {
@@ -231,7 +232,7 @@ TEST_F(FieldLibraryHeader, IsEnoughToRefuseMoreThanALibraryCanHold) {
 
 TEST_F(FieldLibraryHeader, IsEnoughToRefuseMoreThanIsKeptInMemory) {
   make_sparse(path_, {537, 1000, 1000, 1});
-  EXPECT_EQ(complaint_of_header(path_), ": transmission_loss: is larger than the 2 GiB that are kept in memory");
+  EXPECT_TRUE(support::tells(complaint_of_header(path_), {"transmission_loss", "2 GiB", "kept"}));
   make_sparse(path_, {536, 1000, 1000, 1});
   EXPECT_EQ(complaint_of_header(path_), "");
 }

@@ -13,6 +13,7 @@
 
 #include "sim/link/run_slot.hpp"
 #include "sim/link/simulator_end.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::link {
 namespace {
@@ -158,7 +159,7 @@ TEST(LockStepClock, NamesTheHydrophonesBusWhenSoundDoesNotCome) {
   wait_for_tick(clock);
   while (clock.wait(so_far(1, 2)) == Clock::Wake::kPorts) {
   }
-  EXPECT_EQ(clock.lost(), "the hydrophone's bus: sound that the simulator sent was not heard (earshotd listens to it with --hear)");
+  EXPECT_TRUE(support::tells(clock.lost(), {"bus", "not heard", "--hear"}));
   kill(simulator, SIGKILL);
   waitpid(simulator, nullptr, 0);
 }

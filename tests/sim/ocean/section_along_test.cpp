@@ -9,6 +9,7 @@
 #include "sim/ocean/charts/charts.hpp"
 #include "tests/sim/ocean/charts/chart_files.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::ocean {
 namespace {
@@ -133,7 +134,7 @@ TEST(SectionAlong, EndsOnTheShore) {
 
 TEST(SectionAlong, RefusesToBeginOnLandOrToLeaveTheChart) {
   const std::string land = complaint_of([] { (void)section_along(charted_sea(-25.0, 0.0, 0.0), {}, Radians{}, Meters{1000.0}); });
-  EXPECT_NE(land.find("chart.nc: latitude 45, longitude -7 is on land, 25 m above the sea surface"), std::string::npos) << land;
+  EXPECT_TRUE(support::has_line(land, {"chart.nc", "45", "-7", "25 m", "above", "surface"})) << land;
   const std::string outside = complaint_of([] { (void)section_along(charted_sea(1000.0, 0.0, 0.0), {}, Radians{}, Meters{300'000.0}); });
   EXPECT_NE(outside.find("chart.nc: no elevation at latitude 47"), std::string::npos) << outside;
 }
@@ -173,7 +174,7 @@ TEST(SectionAlong, KnowsWhatOfItsWaterWasNotMeasured) {
   ASSERT_TRUE(section.unmeasured.has_value());
   EXPECT_EQ(section.unmeasured->data_end, Meters{1500.0});
   EXPECT_EQ(section.unmeasured->sea_floor, Meters{3000.0});
-  EXPECT_EQ(to_string(*section.unmeasured).find("woa.nc: temperature and salinity end at 1500 m, the sea floor lies at 3000 m"), 0U);
+  EXPECT_TRUE(support::tells(to_string(*section.unmeasured), {"woa.nc", "1500 m", "3000 m"}));
   EXPECT_FALSE(section_along(measured_sea(1600.0, 1500.0), {}, Radians{0.0}, Meters{50'000.0}).unmeasured);  // within a level
 }
 

@@ -10,6 +10,7 @@
 #include "sim/ocean/section_along.hpp"
 #include "tests/reference/transmission_loss.hpp"
 #include "tests/sim/sonar/charted_ocean.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::sonar {
 namespace {
@@ -48,7 +49,7 @@ TEST(SonarField, HasNoCurveForAReceiverThatIsNotInTheWater) {
     (void)compute_snr_curve(shallow, Meters{300.0}, Meters{1'000.0});
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "shallow: a receiver at 300 m must be above the sea floor, which lies at 250 m in this ocean");
+    EXPECT_TRUE(support::tells(error.what(), {"shallow", "300 m", "above", "250 m"}));
   }
   EXPECT_THROW((void)compute_snr_curve(shallow, Meters{250.0}, Meters{1'000.0}), std::invalid_argument);
   EXPECT_NO_THROW((void)compute_snr_curve(shallow, Meters{249.0}, Meters{1'000.0}));
@@ -59,7 +60,7 @@ TEST(SonarField, HasNoCurveWhereTheOceanDiffersFromBearingToBearing) {
     (void)compute_snr_curve(tests::charted_ocean(), Meters{300.0}, Meters{1'000.0});
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "charted: its ocean differs from bearing to bearing; one curve of SNR against range does not describe it");
+    EXPECT_TRUE(support::tells(error.what(), {"charted", "differs", "SNR", "not"}));
   }
 }
 

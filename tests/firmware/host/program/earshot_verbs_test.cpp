@@ -10,6 +10,7 @@
 
 #include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot {
 namespace {
@@ -31,7 +32,7 @@ Answer answer_to(const std::vector<std::string>& words, const std::string& progr
 TEST(EarshotVerbs, ASlipIsAnsweredWithTheVerbThatWasMeant) {
   const Answer answer = answer_to({"feild"});
   EXPECT_EQ(answer.status, 2);
-  EXPECT_EQ(answer.text, "earshot: there is no verb \"feild\"; did you mean field? (earshot help lists all)\n");
+  EXPECT_TRUE(support::lines_tell(answer.text, {{"earshot", "no", "feild", "mean field"}}));
 }
 
 /// Where one package alone is installed.
@@ -67,7 +68,7 @@ TEST(EarshotVerbs, InASourceTreeAScriptsVerbIsAnsweredWithWhereTheScriptStands) 
     EXPECT_TRUE(std::filesystem::exists(tree + script));
   }
   const std::string help = answer_to({"help"}).text;
-  EXPECT_NE(help.find("\nIn a source tree hil/run is earshot hil, and hil/bus/with-can is earshot with-can.\n"), std::string::npos) << help;
+  EXPECT_TRUE(support::has_line(help, {"hil/run", "hil/bus/with-can"})) << help;
 }
 
 TEST(EarshotVerbs, HelpOfAVerbIsTheVerbsOwn) {
@@ -78,7 +79,7 @@ TEST(EarshotVerbs, HelpOfAVerbIsTheVerbsOwn) {
 TEST(EarshotVerbs, HelpSaysOfEachVerbWhatItDoes) {
   const Answer answer = answer_to({"help"});
   EXPECT_EQ(answer.status, 0);
-  EXPECT_NE(answer.text.find("  field       computes how loud a source is"), std::string::npos) << answer.text;
+  EXPECT_TRUE(support::has_line(answer.text, {"field", "computes", "source"})) << answer.text;
 }
 
 /// programs.txt: COMPONENT PROGRAM, a line each, as they are packed.

@@ -18,6 +18,7 @@
 #include "firmware/wire/lcm/channels.hpp"
 #include "tests/support/lcm_peer.hpp"
 #include "tests/support/private_network.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::host {
 namespace {
@@ -298,7 +299,7 @@ TEST_F(LcmEndpointTest, IsDownWhileThereIsNoNetworkAndHeardAndHeardFromOnceThere
   } catch (const std::system_error& error) {
     said = error.what();
   }
-  EXPECT_NE(said.find("LCM: no interface is up on which the multicast group can be joined"), std::string::npos) << said;
+  EXPECT_TRUE(support::has_line(said, {"LCM", "no interface", "up", "multicast"})) << said;
   LcmEndpoint early(parse_lcm_url(kUrl), {"EARSHOT_X"}, nullptr, IfMissing::kKeepTrying);
   EXPECT_FALSE(early.is_up());
   EXPECT_EQ(early.publish("EARSHOT_X", {}), Status::kFull);

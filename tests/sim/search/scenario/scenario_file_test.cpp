@@ -17,6 +17,7 @@
 #include "sim/search/scenario/scenario_file.hpp"
 #include "tests/support/bytes_read.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::search {
 namespace {
@@ -195,7 +196,7 @@ TEST_F(ScenarioFile, IsRefusedForAnEmptyFileName) {
 TEST_F(ScenarioFile, HasRoomForAThousandOtherOceansAndLoadsNoneOfMore) {
   std::string oceans;
   for (int i = 0; i < 25'000; ++i) oceans += "[[oceans]]\nenvironment = \"none.toml\"\n";
-  EXPECT_TRUE(complaint(oceans).ends_with("oceans: has 25000 tables, must have at most 1000")) << complaint(oceans);
+  EXPECT_TRUE(support::tells(complaint(oceans), {"oceans", "25000 tables", "at most 1000"})) << complaint(oceans);
 }
 
 TEST_F(ScenarioFile, TurnsABearingsDegreesToRadiansAndRefusesAnAmbiguityOfNone) {
@@ -343,10 +344,10 @@ TEST_F(ScenarioFile, RefusesAFamilyOfAnOceanWhoseNumbersCannotBeDrawn) {
   };
   EXPECT_EQ(complaint_of("axis_depth_m = 1300.0", "axis_depth_m = 0.5"), "");
   const std::string surface = complaint_of("axis_depth_m = 1300.0", "axis_depth_m = 0.0");
-  EXPECT_NE(surface.find("family.members = 3: are drawn from an ocean whose water.axis_depth_m is above 0"), std::string::npos) << surface;
+  EXPECT_TRUE(support::has_line(surface, {"family.members", "3", "water.axis_depth_m", "above 0"})) << surface;
   const std::string table =
       complaint_of("profile = \"munk\"", "profile = \"table\"\ndepth_m = [0.0, 3000.0]\nsound_speed_mps = [1500.0, 1520.0] #");
-  EXPECT_NE(table.find("family.members = 3: are drawn from an ocean with a Munk profile, flat and the same"), std::string::npos) << table;
+  EXPECT_TRUE(support::has_line(table, {"family.members", "3", "same"})) << table;
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "tests/firmware/place.hpp"
 #include "tests/sim/search/scenario/scenario_rig.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::search {
 namespace {
@@ -119,14 +120,14 @@ TEST(SoundscapeOf, RefusesALibraryAroundHydrophones) {
   const support::TemporaryFolder folder;
   const std::string complaint = complaint_of(with_library(
       folder / "library.nc", 30.0, 20.0, {0.0F, 1.0F, 10.0F, 11.0F, 100.0F, 101.0F, 110.0F, 111.0F}, field_library::Centre::kHydrophone));
-  EXPECT_NE(complaint.find("library.nc: must have the source, not the hydrophone, at its positions"), std::string::npos) << complaint;
+  EXPECT_TRUE(support::has_line(complaint, {"library.nc", "not", "hydrophone", "positions"})) << complaint;
 }
 
 TEST(SoundscapeOf, RefusesALibraryWithoutTheVehiclesDepthOrThatDoesNotReachAsFar) {
   const support::TemporaryFolder folder;
   const Scenario scenario = with_library(folder / "library.nc", 30.0, 20.0);
   const std::string depth = complaint_of(scenario, Meters{200.0});
-  EXPECT_NE(depth.find("library.nc: has no fields at the vehicle's depth, 200"), std::string::npos) << depth;
+  EXPECT_TRUE(support::has_line(depth, {"library.nc", "no", "200"})) << depth;
   const std::string range = complaint_of(scenario, Meters{300.0}, Meters{201.0});
   EXPECT_NE(range.find("library.nc: must extend to 201"), std::string::npos) << range;
 }
@@ -134,10 +135,9 @@ TEST(SoundscapeOf, RefusesALibraryWithoutTheVehiclesDepthOrThatDoesNotReachAsFar
 TEST(SoundscapeOf, RefusesALibraryOfASourceAtAnotherDepthOrFrequency) {
   const support::TemporaryFolder folder;
   const std::string depth = complaint_of(with_library(folder / "deep.nc", 100.0, 20.0));
-  EXPECT_NE(depth.find("has its sources at 100 m, but source.depth_m of the environment is 30"), std::string::npos) << depth;
+  EXPECT_TRUE(support::has_line(depth, {"100 m", "source.depth_m", "30"})) << depth;
   const std::string frequency = complaint_of(with_library(folder / "high.nc", 30.0, 50.0));
-  EXPECT_NE(frequency.find("is of sound from 50 to 50 Hz, but source.frequency_hz of the environment is 20"), std::string::npos)
-      << frequency;
+  EXPECT_TRUE(support::has_line(frequency, {"50 to 50 Hz", "source.frequency_hz", "20"})) << frequency;
 }
 
 TEST(SoundscapeOf, RefusesALibraryWithoutWaterAtTheVehiclesDepth) {
@@ -145,7 +145,7 @@ TEST(SoundscapeOf, RefusesALibraryWithoutWaterAtTheVehiclesDepth) {
   const float none = std::numeric_limits<float>::quiet_NaN();
   const std::string complaint =
       complaint_of(with_library(folder / "shelf.nc", 30.0, 20.0, {0.0F, none, 10.0F, none, 100.0F, none, 110.0F, none}));
-  EXPECT_NE(complaint.find("has no water at the vehicle's depth, 300 m: all its values there are missing"), std::string::npos) << complaint;
+  EXPECT_TRUE(support::has_line(complaint, {"no", "vehicle's", "300 m", "values", "missing"})) << complaint;
 }
 
 }  // namespace

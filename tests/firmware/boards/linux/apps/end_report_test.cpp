@@ -10,8 +10,10 @@
 #include "firmware/host/journal/words/sentences.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/messages/dictionary/mission_words.hpp"
 #include "tests/firmware/boards/linux/set_clock.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::board {
 namespace {
@@ -71,7 +73,8 @@ class EndReport : public testing::Test {
 TEST_F(EndReport, OfAMissionThatIsOverSaysHowItEndedAndWhereItsJournalIs) {
   end_in(LoopEnd::kMissionOver, messages::MissionState::kDone, messages::EndReason::kCompleted);
   EXPECT_EQ(of_loop(clock_).status, program::kDone);
-  EXPECT_EQ(of_loop(clock_).said, "earshotd: DONE, completed, the source is reached, after 2 steps; journal out/journal.lcmlog\n");
+  EXPECT_TRUE(support::lines_tell(of_loop(clock_).said, {{"earshotd", "DONE", messages::to_string(messages::EndReason::kCompleted),
+                                                          "after 2 steps", "out/journal.lcmlog"}}));
   EXPECT_EQ(of_loop(clock_, program::Talk::kQuiet).said, "");
   end_in(LoopEnd::kMissionOver, messages::MissionState::kAbort, messages::EndReason::kSafetyRule);
   EXPECT_EQ(of_loop(clock_).status, program::kAborted);
@@ -82,9 +85,8 @@ TEST_F(EndReport, OfAMissionThatWasStoppedGoesByTheStateInWhichTheSignalFoundIt)
   result_.found_in = messages::MissionState::kSearch;
   const Reported search = of_loop(clock_);
   EXPECT_EQ(search.status, program::kInterrupted);
-  EXPECT_EQ(search.said,
-            "earshotd: stopped by a signal after 90 s, in SEARCH; it ended in ABORT, this program was stopped, after 2 steps; "
-            "journal out/journal.lcmlog\n");
+  EXPECT_TRUE(support::lines_tell(
+      search.said, {{"earshotd", "stopped", "after 90 s", "SEARCH", "ended", "ABORT", "stopped", "after 2 steps", "out/journal.lcmlog"}}));
   result_.found_in = messages::MissionState::kStandby;
   EXPECT_EQ(of_loop(clock_).status, program::kDone);
   result_.found_in = messages::MissionState::kAbort;
@@ -96,18 +98,17 @@ TEST_F(EndReport, OfAVehicleThatWasBroughtUpNamesNeitherStepsNorAJournal) {
   result_.found_in = messages::MissionState::kAbort;
   result_.last.health.steps_taken = 0;
   const Reported said = reported([&] { return report(result_, clock_, ports_, {}); });
-  EXPECT_EQ(said.said,
-            "earshotd: stopped by a signal after 90 s, in ABORT; it ended in ABORT, it could not go on after an outage; no journal was "
-            "kept\n");
+  EXPECT_TRUE(support::lines_tell(said.said, {{"earshotd", "stopped", "after 90 s", "ABORT", "ended", "ABORT",
+                                               messages::to_string(messages::EndReason::kOutage), "no journal", "kept"}}));
 }
 
 TEST_F(EndReport, SaysEvenQuietlyThatTheClockIsLost) {
   end_in(LoopEnd::kClockLost, messages::MissionState::kSearch, messages::EndReason::kNone);
   const Reported lost = of_loop(LostClock{}, program::Talk::kQuiet);
   EXPECT_EQ(lost.status, program::kLost);
-  EXPECT_EQ(lost.said,
-            "earshotd: turns were late\nearshotd: lost the simulator after 90 s, in SEARCH, after 2 steps; journal up to then: "
-            "out/journal.lcmlog\n");
+  EXPECT_TRUE(support::lines_tell(
+      lost.said,
+      {{"earshotd", "turns", "late"}, {"earshotd", "lost", "after 90 s", "SEARCH", "after 2 steps", "up", "then", "out/journal.lcmlog"}}));
 }
 
 TEST_F(EndReport, OfAWholeJournalSaysAtSeaWhatAPowerCutCouldHaveCost) {
@@ -117,8 +118,7 @@ TEST_F(EndReport, OfAWholeJournalSaysAtSeaWhatAPowerCutCouldHaveCost) {
   EXPECT_EQ(simulated.status, program::kDone);
   EXPECT_EQ(simulated.said, "");
   const Reported at_sea = reported([&] { return report(journal, closed, path_, true); });
-  EXPECT_EQ(at_sea.said,
-            "earshotd: every record that is in the journal was there within 0.000 s, which is what a power cut could have cost\n");
+  EXPECT_TRUE(support::lines_tell(at_sea.said, {{"earshotd", "within 0.000 s", "cut"}}));
 }
 
 TEST_F(EndReport, SaysEvenQuietlyThatTheJournalIsNotWhole) {
@@ -126,8 +126,8 @@ TEST_F(EndReport, SaysEvenQuietlyThatTheJournalIsNotWhole) {
   (void)journal.close();
   const Reported torn = reported([&] { return report(journal, Status::kNotReady, path_, true); }, program::Talk::kQuiet);
   EXPECT_EQ(torn.status, program::kLost);
-  EXPECT_EQ(torn.said,
-            "earshotd: the journal is not whole: 0 records lost: " + journal::to_string(messages::LostRecords{}) + "; 0 writes failed\n");
+  EXPECT_TRUE(support::lines_tell(
+      torn.said, {{"earshotd", "not whole", "0 records lost", journal::to_string(messages::LostRecords{}), "0 writes failed"}}));
 }
 
 TEST_F(EndReport, NamesTheLastJournalThatWasDeletedForTheBudget) {
@@ -139,8 +139,8 @@ TEST_F(EndReport, NamesTheLastJournalThatWasDeletedForTheBudget) {
   const Status closed = journal.close();
   const Reported said = reported([&] { return report(journal, closed, path_, false); });
   EXPECT_EQ(said.status, program::kDone);
-  EXPECT_EQ(said.said, "earshotd: 2 journals of earlier flights were deleted to stay within --journal-budget-mb, up to " +
-                           (folder_ / "journal-2.lcmlog").string() + "\n");
+  EXPECT_TRUE(support::lines_tell(
+      said.said, {{"earshotd", "2 journals", "deleted", "within --journal-budget-mb", "up", (folder_ / "journal-2.lcmlog").string()}}));
 }
 
 }  // namespace

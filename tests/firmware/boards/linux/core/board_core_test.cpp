@@ -20,6 +20,7 @@
 #include "tests/firmware/policy/format/unsigned_file.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::board {
 namespace {
@@ -156,7 +157,7 @@ TEST_F(BoardCoreTest, GivesTheSetPointsDecisionsAndHealthOfARuntimeInThisProcess
 
 TEST_F(BoardCoreTest, SaysWhyTheBoardRefusesAMission) {
   mission_.step_length = Meters{500};
-  EXPECT_NE(refusal().find("the board refuses the mission: the mission does not fit its policy"), std::string::npos) << refusal();
+  EXPECT_TRUE(support::has_line(refusal(), {"refuses", "mission", "mission", "not"})) << refusal();
 }
 
 TEST_F(BoardCoreTest, SaysThatNoBoardAnswers) {
@@ -187,14 +188,14 @@ TEST_F(BoardCoreTest, FliesOnWithNoBoardThatFallsSilent) {
 TEST_F(BoardCoreTest, FliesOnWithNoBoardThatBeginsAnew) {
   const auto core = connect();
   board_.begins_anew = true;
-  EXPECT_EQ(trouble_of(*core), "the board has begun anew, and knows of no mission");
+  EXPECT_TRUE(support::tells(trouble_of(*core), {"board", "begun", "no mission"}));
 }
 
 TEST_F(BoardCoreTest, FliesOnWithNoBoardThatMissesAnInput) {
   const auto core = connect();
   board_.lose_bytes = 1;
   core->take({.arrival = Time{1'000'000'000}, .port = 1, .sequence = 0, .value = messages::SnrMeasurement{}});
-  EXPECT_EQ(trouble_of(*core), "inputs were lost on the way to the board");
+  EXPECT_TRUE(support::tells(trouble_of(*core), {"inputs", "lost", "board"}));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "tests/firmware/runtime/mission_rig.hpp"
 #include "tests/support/signed_policy.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 #include "tests/support/three_oceans.hpp"
 
 namespace earshot::board {
@@ -75,19 +76,19 @@ TEST_F(BeginningTest, HasNoOceanWhereThePolicyNeedsNone) {
 
 TEST_F(BeginningTest, IsRefusedWhereTablesAreMissingOrOthersThanItsMissionNames) {
   third_.reset();
-  EXPECT_NE(refusal().value_or("").find("cannot be replayed: its third record is no tables file"), std::string::npos);
+  EXPECT_TRUE(support::has_line(refusal().value_or(""), {"cannot", "replayed", "third", "no", "file"}));
   third_ = wire::kPolicyChannel;
   EXPECT_NE(refusal().value_or("").find("its third record is no tables file"), std::string::npos);
   third_ = wire::kTablesChannel;
   tables_[100] ^= 1U;
-  EXPECT_NE(refusal().value_or("").find("its tables file is not what its mission names"), std::string::npos);
+  EXPECT_TRUE(support::has_line(refusal().value_or(""), {"file", "not", "mission", "names"}));
   message_.tables_crc32 = crc32(tables_);
-  EXPECT_NE(refusal().value_or("").find("its tables file is damaged: its CRC-32 is wrong"), std::string::npos);
+  EXPECT_TRUE(support::has_line(refusal().value_or(""), {"file", "damaged", "CRC-32", "wrong"}));
 }
 
 TEST_F(BeginningTest, IsRefusedWherePolicyIsAnotherThanItsMissionNames) {
   policy_[100] ^= 1U;
-  EXPECT_NE(refusal().value_or("").find("its policy is not what its mission names"), std::string::npos);
+  EXPECT_TRUE(support::has_line(refusal().value_or(""), {"policy", "not", "mission", "names"}));
 }
 
 }  // namespace

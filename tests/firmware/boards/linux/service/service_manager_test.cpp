@@ -11,7 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "firmware/messages/dictionary/mission_words.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::board {
 namespace {
@@ -80,7 +82,8 @@ TEST_F(ServiceManagerTest, HearsThatItIsReadyAfterTheFirstTurnAndEveryNewStateAn
   over.end_reason = messages::EndReason::kNavigationStale;
   over.steps_taken = 12;
   told.note_turn(over);
-  EXPECT_EQ(manager_.heard(), Words{"STATUS=ABORT, navigation went silent, after 12 steps"});
+  EXPECT_TRUE(support::lines_tell(manager_.heard(),
+                                  {{"STATUS=ABORT", messages::to_string(messages::EndReason::kNavigationStale), "after 12 steps"}}));
   told.note_stop();
   told.note_stop();
   EXPECT_EQ(manager_.heard(), Words{"STOPPING=1"});
