@@ -51,10 +51,10 @@ inline constexpr std::size_t kMaxTableName = 32;
 /// Blocks of eight hypotheses about ocean, level, fluctuation, pauses and motion that are held, each with a grid of 16 bits a cell and
 /// hypothesis; full: the least likely gives way.
 inline constexpr std::size_t kBeliefBlocks = by_profile(3, 3, 2);
-/// Looks by which hypotheses are weighed that are not held (18 h of one every 500 s); full: those that are held are all.
-inline constexpr std::size_t kMaxBeliefLooks = by_profile(128, 128, 1);
-/// Looks of such others that are weighed in one go, between two decisions; full: the next go weighs on.
-inline constexpr std::size_t kLooksInASlice = by_profile(50, 5);
+/// Measurements by which hypotheses are weighed that are not held (18 h of one every 500 s); full: those that are held are all.
+inline constexpr std::size_t kMaxBeliefMeasurements = by_profile(128, 128, 1);
+/// Measurements of such others that are weighed in one go, between two decisions; full: the next go weighs on.
+inline constexpr std::size_t kMeasurementsInASlice = by_profile(50, 5);
 /// Sources that the tables think possible, by which silence is judged to be long (of 1024 a few are left where one in 256 is unheard, at a
 /// byte each); full: never, there are as many.
 inline constexpr std::size_t kSilentSources = by_profile(1024, 1024, 32);
@@ -121,8 +121,8 @@ inline constexpr std::size_t kHydrophoneRingSamples = 2'097'152;
 /// Blocks of them (5 s of blocks of 128 samples at 96 kHz); full: the newest block goes, counted.
 inline constexpr std::size_t kHydrophoneRingBlocks = 4096;
 
-/// Looks between listening and the loop (25 s of the shortest integration time); full: the newest goes, counted.
-inline constexpr std::size_t kHydrophoneLooks = 256;
+/// Measurements between listening and the loop (25 s of the shortest integration time); full: the newest goes, counted.
+inline constexpr std::size_t kHydrophoneMeasurements = 256;
 /// Detections between listening and the loop (one lasts a quarter of a second at least); full: the newest goes, counted.
 inline constexpr std::size_t kHydrophoneDetections = 64;
 

@@ -9,19 +9,19 @@
 
 namespace earshot::config {
 
-/// How a decision sums up the looks (estimates of the SNR) in its window.
+/// How a decision sums up the SNR measurements in its window.
 enum class Listening : std::uint8_t {
-  kNewest,   ///< the look that ends the leg, as in the paper
-  kLoudest,  ///< the loudest of those that were measured; of many looks that fluctuate it is louder than the sound is
+  kNewest,   ///< the measurement that ends the leg, as in the paper
+  kLoudest,  ///< the loudest of those that were measured; of many measurements that fluctuate it is louder than the sound is
   kMean,     ///< the mean, in dB, of those that were measured: a call among silence counts whole, and fluctuation averages out; the newest
-             ///< look where the floor may have cut off the lower part of them
+             ///< measurement where the floor may have cut off the lower part of them
 };
 
 /// The words for these in files and on command lines, in the same order.
 inline constexpr std::array<std::string_view, 3> kListeningWords{"newest", "loudest", "mean"};
 
-/// The window over which an observation listens, and how it sums up the looks in it. The vehicle in flight and the search that its policy
-/// was trained in have the same. The window ends with the leg and never reaches back beyond the leg's beginning.
+/// The window over which an observation listens, and how it sums up the measurements in it. The vehicle in flight and the search that its
+/// policy was trained in have the same. The window ends with the leg and never reaches back beyond the leg's beginning.
 struct ListeningWindow {
   Listening listening = Listening::kNewest;
   Duration length;  ///< whole seconds, 1 to kMaxListeningSeconds; of kNewest none

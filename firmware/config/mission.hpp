@@ -31,7 +31,7 @@ struct Mission {
   Duration snr_timeout;           ///< ABORT when the SNR estimate is older
   Decibels detection_threshold;   ///< DT: SNR at or above it is a detection
   Hertz source_frequency{20.0};   ///< of what is searched for, > 0; ocean tables are of one frequency
-  /// The window of looks that an observation takes on its leg.
+  /// The window of measurements that an observation takes on its leg.
   ListeningWindow listening = {};
   Safety safety = {};  ///< fence, vehicle, rules of the safety supervisor
   Authority authority = {};

@@ -36,7 +36,7 @@ enum class Condition : std::uint8_t {
   kNavigationAge,        ///< since the newest fix that was taken
   kNavigationJump,       ///< how far the fixes that are refused lie from where the vehicle can be
   kNavigationFrozen,     ///< for how long fixes have said one place while the vehicle should move
-  kSnrAge,               ///< since the newest look
+  kSnrAge,               ///< since the newest measurement
   kVehicleStatusAge,     ///< since the newest vehicle status; without one, since the search began
   kAutopilotAge,         ///< since the newest autopilot status; without one, since the search began
   kOperatorAge,          ///< since the newest message of any operator

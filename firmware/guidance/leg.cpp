@@ -23,7 +23,7 @@ Meters Leg::cross_track(NorthEast position) const {
 }
 
 Radians Leg::heading_to_steer(NorthEast position) const {
-  const Radians correction = bearing_of(kLookAhead.value, -cross_track(position).value);
+  const Radians correction = bearing_of(kLookahead.value, -cross_track(position).value);
   return wrap_to_pi(bearing_ + correction);
 }
 

@@ -33,7 +33,7 @@ class Leg {
   [[nodiscard]] Radians heading_to_steer(NorthEast position) const;
 
   /// D: the vehicle comes back to the track over a few of these; 50 s at 2 m/s, well over an autopilot's turning time.
-  static constexpr Meters kLookAhead{100.0};
+  static constexpr Meters kLookahead{100.0};
 
  private:
   NorthEast start_;

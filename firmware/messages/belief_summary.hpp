@@ -12,8 +12,8 @@ struct BeliefSummary {
   Meters spread;                 ///< root mean square distance from the mean
   float likeliest_share = 0.0F;  ///< probability of the likeliest cell
   float effective_cells = 0.0F;  ///< one over the sum of squared probabilities: how many cells the belief is spread over
-  float surprise_bits =
-      0.0F;  ///< how unlikely what was heard is under all that is believed possible (firmware/policy/ocean_belief/surprise)
+  float mismatch_bits =
+      0.0F;  ///< how unlikely what was heard is under all that is believed possible (firmware/policy/ocean_belief/model_mismatch)
 };
 
 }  // namespace earshot::messages

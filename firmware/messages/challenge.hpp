@@ -26,11 +26,11 @@ struct Challenge {
 };
 
 /// A vehicle says so to those who may command it.
-struct ToldChallenge {
+struct PublishedChallenge {
   Time time;  ///< when it was told
   Challenge challenge;
   CommandMark mark{};  ///< of who knows the key: nobody else can make people mark orders for another vehicle
-  friend constexpr bool operator==(const ToldChallenge&, const ToldChallenge&) = default;
+  friend constexpr bool operator==(const PublishedChallenge&, const PublishedChallenge&) = default;
 };
 
 }  // namespace earshot::messages

@@ -49,8 +49,8 @@ struct Counters {
   friend constexpr bool operator==(const Counters&, const Counters&) = default;
 };
 
-/// From this surprise on what is heard is not explained: firmware/policy/ocean_belief judges by it, and so does who reads health alone.
-inline constexpr float kSurprising_bits = 6.75F;
+/// From this score on what is heard is not explained: firmware/policy/ocean_belief judges by it, and so does who reads health alone.
+inline constexpr float kMismatchThreshold_bits = 6.75F;
 
 /// State of the runtime and of its ports. It is the heartbeat, too: a turn stamps it last of all, after the safety layer, so that whoever
 /// hears it knows that the step that decides has come to its end.
@@ -62,9 +62,9 @@ struct Health {
   MissionState state = MissionState::kStandby;
   EndReason end_reason = EndReason::kNone;
   std::uint32_t steps_taken = 0;
-  float surprise_bits = 0.0F;  ///< of the belief after its last look; 0 where there is none
+  float mismatch_bits = 0.0F;  ///< of the belief after its last measurement; 0 where there is none
   bool is_sweeping = false;    ///< the last decision was the sweep's, for what is heard fits nothing that is believed possible
-  bool is_found = false;       ///< with its last look the vehicle said that it has found the source
+  bool is_found = false;       ///< with its last measurement the vehicle said that it has found the source
   config::Response response = config::Response::kWarn;  ///< the strongest that acts; kWarn: none but warnings
   Counters counters;
   FixedVector<PortReport, config::kMaxPorts> ports;  ///< the newest of each port that has reported

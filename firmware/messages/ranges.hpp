@@ -21,7 +21,7 @@ inline constexpr Range kSpeed_mps{-50.0, 50.0};        ///< through the water; a
 inline constexpr Range kAltitude_m{-10.0, 12'000.0};   ///< above the sea floor
 inline constexpr Range kBattery_percent{-1.0, 110.0};  ///< a gauge may round, and count more than its maker did
 /// Either side of zero, whether heard or modelled: a source of 0 to 300 dB, a transmission loss of up to 300 dB and noise of -100 to 300 dB
-/// are the most that an ocean's file may hold. A look beyond it would drag a window's mean along with it.
+/// are the most that an ocean's file may hold. A measurement beyond it would drag a window's mean along with it.
 inline constexpr Range kSnr_db{-600.0, 600.0};
 inline constexpr Range kDirection_rad{0.0, 2.0 * std::numbers::pi};  ///< of a bearing, or of the axis that it is mirrored at
 inline constexpr Range kDeviation_rad{std::numeric_limits<double>::denorm_min(), std::numbers::pi};  ///< of a bearing: more than none

@@ -66,8 +66,8 @@ void SearchMemory::remember(const ObservationModel& model, const OceanTables& ta
   if (needs_belief(model.spec)) belief_.update(model.belief, tables, position, reception);
 }
 
-bool SearchMemory::ponder(const ObservationModel& model, const OceanTables& tables) {
-  return needs_belief(model.spec) && belief_.ponder(model.belief, tables);
+bool SearchMemory::refine(const ObservationModel& model, const OceanTables& tables) {
+  return needs_belief(model.spec) && belief_.refine(model.belief, tables);
 }
 
 double SearchMemory::raw(const ObservationModel& model, const ObservationElement& element) const {
@@ -95,7 +95,7 @@ double SearchMemory::raw(const ObservationModel& model, const ObservationElement
 
 double SearchMemory::of_belief(const BeliefModel& model, const ObservationElement& element) const {
   const messages::BeliefSummary& summary = belief_.summary();
-  const ActionOutlook& outlook = belief_.outlook(element.age);
+  const ActionValues& values = belief_.action_values(element.age);
   switch (element.feature) {
     case Feature::kLikeliestEast:
       return (summary.likeliest - position_).east.value;
@@ -112,17 +112,17 @@ double SearchMemory::of_belief(const BeliefModel& model, const ObservationElemen
     case Feature::kEffectiveCells:
       return double{summary.effective_cells};
     case Feature::kFound:
-      return double{outlook.found};
+      return double{values.found};
     case Feature::kDetected:
-      return double{outlook.detected};
-    case Feature::kReach:
-      return double{outlook.reach};
+      return double{values.detected};
+    case Feature::kFindProbability:
+      return double{values.find_probability};
     case Feature::kBorder:
-      return double{outlook.border};
+      return double{values.border};
     case Feature::kRegret:
-      return double{outlook.regret};
+      return double{values.regret};
     case Feature::kPreference:
-      return 1.0 / (1.0 + double{outlook.regret});
+      return 1.0 / (1.0 + double{values.regret});
     case Feature::kApproach:
       return (range_between(position_, summary.likeliest) -
               range_between(position_ + model.step_length * model.actions[element.age], summary.likeliest))
@@ -189,7 +189,7 @@ ObservationSpec belief_state(const BeliefModel& model) {
   const double per_step = 1.0 / model.step_length.value;
   // As many features of each action as there is room for, those that matter most first.
   for (const Feature feature :
-       {Feature::kPreference, Feature::kReach, Feature::kBorder, Feature::kDetected, Feature::kFound, Feature::kApproach}) {
+       {Feature::kPreference, Feature::kFindProbability, Feature::kBorder, Feature::kDetected, Feature::kFound, Feature::kApproach}) {
     if (spec.size() + model.actions.size() > spec.capacity()) break;
     for (std::size_t a = 0; a < model.actions.size(); ++a) add(feature, a, 0.0, feature == Feature::kApproach ? per_step : 1.0);
   }

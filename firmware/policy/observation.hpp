@@ -46,13 +46,13 @@ enum class Feature : std::uint8_t {
   kEffectiveCells = 22,  ///< number of cells the belief is spread over
 
   // Of the belief, one for each action; `age` is the action's index.
-  kFound = 32,       ///< probability that the action's end lies within a step length of the source
-  kReach = 33,       ///< the same for the best place within a few steps, the border's cost taken off (ActionOutlook::reach)
-  kDetected = 34,    ///< probability of a detection at the action's end
-  kBorder = 35,      ///< how deep the action's end lies in the border: 0 inside, 1 at the edge, more beyond
-  kRegret = 36,      ///< expected cost of the search after the action, less that after the best
-  kPreference = 37,  ///< 1 / (1 + regret): 1 for the best action, and telling small regrets apart
-  kApproach = 38,    ///< by how much the action brings the vehicle nearer to the likeliest place of the source, metres
+  kFound = 32,            ///< probability that the action's end lies within a step length of the source
+  kFindProbability = 33,  ///< the same for the best place within a few steps, the border's cost taken off (ActionValues::find_probability)
+  kDetected = 34,         ///< probability of a detection at the action's end
+  kBorder = 35,           ///< how deep the action's end lies in the border: 0 inside, 1 at the edge, more beyond
+  kRegret = 36,           ///< expected cost of the search after the action, less that after the best
+  kPreference = 37,       ///< 1 / (1 + regret): 1 for the best action, and telling small regrets apart
+  kApproach = 38,         ///< by how much the action brings the vehicle nearer to the likeliest place of the source, metres
 };
 
 /// One element of an observation: element = (raw - offset) * scale.
@@ -96,8 +96,9 @@ class SearchMemory {
   /// One step is over: the vehicle now stands at `position`; `reception` is what it hears there.
   void remember(const ObservationModel& model, const OceanTables& tables, NorthEast position, Reception reception);
 
-  /// Goes on to ponder on what was heard (OceanBelief::ponder), where the model's spec sees a belief. @return whether anything is left
-  bool ponder(const ObservationModel& model, const OceanTables& tables);
+  /// Refines the hypotheses further by what was heard (OceanBelief::refine), where the model's spec sees a belief. @return whether anything
+  /// is left
+  bool refine(const ObservationModel& model, const OceanTables& tables);
 
   /// Raw value of one element.
   [[nodiscard]] double raw(const ObservationModel& model, const ObservationElement& element) const;
@@ -127,7 +128,7 @@ void observe(const SearchMemory& memory, const ObservationModel& model, std::spa
 /// 30 dB about the detection threshold. kOutOfRange unless 1 <= steps <= kMaxRememberedSteps.
 [[nodiscard]] Result<ObservationSpec> memory_state(std::size_t steps, Meters step_length, Decibels detection_threshold);
 
-/// Distances to the edges, the belief, and the outlook of each of the model's actions.
+/// Distances to the edges, the belief, and the values of each of the model's actions.
 /// @param model  its belief filled in
 [[nodiscard]] ObservationSpec belief_state(const BeliefModel& model);
 

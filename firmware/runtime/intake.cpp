@@ -35,7 +35,7 @@ void hold_alarms(safety::Situation& situation) {
 void Intake::take(const Arrival& arrival, const messages::Navigation& navigation) {
   safety::Situation& situation = progress_.situation;
   const bool is_to_move = situation.commanded && situation.commanded->speed.value > 0.0;
-  if (situation.navigation.is_anothers(arrival.port, arrival.time)) return situation.navigation.compare(arrival.time, navigation);
+  if (situation.navigation.belongs_to_another(arrival.port, arrival.time)) return situation.navigation.compare(arrival.time, navigation);
   if (!situation.navigation.take(arrival.time, navigation, is_to_move)) {
     ++progress_.counters.navigation_refused;
     return;
@@ -79,9 +79,9 @@ void Intake::take(const Arrival& arrival, const messages::VehicleStatus& status)
 }
 
 void Intake::take(const Arrival& arrival, const messages::SnrMeasurement& measurement) {
-  const Time last = progress_.listener.newest() ? progress_.listener.newest()->time : Time{};
+  const Time last = progress_.snr_window.newest() ? progress_.snr_window.newest()->time : Time{};
   if (messages::is_possible_snr(measurement.snr) && is_in_order(measurement.time, last, arrival.time, mission_.snr_timeout)) {
-    progress_.listener.take(
+    progress_.snr_window.take(
         {.time = effective(measurement.time, arrival.time), .snr = measurement.snr, .too_faint = measurement.too_faint});
   } else {
     ++progress_.counters.snr_refused;
@@ -89,7 +89,7 @@ void Intake::take(const Arrival& arrival, const messages::SnrMeasurement& measur
 }
 
 void Intake::take(const Arrival& arrival, const messages::BearingMeasurement& measurement) {
-  using Verdict = detector::BearingListener::Verdict;
+  using Verdict = detector::BearingWindow::Verdict;
   const Verdict verdict = progress_.bearings.take(arrival.time, arrival.port, measurement, mission_.snr_timeout);
   if (verdict == Verdict::kRefused) ++progress_.counters.bearings_refused;
   if (verdict == Verdict::kOfAnother) ++progress_.counters.bearings_of_others;

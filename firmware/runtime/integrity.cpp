@@ -38,16 +38,16 @@ Radians turned_on(Time now, MetersPerSecond speed, Meters turn_radius, Meters ag
 }  // namespace
 
 bool Runtime::is_intact() const {
-  return integrity_ == kIntact && configured_ == sealed_.configured && are_same_bytes(progress_, sealed_.progress);
+  return integrity_ == kIntact && configured_ == shadow_.configured && are_same_bytes(progress_, shadow_.progress);
 }
 
-void Runtime::seal() {
-  copy_bytes(progress_, sealed_.progress);
+void Runtime::update_shadow() {
+  copy_bytes(progress_, shadow_.progress);
 }
 
-void Runtime::seal_mission() {
-  sealed_.configured = configured_;
-  copy_bytes(mission_, sealed_.mission);
+void Runtime::update_shadow_of_mission() {
+  shadow_.configured = configured_;
+  copy_bytes(mission_, shadow_.mission);
 }
 
 bool Runtime::may_decide() const {
@@ -62,22 +62,22 @@ void Runtime::step_of_damaged(Time now, Outputs& outputs) const {
   outputs.health.authority = messages::Authority::kAbort;
   outputs.health.state = MissionState::kAbort;
   outputs.health.end_reason = EndReason::kMemoryFault;
-  const bool was_commanding = progress_.situation.commanded && sealed_.progress.situation.commanded;
-  const bool was_engaged = progress_.command.is_engaged() && sealed_.progress.command.is_engaged();
+  const bool was_commanding = progress_.situation.commanded && shadow_.progress.situation.commanded;
+  const bool was_engaged = progress_.command.is_engaged() && shadow_.progress.command.is_engaged();
   if (!was_commanding && !was_engaged) return;
   messages::Setpoint& setpoint = outputs.setpoint.emplace();
-  setpoint.speed = lower_of_possible(mission_.safety.vehicle.ascent_speed, sealed_.mission.safety.vehicle.ascent_speed);
+  setpoint.speed = lower_of_possible(mission_.safety.vehicle.ascent_speed, shadow_.mission.safety.vehicle.ascent_speed);
   if (setpoint.speed > kNoSpeed)
-    setpoint.heading = turned_on(now, setpoint.speed, mission_.safety.vehicle.turn_radius, sealed_.mission.safety.vehicle.turn_radius);
+    setpoint.heading = turned_on(now, setpoint.speed, mission_.safety.vehicle.turn_radius, shadow_.mission.safety.vehicle.turn_radius);
 }
 
 Outputs Runtime::step(Time now) {
   assert(now.us >= 0);
-  if (!is_intact() || !are_same_bytes(mission_, sealed_.mission)) integrity_ = 0;
+  if (!is_intact() || !are_same_bytes(mission_, shadow_.mission)) integrity_ = 0;
   Outputs outputs;
   if (integrity_ == kIntact) turn(now, outputs);
   if (integrity_ == kIntact) {
-    seal();
+    update_shadow();
   } else {
     step_of_damaged(now, outputs);
   }
@@ -89,7 +89,7 @@ messages::CommandOutcome Runtime::take(const messages::Input& input) {
   if (!is_intact()) integrity_ = 0;
   if (integrity_ != kIntact) return messages::CommandOutcome::kNotInThisState;
   const messages::CommandOutcome outcome = judge(input);
-  seal();
+  update_shadow();
   return outcome;
 }
 

@@ -7,7 +7,7 @@
 
 #include "firmware/core/crc32.hpp"
 #include "firmware/core/random.hpp"
-#include "firmware/detector/listener.hpp"
+#include "firmware/detector/snr_window.hpp"
 #include "firmware/guidance/leg.hpp"
 #include "firmware/policy/action_draw.hpp"
 #include "firmware/safety/limits.hpp"
@@ -57,17 +57,17 @@ NorthEast some_place(const config::Mission& mission, Pcg32& random) {
   return mission.operating_area.south_west + NorthEast{.north = size.north * north, .east = size.east * random.uniform_double()};
 }
 
-/// The mean of some looks.
+/// The mean of some measurements.
 double known_mean(Pcg32& random) {
-  detector::Listener listener;
+  detector::SnrWindow snr_window;
   Time now{1'000'000};
-  for (int look = 0; look < 5; ++look) {
+  for (int measurement = 0; measurement < 5; ++measurement) {
     now = now + Duration::seconds(1);
     const Decibels level{40.0 * random.uniform_double() - 20.0};
-    const bool too_faint = look == 2;  // under a floor so low that it cuts off none of the others
-    listener.take({.time = now, .snr = too_faint ? Decibels{-40.0} : level, .too_faint = too_faint});
+    const bool too_faint = measurement == 2;  // under a floor so low that it cuts off none of the others
+    snr_window.take({.time = now, .snr = too_faint ? Decibels{-40.0} : level, .too_faint = too_faint});
   }
-  return listener.reception({config::Listening::kMean, Duration::seconds(30)}, now).snr.value;
+  return snr_window.reception({config::Listening::kMean, Duration::seconds(30)}, now).snr.value;
 }
 
 std::size_t known_action(Pcg32& random, Fingerprint& fingerprint) {

@@ -8,8 +8,8 @@
 #include "firmware/core/fixed_vector.hpp"
 #include "firmware/core/random.hpp"
 #include "firmware/core/time.hpp"
-#include "firmware/detector/bearing_listener.hpp"
-#include "firmware/detector/listener.hpp"
+#include "firmware/detector/bearing_window.hpp"
+#include "firmware/detector/snr_window.hpp"
 #include "firmware/guidance/fallback.hpp"
 #include "firmware/guidance/leg.hpp"
 #include "firmware/messages/health.hpp"
@@ -32,13 +32,13 @@ struct Progress {
   Time decided;  ///< when the last of them was made
   authority::Command command;
   std::uint32_t steps_taken = 0;
-  bool is_pondering = false;    ///< on the last look
+  bool is_refining = false;     ///< on the last measurement
   safety::Situation situation;  ///< what navigation, vehicle and autopilot say
   safety::Supervisor supervisor;
   safety::Manoeuvre manoeuvre;
   bool is_interrupted = false;  ///< a rule has taken the vehicle from its search
-  detector::Listener listener;
-  detector::BearingListener bearings;
+  detector::SnrWindow snr_window;
+  detector::BearingWindow bearings;
   guidance::Leg leg;
   Pcg32 random{0};
   guidance::Fallback fallback;

@@ -48,8 +48,8 @@ void Runtime::forget() {
   static_assert(std::is_trivially_destructible_v<Progress>);
   std::construct_at(&progress_);  // where it is: another would take most of a microcontroller's stack
   integrity_ = kIntact;
-  seal_mission();
-  seal();
+  update_shadow_of_mission();
+  update_shadow();
 }
 
 Status Runtime::judge_search(const config::Mission& mission, const policy::FrozenPolicy& policy) {
@@ -66,8 +66,8 @@ void Runtime::arm(const config::Mission& mission) {
   configured_ = true;
   policy_checksum_ = checksum_of(policy_);
   tables_checksum_ = checksum_of(tables_);
-  seal_mission();
-  seal();
+  update_shadow_of_mission();
+  update_shadow();
 }
 
 Status Runtime::configure(const config::Mission& mission, const policy::FrozenPolicy& policy, const policy::OceanTables& tables) {
@@ -176,7 +176,7 @@ CommandOutcome Runtime::obey(Time arrival, const messages::OperatorCommand& comm
 CommandOutcome Runtime::tighten(const messages::OperatorLimits& limits) {
   if (progress_.state != MissionState::kStandby && progress_.state != MissionState::kSearch) return CommandOutcome::kNotInThisState;
   if (authority::tighten(mission_, limits) != Status::kOk) return CommandOutcome::kNotTighter;
-  seal_mission();
+  update_shadow_of_mission();
   progress_.supervisor.tighten(mission_);
   return CommandOutcome::kObeyed;
 }
@@ -192,7 +192,7 @@ bool Runtime::navigation_is_fresh(Time now) const {
 }
 
 bool Runtime::snr_is_fresh(Time now) const {
-  return progress_.listener.newest() && now - progress_.listener.newest()->time <= mission_.snr_timeout;
+  return progress_.snr_window.newest() && now - progress_.snr_window.newest()->time <= mission_.snr_timeout;
 }
 
 bool Runtime::autopilot_is_connected(Time now) const {
@@ -207,7 +207,7 @@ std::optional<config::Response> Runtime::response() const {
 void Runtime::supervise(Time now, Outputs& outputs) {
   safety::Situation& situation = progress_.situation;
   situation.now = now;
-  situation.snr = progress_.listener.newest()->time;
+  situation.snr = progress_.snr_window.newest()->time;
   if (!progress_.is_mute) {
     situation.mute_since.reset();
   } else if (!situation.mute_since) {
@@ -222,7 +222,7 @@ void Runtime::supervise(Time now, Outputs& outputs) {
 
 void Runtime::watch_for_release(Time now, Outputs& outputs) {
   progress_.situation.now = now;
-  progress_.situation.snr = progress_.listener.newest()->time;
+  progress_.situation.snr = progress_.snr_window.newest()->time;
   outputs.safety_events = progress_.supervisor.watch_for_release(mission_, progress_.situation);
 }
 
@@ -245,7 +245,7 @@ std::optional<messages::Setpoint> Runtime::setpoint(Time now) {
   const safety::SafeSetpoint safe =
       safety::safe_setpoint(mission_, *progress_.situation.navigation.newest(), wanted_setpoint(), progress_.situation.unseen());
   if (safe.limited) ++progress_.counters.setpoints_limited;
-  progress_.situation.depth.tell(now, safe.setpoint, mission_.safety.vehicle);
+  progress_.situation.depth.note_order(now, safe.setpoint, mission_.safety.vehicle);
   progress_.situation.commanded = safe.setpoint;
   progress_.situation.goes_round = safety::goes_round(*progress_.situation.navigation.newest(), safe.setpoint);
   return safe.setpoint;
@@ -259,7 +259,7 @@ messages::Health Runtime::health(Time now) const {
           .state = progress_.state,
           .end_reason = progress_.end_reason,
           .steps_taken = progress_.steps_taken,
-          .surprise_bits = has_belief() ? memory_.belief().surprise().bits() : 0.0F,
+          .mismatch_bits = has_belief() ? memory_.belief().model_mismatch().bits() : 0.0F,
           .is_sweeping = progress_.fallback.is_sweeping(),
           .is_found = found().has_value(),
           .response = progress_.supervisor.response().value_or(config::Response::kWarn),

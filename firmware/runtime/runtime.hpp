@@ -59,7 +59,7 @@ class Runtime {
   /// port at a time (safety::NavigationJudge), and those of another only held against it.
   /// Navigation and SNR are refused when dated further from their arrival than their timeout, and when older than the last; a date ahead
   /// of its arrival counts as the arrival. Bearings likewise, by the SNR's timeout; of two senders the first holds
-  /// (detector::BearingListener).
+  /// (detector::BearingWindow).
   /// ABORT ends the mission here and now, whatever its date: no order before or after it in the same turn can undo it.
   /// @return what became of an order; kObeyed of any other input
   messages::CommandOutcome take(const messages::Input& input);
@@ -75,16 +75,16 @@ class Runtime {
 
  private:
   /// What decides about the vehicle, once more.
-  struct Sealed {
+  struct ShadowCopy {
     bool configured = false;
     config::Mission mission;
     Progress progress;
   };
 
-  /// Whether nothing of what changes has changed since it was sealed, by the bytes.
+  /// Whether nothing of what changes has changed since the shadow copy was made, by the bytes.
   [[nodiscard]] bool is_intact() const;
-  void seal();
-  void seal_mission();
+  void update_shadow();
+  void update_shadow_of_mission();
   /// Whether policy, tables and memory of the search are what they were after the last decision.
   [[nodiscard]] bool may_decide() const;
   /// What is left to say when the memory cannot be trusted.
@@ -115,7 +115,7 @@ class Runtime {
   void watch_for_release(Time now, Outputs& outputs);
   [[nodiscard]] NorthEast place_in_area() const;
   [[nodiscard]] policy::Reception reception(Time now) const;
-  [[nodiscard]] Time before_newest_look() const;
+  [[nodiscard]] Time before_newest_measurement() const;
   [[nodiscard]] std::optional<messages::Bearing> bearing(Time now) const;
   [[nodiscard]] bool has_belief() const { return policy::needs_belief(policy_.observation.spec); }
   [[nodiscard]] messages::BeliefSummary belief() const;
@@ -124,7 +124,7 @@ class Runtime {
   void begin_search(Time now);
   void search(Time now, Outputs& outputs);
   /// On a leg: what the belief makes of all that was heard until the next decision, a slice a turn.
-  void ponder();
+  void refine();
   [[nodiscard]] bool decide(Time now, const policy::Reception& reception, messages::Decision& decision);
   [[nodiscard]] messages::Setpoint wanted_setpoint();
   [[nodiscard]] std::optional<messages::Setpoint> setpoint(Time now);
@@ -139,7 +139,7 @@ class Runtime {
   policy::OceanTables tables_;
   policy::SearchMemory memory_;  ///< begins anew with every search; too large to be assigned by way of the stack
   Progress progress_;
-  Sealed sealed_;
+  ShadowCopy shadow_;
   std::uint64_t integrity_ = kIntact;
   std::uint32_t policy_checksum_ = 0;
   std::uint32_t tables_checksum_ = 0;

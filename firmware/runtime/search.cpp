@@ -29,19 +29,20 @@ NorthEast Runtime::place_in_area() const {
 }
 
 policy::Reception Runtime::reception(Time now) const {
-  const detector::WindowReception window = progress_.listener.reception(mission_.listening, now);
+  const detector::WindowReception window = progress_.snr_window.reception(mission_.listening, now);
   return {.snr = window.snr, .too_faint = window.too_faint, .bearing = bearing(now)};
 }
 
-/// An array may date its bearing by less than a second earlier than the look that was made with it.
-Time Runtime::before_newest_look() const {
-  return progress_.listener.newest()->time + Duration::seconds(-1);
+/// An array may date its bearing by less than a second earlier than the measurement that was made with it.
+Time Runtime::before_newest_measurement() const {
+  return progress_.snr_window.newest()->time + Duration::seconds(-1);
 }
 
-/// As the looks are listened to: of the window, or of the newest look.
+/// As the measurements are listened to: of the window, or of the newest measurement.
 std::optional<messages::Bearing> Runtime::bearing(Time now) const {
-  const bool is_of_newest_look = mission_.listening.listening == config::Listening::kNewest;
-  return progress_.bearings.heard_after(is_of_newest_look ? before_newest_look() : now + Duration{-mission_.listening.length.us});
+  const bool is_of_newest_measurement = mission_.listening.listening == config::Listening::kNewest;
+  return progress_.bearings.heard_after(is_of_newest_measurement ? before_newest_measurement()
+                                                                 : now + Duration{-mission_.listening.length.us});
 }
 
 messages::BeliefSummary Runtime::belief() const {
@@ -75,20 +76,20 @@ void Runtime::begin_search(Time now) {
   hold_alarms(progress_.situation);
   progress_.situation.track.begin(*progress_.situation.navigation.newest());
   progress_.command.begin();
-  progress_.listener.begin_leg(now);  // no leg leads to the start: its newest look is all that it hears
-  progress_.bearings.begin_leg(before_newest_look());
+  progress_.snr_window.begin_leg(now);  // no leg leads to the start: its newest measurement is all that it hears
+  progress_.bearings.begin_leg(before_newest_measurement());
   memory_.start(policy_.observation, tables_, place_in_area(), reception(now));
   memory_checksum_ = checksum_of(memory_);
-  progress_.is_pondering = has_belief();
+  progress_.is_refining = has_belief();
 }
 
-void Runtime::ponder() {
-  if (!progress_.is_pondering) return;
+void Runtime::refine() {
+  if (!progress_.is_refining) return;
   if (!may_decide()) {
     integrity_ = 0;
     return;
   }
-  progress_.is_pondering = memory_.ponder(policy_.observation, tables_);
+  progress_.is_refining = memory_.refine(policy_.observation, tables_);
   memory_checksum_ = checksum_of(memory_);
 }
 
@@ -101,7 +102,7 @@ void Runtime::search(Time now, Outputs& outputs) {
     return;
   }
   const bool has_leg = progress_.leg.length().value > 0.0;
-  if (has_leg && leg_goes_on(now) && !progress_.is_interrupted) return ponder();
+  if (has_leg && leg_goes_on(now) && !progress_.is_interrupted) return refine();
   if (!may_decide()) {
     integrity_ = 0;
     return;
@@ -110,7 +111,7 @@ void Runtime::search(Time now, Outputs& outputs) {
   if (has_leg) {
     memory_.remember(policy_.observation, tables_, place_in_area(), reception_on_leg);
     memory_checksum_ = checksum_of(memory_);
-    progress_.is_pondering = has_belief();
+    progress_.is_refining = has_belief();
     ++progress_.steps_taken;
   }
   const bool ends_here = mission_.ends_when_found && found();
@@ -122,7 +123,7 @@ void Runtime::search(Time now, Outputs& outputs) {
     progress_.situation.is_policy_unhealthy = true;
     return supervise(now, outputs);
   }
-  progress_.listener.begin_leg(now);
+  progress_.snr_window.begin_leg(now);
   progress_.bearings.begin_leg(now);
   if (ends_here) end(MissionState::kDone, EndReason::kFound);
 }

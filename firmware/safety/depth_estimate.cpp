@@ -21,23 +21,23 @@ Meters moved(Meters from, Meters to, Meters down, Meters up) {
 
 }  // namespace
 
-void DepthEstimate::tell(Time now, const messages::Setpoint& setpoint, const config::VehicleLimits& vehicle) {
+void DepthEstimate::note_order(Time now, const messages::Setpoint& setpoint, const config::VehicleLimits& vehicle) {
   const bool was_left_alone = is_left_alone(now);
-  if (was_left_alone) told_speed_ = MetersPerSecond{};  // nobody knows that it came up meanwhile
+  if (was_left_alone) ordered_speed_ = MetersPerSecond{};  // nobody knows that it came up meanwhile
   if (!comes_up_) {
     deepest_ = std::max(deepest_, std::min(depth_, before_));
     deepest_of_slow_ = std::max(deepest_of_slow_, deepest_);
   }
-  if (told_at_) pass(now - *told_at_, vehicle);
-  if (!told_at_ || was_left_alone || !(told_ == setpoint.depth)) {
+  if (ordered_at_) pass(now - *ordered_at_, vehicle);
+  if (!ordered_at_ || was_left_alone || !(ordered_depth_ == setpoint.depth)) {
     allowed_ = std::max(allowed_, between(depth_, setpoint.depth) + kOff);
     turning_ = kToTurn;
     turn_up(vehicle);
   }
-  told_at_ = now;
-  told_ = setpoint.depth;
-  told_speed_ = setpoint.speed;
-  if (told_ > kSurface) {
+  ordered_at_ = now;
+  ordered_depth_ = setpoint.depth;
+  ordered_speed_ = setpoint.speed;
+  if (ordered_depth_ > kSurface) {
     comes_up_ = false;
     is_up_ = false;
   } else if (!comes_up_) {
@@ -47,7 +47,7 @@ void DepthEstimate::tell(Time now, const messages::Setpoint& setpoint, const con
     shallowest_ = depth_;
     fell_at_ = now;
   }
-  if (comes_up_) look(now, vehicle);
+  if (comes_up_) check_ascent(now, vehicle);
 }
 
 /// From now on, and no less deep for as long as it takes: but where it is at the surface already.
@@ -58,14 +58,14 @@ void DepthEstimate::turn_up(const config::VehicleLimits& vehicle) {
 /// It did for so long what it was told. One that is told to stop goes no deeper, and up only where it floats up.
 void DepthEstimate::pass(Duration time, const config::VehicleLimits& vehicle) {
   const double seconds = time.to_seconds();
-  const bool comes_up = told_speed_ >= vehicle.ascent_speed;
+  const bool comes_up = ordered_speed_ >= vehicle.ascent_speed;
   const Duration turns = comes_up ? std::min(turning_up_, time) : Duration{};
   turning_up_ = turning_up_ - turns;
   const double rises_s = comes_up ? (time - turns).to_seconds() : 0.0;
   const Meters down{kFastestSink.value * seconds};
-  deepest_ = moved(deepest_, told_, down, Meters{vehicle.ascent_rate.value * rises_s});
-  deepest_of_slow_ = moved(deepest_of_slow_, told_, down, Meters{config::kSlowestAscent.value * rises_s});
-  if (!(told_speed_ > MetersPerSecond{}) && !(comes_up && told_ < depth_)) return;
+  deepest_ = moved(deepest_, ordered_depth_, down, Meters{vehicle.ascent_rate.value * rises_s});
+  deepest_of_slow_ = moved(deepest_of_slow_, ordered_depth_, down, Meters{config::kSlowestAscent.value * rises_s});
+  if (!(ordered_speed_ > MetersPerSecond{}) && !(comes_up && ordered_depth_ < depth_)) return;
   if (turning_ > Duration{}) {
     turning_ = turning_ - time;
   } else {
@@ -74,21 +74,21 @@ void DepthEstimate::pass(Duration time, const config::VehicleLimits& vehicle) {
 }
 
 void DepthEstimate::take(const messages::Navigation& fix) {
-  before_ = told_at_ ? depth_ : fix.depth;
+  before_ = ordered_at_ ? depth_ : fix.depth;
   if (fixed_at_) {
     const Meters rises{kFastestSink.value * std::max((fix.time - *fixed_at_).to_seconds(), 0.0)};
     if (fix.depth < depth_ - rises - kFall) flickered_at_ = fix.time;
   }
   fixed_at_ = fix.time;
   depth_ = fix.depth;
-  if (!told_at_) deepest_ = deepest_of_slow_ = std::max(depth_, kSurface);
+  if (!ordered_at_) deepest_ = deepest_of_slow_ = std::max(depth_, kSurface);
 }
 
-void DepthEstimate::look(Time now, const config::VehicleLimits& vehicle) {
+void DepthEstimate::check_ascent(Time now, const config::VehicleLimits& vehicle) {
   const Meters seen = std::min(depth_, before_);
   const bool sinks = seen > std::max(shallowest_, vehicle.surface_depth) + kSinksAgain;
   if (sinks) deepest_ = std::max(deepest_, seen);
-  if (is_up_) return look_again(now, sinks, vehicle);
+  if (is_up_) return check_ascent_again(now, sinks, vehicle);
   if (depth_ <= shallowest_ - kFall) {
     shallowest_ = depth_;
     fell_at_ = now;
@@ -101,9 +101,9 @@ void DepthEstimate::look(Time now, const config::VehicleLimits& vehicle) {
 
 /// One that sinks from the surface comes up again at once. What says all the time that it is below may be a depth that lies, or a vehicle
 /// under ice or in a line: that rests, and tries again. So does one whose depth falls faster than vehicles rise: it lies now and then.
-void DepthEstimate::look_again(Time now, bool sinks, const config::VehicleLimits& vehicle) {
-  const bool says_up = std::max(depth_, before_) <= vehicle.surface_depth;
-  if (rests_ && says_up && !(deepest_ > kSurface)) {
+void DepthEstimate::check_ascent_again(Time now, bool sinks, const config::VehicleLimits& vehicle) {
+  const bool reads_up = std::max(depth_, before_) <= vehicle.surface_depth;
+  if (rests_ && reads_up && !(deepest_ > kSurface)) {
     rests_ = false;
     shallowest_ = depth_;
   }
@@ -126,7 +126,7 @@ Meters DepthEstimate::while_it_turns_up(Meters depth) {
 }
 
 Meters DepthEstimate::unexplained() const {
-  return told_at_ ? std::max(between(depth_, told_) - allowed_, kSurface) : kSurface;
+  return ordered_at_ ? std::max(between(depth_, ordered_depth_) - allowed_, kSurface) : kSurface;
 }
 
 }  // namespace earshot::safety

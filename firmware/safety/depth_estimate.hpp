@@ -25,7 +25,7 @@ class DepthEstimate {
   explicit DepthEstimate(Meters deepest) : deepest_(deepest), deepest_of_slow_(deepest) {}
 
   /// What the vehicle is told from now on, once a turn; time never goes back.
-  void tell(Time now, const messages::Setpoint& setpoint, const config::VehicleLimits& vehicle);
+  void note_order(Time now, const messages::Setpoint& setpoint, const config::VehicleLimits& vehicle);
   /// A fix that is believed.
   void take(const messages::Navigation& fix);
 
@@ -40,7 +40,7 @@ class DepthEstimate {
   /// How much further from the depth that it is told the vehicle says that it is than one which obeys can be.
   [[nodiscard]] Meters unexplained() const;
   /// Whether nobody has told it anything for so long that it may have stopped, and come up by itself: in an outage.
-  [[nodiscard]] bool is_left_alone(Time now) const { return told_at_ && now - *told_at_ > kLeftAlone; }
+  [[nodiscard]] bool is_left_alone(Time now) const { return ordered_at_ && now - *ordered_at_ > kLeftAlone; }
 
   static constexpr MetersPerSecond kFastestSink{3.0};  ///< heavy, or at full speed and steeply
   static constexpr MetersPerSecond kSlowestDive{0.05};
@@ -53,13 +53,13 @@ class DepthEstimate {
 
  private:
   void pass(Duration time, const config::VehicleLimits& vehicle);
-  void look(Time now, const config::VehicleLimits& vehicle);
-  void look_again(Time now, bool sinks, const config::VehicleLimits& vehicle);
+  void check_ascent(Time now, const config::VehicleLimits& vehicle);
+  void check_ascent_again(Time now, bool sinks, const config::VehicleLimits& vehicle);
   void turn_up(const config::VehicleLimits& vehicle);
 
-  std::optional<Time> told_at_;
-  Meters told_;
-  MetersPerSecond told_speed_;
+  std::optional<Time> ordered_at_;
+  Meters ordered_depth_;
+  MetersPerSecond ordered_speed_;
   Meters depth_;                      ///< as the newest fix says
   Meters before_;                     ///< and the one before
   std::optional<Time> fixed_at_;      ///< of the newest fix

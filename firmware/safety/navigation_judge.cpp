@@ -16,7 +16,7 @@ void NavigationJudge::hold(std::uint8_t port, Time arrival) {
   held_ = arrival;
 }
 
-bool NavigationJudge::is_anothers(std::uint8_t port, Time arrival) const {
+bool NavigationJudge::belongs_to_another(std::uint8_t port, Time arrival) const {
   return newest_ && port != port_ && arrival - held_ <= kHandover;
 }
 

@@ -44,7 +44,7 @@ class NavigationJudge {
 
   /// Whether fixes are taken from another port: from the first that has brought one that is believed, until it has brought none for
   /// kHandover.
-  [[nodiscard]] bool is_anothers(std::uint8_t port, Time arrival) const;
+  [[nodiscard]] bool belongs_to_another(std::uint8_t port, Time arrival) const;
   /// Of a fix by another port than the one that fixes are taken from: holds it against those. Two honest sources go apart with the way, as
   /// a dead reckoning does from a true fix: what is tolerated between two ports grows with the way since they last agreed within kNoise,
   ///

@@ -66,7 +66,7 @@ void PlaceEstimate::begin(const messages::Navigation& fix) {
   turning_s_ = 0.0;
 }
 
-void PlaceEstimate::take(const messages::Navigation& fix, const messages::Setpoint& told, const config::VehicleLimits& vehicle) {
+void PlaceEstimate::take(const messages::Navigation& fix, const messages::Setpoint& setpoint, const config::VehicleLimits& vehicle) {
   const Duration apart = fix.time - time_;
   const double seconds = apart.to_seconds();
   const NorthEast now = each_second(fix.heading, fix.speed);
@@ -81,9 +81,9 @@ void PlaceEstimate::take(const messages::Navigation& fix, const messages::Setpoi
     ordered_.reset();
     ordered_speed_ = {};
   }
-  const NorthEast ordered = scaled(each_second(told.heading, told.speed), seconds);
+  const NorthEast ordered = scaled(each_second(setpoint.heading, setpoint.speed), seconds);
   const Meters uncertain = (may_have_stopped ? 1.0 : kShare) * length_of(ordered);
-  by_order_.take(fix, ordered, uncertain + missed_way(told, seconds, vehicle));
+  by_order_.take(fix, ordered, uncertain + missed_way(setpoint, seconds, vehicle));
   each_second_ = now;
   time_ = fix.time;
 }
@@ -97,21 +97,21 @@ void PlaceEstimate::correct(const messages::Navigation& fix) {
 
 /// While a vehicle turns, or comes to its speed, it goes another way than it is told: half a circle instead of straight back misses 3.7 of
 /// its radii, of 3.1 that it sails, and a quarter 1.2 of 1.6.
-Meters PlaceEstimate::missed_way(const messages::Setpoint& told, double seconds, const config::VehicleLimits& vehicle) {
+Meters PlaceEstimate::missed_way(const messages::Setpoint& setpoint, double seconds, const config::VehicleLimits& vehicle) {
   constexpr double kMissed = 1.5;
   constexpr double kHalfTurn = 3.141592653589793;
   constexpr Meters kTightest{20.0};
-  const double circle_s = std::max(vehicle.turn_radius, kTightest) / Meters{std::max(told.speed, kSlowest).value};
-  const double turn = ordered_ ? wrap_to_pi(told.heading - *ordered_).value : kHalfTurn;
-  const bool has_other_speed = !(told.speed == ordered_speed_);
+  const double circle_s = std::max(vehicle.turn_radius, kTightest) / Meters{std::max(setpoint.speed, kSlowest).value};
+  const double turn = ordered_ ? wrap_to_pi(setpoint.heading - *ordered_).value : kHalfTurn;
+  const bool has_other_speed = !(setpoint.speed == ordered_speed_);
   turning_s_ += std::max(turn, -turn) * circle_s;
   if (has_other_speed) turning_s_ += kGathersWay.to_seconds();
   turning_s_ = std::min(turning_s_, kHalfTurn * circle_s + kGathersWay.to_seconds());
   const double turning_s = std::min(turning_s_, seconds);
   turning_s_ -= turning_s;
-  ordered_ = told.heading;
-  ordered_speed_ = told.speed;
-  return Meters{kMissed * told.speed.value * turning_s};
+  ordered_ = setpoint.heading;
+  ordered_speed_ = setpoint.speed;
+  return Meters{kMissed * setpoint.speed.value * turning_s};
 }
 
 Meters PlaceEstimate::unexplained(const config::VehicleLimits& vehicle) const {

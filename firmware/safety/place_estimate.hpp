@@ -55,7 +55,7 @@ class PlaceEstimate {
   /// Of a fix that goes on from none, or of a vehicle that is not told to move, or was told nothing, and may be carried.
   void begin(const messages::Navigation& fix);
   /// One that is believed, in the order of their dates, of a vehicle that is told to move.
-  void take(const messages::Navigation& fix, const messages::Setpoint& told, const config::VehicleLimits& vehicle);
+  void take(const messages::Navigation& fix, const messages::Setpoint& setpoint, const config::VehicleLimits& vehicle);
 
   /// Likewise, one that puts a dead reckoning right.
   void correct(const messages::Navigation& fix);
@@ -76,7 +76,7 @@ class PlaceEstimate {
   static constexpr MetersPerSecond kAnyCurrent{4.0};
 
  private:
-  [[nodiscard]] Meters missed_way(const messages::Setpoint& told, double seconds, const config::VehicleLimits& vehicle);
+  [[nodiscard]] Meters missed_way(const messages::Setpoint& setpoint, double seconds, const config::VehicleLimits& vehicle);
 
   DriftWatch by_log_;
   DriftWatch by_order_;

@@ -20,7 +20,7 @@ namespace earshot::safety {
 struct Situation {
   Time now;
   Time search_began;
-  Time snr;                            ///< date of the newest look
+  Time snr;                            ///< date of the newest measurement
   std::optional<Time> operator_heard;  ///< arrival of the newest command
   NavigationJudge navigation;
   Track track;

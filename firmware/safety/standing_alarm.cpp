@@ -6,13 +6,13 @@ namespace earshot::safety {
 
 static_assert(config::kMaxPorts < 32, "a bit for each port");
 
-void StandingAlarm::take(Time arrival, std::uint8_t port, bool is_told) {
+void StandingAlarm::take(Time arrival, std::uint8_t port, bool is_reported) {
   const std::uint32_t its_bit = std::uint32_t{1} << (port % 32U);
-  if (is_told) {
+  if (is_reported) {
     stands_for_good_ = stands_for_good_ || (was_taken_back_ && arrival - taken_back_ <= kDrop);
-    told_by_ |= its_bit;
-  } else if ((told_by_ & its_bit) != 0) {
-    told_by_ &= ~its_bit;
+    reported_by_ |= its_bit;
+  } else if ((reported_by_ & its_bit) != 0) {
+    reported_by_ &= ~its_bit;
     taken_back_ = arrival;
     was_taken_back_ = true;
   }

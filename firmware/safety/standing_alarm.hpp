@@ -13,17 +13,17 @@ namespace earshot::safety {
 /// or the sensor is wet now and then: it stands for good. Oracle: StandingAlarm.*
 class StandingAlarm {
  public:
-  void take(Time arrival, std::uint8_t port, bool is_told);
+  void take(Time arrival, std::uint8_t port, bool is_reported);
   /// A search begins: what stood for good was told on deck, and stands from now on only while somebody tells it.
   void begin();
-  [[nodiscard]] bool stands() const { return told_by_ != 0 || stands_for_good_; }
+  [[nodiscard]] bool stands() const { return reported_by_ != 0 || stands_for_good_; }
 
   /// A drop on a sensor is no leak; two of them within so long are.
   static constexpr Duration kDrop = Duration::seconds(30);
 
  private:
-  Time taken_back_;            ///< the last time
-  std::uint32_t told_by_ = 0;  ///< bit for bit the ports that told it, and did not take it back
+  Time taken_back_;                ///< the last time
+  std::uint32_t reported_by_ = 0;  ///< bit for bit the ports that told it, and did not take it back
   bool was_taken_back_ = false;
   bool stands_for_good_ = false;
 };

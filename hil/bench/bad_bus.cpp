@@ -32,7 +32,7 @@ void BadBus::pass(n2k::Frame frame, const std::vector<Affliction>& afflictions, 
   int times = 1;
   Duration late;
   for (const Affliction& affliction : afflictions) {
-    if (!befalls(affliction.frames, frame)) continue;
+    if (!hits(affliction.frames, frame)) continue;
     ++afflicted_;
     switch (affliction.fault) {
       case FrameFault::kLoss:
@@ -75,7 +75,7 @@ void BadBus::pass(n2k::Frame frame, const std::vector<Affliction>& afflictions, 
   }
 }
 
-bool BadBus::befalls(const AfflictedFrames& which, const n2k::Frame& frame) {
+bool BadBus::hits(const AfflictedFrames& which, const n2k::Frame& frame) {
   const Result<n2k::Identifier> identifier = n2k::parse_identifier(frame.identifier);
   if (!identifier.ok()) return false;
   if (which.source && identifier.value().source != *which.source) return false;

@@ -22,11 +22,11 @@ enum class FrameFault : std::uint8_t {
   kTruncation,    ///< has only the first half of its data
   kWrongLength,   ///< a fast packet's first frame says another length
   kReplay,        ///< arrives once more `seconds` later, word for word: a log that somebody plays back
-  kReordering,    ///< of what is said in one turn, those that it befalls change places (LCM only)
+  kReordering,    ///< of what is said in one turn, those that it hits change places (LCM only)
   kDateError,     ///< is dated `seconds` ahead (LCM only: no frame bears a date)
 };
 
-/// Which frames it befalls.
+/// Which frames it hits.
 struct AfflictedFrames {
   std::optional<std::uint8_t> source;  ///< address of the device that sends them; nothing: of all
   std::optional<std::uint32_t> pgn;
@@ -49,7 +49,7 @@ class BadBus {
   /// @param frames  said now, in their order   @param now  never goes back
   /// @return what arrives now, in this order: first what was said before
   [[nodiscard]] Frames pass(const Frames& frames, const std::vector<Affliction>& afflictions, Time now);
-  /// Frames that a fault befell, so far.
+  /// Frames that a fault hit, so far.
   [[nodiscard]] std::uint64_t afflicted() const { return afflicted_; }
 
  private:
@@ -58,7 +58,7 @@ class BadBus {
     n2k::Frame frame;
   };
   void pass(n2k::Frame frame, const std::vector<Affliction>& afflictions, Time now, Frames& arriving);
-  [[nodiscard]] bool befalls(const AfflictedFrames& which, const n2k::Frame& frame);
+  [[nodiscard]] bool hits(const AfflictedFrames& which, const n2k::Frame& frame);
 
   Pcg32 random_;
   std::vector<Late> late_;  ///< in the order in which they were said

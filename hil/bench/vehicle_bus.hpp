@@ -38,9 +38,9 @@ class VehicleBus {
 
   virtual void disturb(const Disturbance& disturbance) = 0;
   /// The vehicle moves on, and all that is said at `now` is in earshotd's socket when this returns. @throws BusTrouble
-  virtual void say(Time now) = 0;
+  virtual void send_due(Time now) = 0;
   /// The same once more, for an earshotd that was away. @throws BusTrouble
-  virtual void say_again() = 0;
+  virtual void send_again() = 0;
   /// What Earshot said in its turn at `now` reaches the vehicle. @param is_there  whether earshotd still runs   @throws BusTrouble
   virtual void hear(Time now, const std::function<bool()>& is_there) = 0;
   /// The computer's interface is taken down, or comes back, and earshotd has had the time to notice.

@@ -94,18 +94,18 @@ void judge_rules(const Case& c, const JournalFindings& journal, std::vector<std:
   }
 }
 
-/// Earshot must have noticed what befell its controller and its hydrophone, though it went on.
+/// Earshot must have noticed what hit its controller and its hydrophone, though it went on.
 void judge_notice(const Case& c, const JournalFindings& journal, std::vector<std::string>& wrong) {
   for (const TimedFault& fault : c.faults) {
-    const auto says = [&](bool begins) {
+    const auto reports = [&](bool begins) {
       const auto state = fault.fault == Fault::kBusOff ? messages::ControllerState::kBusOff : messages::ControllerState::kErrorPassive;
       return std::ranges::any_of(journal.troubles, [&](const messages::ControllerTrouble& trouble) {
         return trouble.trouble == state && trouble.is_there == begins;
       });
     };
-    const bool is_controllers = fault.traits().befalls == Befalls::kController;
-    if (is_controllers && !says(true)) wrong.push_back("the journal does not report that it began: " + in_words(fault));
-    if (is_controllers && fault.until && !says(false)) wrong.push_back("the journal does not report that it ended: " + in_words(fault));
+    const bool is_controllers = fault.traits().hits == Befalls::kController;
+    if (is_controllers && !reports(true)) wrong.push_back("the journal does not report that it began: " + in_words(fault));
+    if (is_controllers && fault.until && !reports(false)) wrong.push_back("the journal does not report that it ended: " + in_words(fault));
     if (fault.fault == Fault::kSoundDropout && fault.until && journal.lost.at(c.sound_port) == 0)
       wrong.emplace_back("the journal does not report that samples were lost");
   }
@@ -130,7 +130,7 @@ void judge_faults(const Case& c, const BenchFlight& flight, std::vector<std::str
   if (!flight.failure.empty()) return;
   for (const TimedFault& fault : flight.idle) wrong.push_back("the fault never acted: " + in_words(fault));
   const bool has_frame_fault =
-      std::ranges::any_of(c.faults, [](const TimedFault& fault) { return fault.traits().befalls == Befalls::kFrames; });
+      std::ranges::any_of(c.faults, [](const TimedFault& fault) { return fault.traits().hits == Befalls::kFrames; });
   if (flight.idle.empty() && has_frame_fault && flight.afflicted == 0) wrong.emplace_back("no frame met the fault");
 }
 
@@ -198,9 +198,9 @@ std::vector<std::string> broken_promises(const Case& c, const config::Mission& m
 std::vector<std::string> unmet_expectations(const Case& c, const BenchFlight& flight, const JournalFindings& journal) {
   std::vector<std::string> wrong;
   // One that is under way when its time is up is then told to stop, and the journal says so.
-  const bool is_told = c.expected.end == messages::EndReason::kNone && journal.end == messages::EndReason::kOperatorAbort;
+  const bool is_reported = c.expected.end == messages::EndReason::kNone && journal.end == messages::EndReason::kOperatorAbort;
   const bool is_journalled = flight.end != messages::EndReason::kOutage;  // who brings the vehicle up then needs none, and writes none
-  if (!loses_journal(c) && !is_told && is_journalled && flight.end != journal.end)
+  if (!loses_journal(c) && !is_reported && is_journalled && flight.end != journal.end)
     wrong.emplace_back("the journal has another end than earshotd's last answer");
   if (flight.end != c.expected.end)
     wrong.push_back(std::string("the mission ended otherwise: ") + messages::to_string(flight.end) +

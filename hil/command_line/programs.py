@@ -14,7 +14,7 @@ _PRESET = "release"
 # In a folder whose programs are taken as they are; sim/fly knows it, too.
 _FOLDER_VARIABLE = "EARSHOT_PROGRAMS"
 # It may be anything that somebody calls earshotd.
-_MOST_S_TO_SAY_A_VERSION = 10.0
+_MOST_S_TO_PRINT_A_VERSION = 10.0
 
 
 class BuildFailed(RuntimeError):
@@ -37,7 +37,7 @@ class Programs:
                 text=True,
                 errors="replace",
                 check=False,
-                timeout=_MOST_S_TO_SAY_A_VERSION,
+                timeout=_MOST_S_TO_PRINT_A_VERSION,
             )
         except (OSError, subprocess.TimeoutExpired):  # no program at all, or none that ends
             return unknown
@@ -50,9 +50,9 @@ def _require_program(path: Path, why: str) -> Path:
     return path.absolute()
 
 
-def _beside(earshotd: Path, said_by: str) -> Programs:
-    _require_program(earshotd, f"{said_by} names it")
-    bench = _require_program(earshotd.absolute().with_name(BENCH), f"it must stand beside the earshotd of {said_by}")
+def _beside(earshotd: Path, stated_by: str) -> Programs:
+    _require_program(earshotd, f"{stated_by} names it")
+    bench = _require_program(earshotd.absolute().with_name(BENCH), f"it must stand beside the earshotd of {stated_by}")
     return Programs(bench=bench, earshotd=earshotd.absolute())
 
 

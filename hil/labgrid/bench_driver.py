@@ -44,9 +44,9 @@ class EarshotBenchDriver(Driver):
         words = ["hil/run", "--case", case, "--out", self.out, "--junit", f"{self.out}/junit.xml"]
         words += ["--interface", self.interface] if self.interface else []
         words += ["--earshotd", self.earshotd] if self.earshotd else []
-        said, _, status = self.shell.run(self._in_tree(words), timeout=_LONGEST_FLIGHT_S)
+        printed, _, status = self.shell.run(self._in_tree(words), timeout=_LONGEST_FLIGHT_S)
         if status not in (_PASSED, _FAILED):
-            raise ExecutionError(f"hil/run ended with status {status}: {_text(said)}")
+            raise ExecutionError(f"hil/run ended with status {status}: {_text(printed)}")
         report, _, _ = self.shell.run(self._in_tree(["cat", f"{self.out}/junit.xml"]))
         failures = ET.fromstring(_text(report)).iter("failure")
         return [line for failure in failures for line in (failure.text or "").splitlines()]

@@ -21,16 +21,16 @@ void Autopilot::accept(const n2k::Frame& frame, Time now) {
   if (!helm_.is_engaged()) return;
   if (receiver_.accept(frame, setpoint) != Status::kOk) return;
   helm_.take(setpoint, now);
-  if (listener_) listener_(now, setpoint);
+  if (on_setpoint_) on_setpoint_(now, setpoint);
 }
 
 void Autopilot::step(Time now, Frames& frames) {
   membership_.step(now, frames);
-  tell(now, frames);
+  publish(now, frames);
   helm_.step(now);
 }
 
-void Autopilot::tell(Time now, Frames& frames) {
+void Autopilot::publish(Time now, Frames& frames) {
   const std::optional<std::uint8_t> source = membership_.address();
   if (!source || !pace_.is_due(now)) return;
   n2k::Frame frame;

@@ -39,16 +39,16 @@ class Autopilot final : public Device {
   /// A fault: it goes on as it was told last, takes set-points, and says so, and does not follow them.
   void obey(bool is_obedient) { helm_.obey(is_obedient); }
   /// Called with every set-point that is taken.
-  void tell(std::function<void(Time, const messages::Setpoint&)> listener) { listener_ = std::move(listener); }
+  void publish(std::function<void(Time, const messages::Setpoint&)> on_setpoint) { on_setpoint_ = std::move(on_setpoint); }
 
  private:
-  void tell(Time now, Frames& frames);
+  void publish(Time now, Frames& frames);
 
   Membership membership_;
   n2k::SetpointReceiver receiver_;
   Helm helm_;
   Pace pace_{Duration::seconds(1)};
-  std::function<void(Time, const messages::Setpoint&)> listener_;
+  std::function<void(Time, const messages::Setpoint&)> on_setpoint_;
 };
 
 }  // namespace earshot::hil

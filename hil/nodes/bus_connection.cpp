@@ -29,8 +29,8 @@ void BusConnection::turn() {
   }
   socket_.flush(host_now);  // brings back a controller that was bus-off
   receive();
-  said_.clear();
-  vehicle_.step(clock_.now(), said_);
+  sent_.clear();
+  vehicle_.step(clock_.now(), sent_);
   send();
 }
 
@@ -49,7 +49,7 @@ void BusConnection::receive() {
 
 /// In order: what the interface does not take waits, and all behind it. On an interface that is down nothing waits: it would come too late.
 void BusConnection::send() {
-  for (const n2k::Frame& frame : said_) {
+  for (const n2k::Frame& frame : sent_) {
     if (waiting_.size() < kWaitingFrames) {
       waiting_.push_back(frame);
     } else {

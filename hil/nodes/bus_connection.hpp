@@ -38,7 +38,7 @@ class BusConnection {
   host::CanSocket socket_;
   EmulatedVehicle& vehicle_;
   const ScaledClock& clock_;
-  Frames said_;
+  Frames sent_;
   std::deque<n2k::Frame> waiting_;
   std::optional<Time> reopened_;
   std::uint64_t lost_ = 0;

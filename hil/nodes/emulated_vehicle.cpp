@@ -20,10 +20,10 @@ EmulatedVehicle::EmulatedVehicle(const VehicleSetup& setup)
     autopilot_ = autopilot.get();
     return autopilot;
   });
-  add("compass", [&](std::uint32_t own) { return make_compass(moving_.told(), setup.magnetic_field, own); });
-  add("speed-log", [&](std::uint32_t own) { return make_speed_log(moving_.told(), own); });
-  add("depth-sensor", [&](std::uint32_t own) { return make_depth_sensor(moving_.told(), own); });
-  add("navigation", [&](std::uint32_t own) { return make_navigation(moving_.told(), setup.plane, own); });
+  add("compass", [&](std::uint32_t own) { return make_compass(moving_.reported(), setup.magnetic_field, own); });
+  add("speed-log", [&](std::uint32_t own) { return make_speed_log(moving_.reported(), own); });
+  add("depth-sensor", [&](std::uint32_t own) { return make_depth_sensor(moving_.reported(), own); });
+  add("navigation", [&](std::uint32_t own) { return make_navigation(moving_.reported(), setup.plane, own); });
   add("hydrophone",
       [&](std::uint32_t own) { return make_hydrophone(moving_.state(), setup.source, moving_.disturbance().hydrophone, own); });
   add("operator", [&](std::uint32_t own) {

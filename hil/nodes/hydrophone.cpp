@@ -11,7 +11,7 @@ namespace earshot::hil {
 
 std::unique_ptr<Sensor> make_hydrophone(const vehicle::State& vehicle, SoundSource source, const HydrophoneFault& fault,
                                         std::uint32_t unique_number) {
-  const auto say = [&vehicle, &fault, source = std::move(source)](const Occasion& o, Frames& frames) {
+  const auto compose = [&vehicle, &fault, source = std::move(source)](const Occasion& o, Frames& frames) {
     const Decibels snr = source.snr(range_between(vehicle.position, source.position)) + fault.gain_error;
     n2k::Frame frame;
     const Status status = fault.is_deaf ? n2k::compose_deaf(true, o.source, frame)
@@ -24,7 +24,8 @@ std::unique_ptr<Sensor> make_hydrophone(const vehicle::State& vehicle, SoundSour
                         .device_function = 160,
                         .preferred_address = 0x28,
                         .unique_number = unique_number};
-  return std::make_unique<Sensor>(plate, std::vector<Broadcast>{{.message = n2k::table::kSnr, .period = Duration::seconds(1), .say = say}});
+  return std::make_unique<Sensor>(
+      plate, std::vector<Broadcast>{{.message = n2k::table::kSnr, .period = Duration::seconds(1), .compose = compose}});
 }
 
 }  // namespace earshot::hil

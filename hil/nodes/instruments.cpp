@@ -40,68 +40,68 @@ Status add_packet(const MessageWriter& writer, const Occasion& occasion, Frames&
   return status;
 }
 
-/// The rate of turn between two looks at a heading.
+/// The rate of turn between two readings of a heading.
 class TurnMeter {
  public:
   explicit TurnMeter(const vehicle::State& vehicle) : vehicle_(vehicle) {}
   RadiansPerSecond rate(Time now) {
-    const std::optional<Look> last = std::exchange(last_, Look{.time = now, .heading = vehicle_.heading});
+    const std::optional<Sample> last = std::exchange(last_, Sample{.time = now, .heading = vehicle_.heading});
     if (!last || now <= last->time) return RadiansPerSecond{0.0};
     return RadiansPerSecond{wrap_to_pi(vehicle_.heading - last->heading).value / (now - last->time).to_seconds()};
   }
 
  private:
-  struct Look {
+  struct Sample {
     Time time;
     Radians heading;
   };
   const vehicle::State& vehicle_;
-  std::optional<Look> last_;
+  std::optional<Sample> last_;
 };
 
 Broadcast heading_of(const vehicle::State& vehicle, std::optional<MagneticField> field) {
-  const auto say = [&vehicle, field](const Occasion& o, Frames& frames) {
+  const auto compose = [&vehicle, field](const Occasion& o, Frames& frames) {
     const Radians shown = field ? vehicle.heading - field->variation : vehicle.heading;
     MessageWriter writer(table::kHeading);
     writer.set_raw("SID", o.count).set("Heading", wrap_to_two_pi(shown).value).set_raw("Reference", field ? kMagneticNorth : kTrueNorth);
     return add(writer, o.source, frames);
   };
-  return {.message = table::kHeading, .period = kTenth, .say = say};
+  return {.message = table::kHeading, .period = kTenth, .compose = compose};
 }
 
 Broadcast turn_of(const vehicle::State& vehicle) {
-  const auto say = [meter = TurnMeter(vehicle)](const Occasion& o, Frames& frames) mutable {
+  const auto compose = [meter = TurnMeter(vehicle)](const Occasion& o, Frames& frames) mutable {
     MessageWriter writer(table::kRateOfTurn);
     writer.set_raw("SID", o.count).set("Rate", meter.rate(o.now).value);
     return add(writer, o.source, frames);
   };
-  return {.message = table::kRateOfTurn, .period = kTenth, .say = say};
+  return {.message = table::kRateOfTurn, .period = kTenth, .compose = compose};
 }
 
 Broadcast variation_of(MagneticField field) {
-  const auto say = [field](const Occasion& o, Frames& frames) {
+  const auto compose = [field](const Occasion& o, Frames& frames) {
     MessageWriter writer(table::kVariation);
     writer.set_raw("SID", o.count)
         .set_raw("Source", table::raw_of(table::kVariationSource, "Manual"))
         .set("Variation", field.variation.value);
     return add(writer, o.source, frames);
   };
-  return {.message = table::kVariation, .period = kSecond, .say = say};
+  return {.message = table::kVariation, .period = kSecond, .compose = compose};
 }
 
 Broadcast position_of(const vehicle::State& vehicle, const n2k::LocalPlane& plane) {
-  const auto say = [&vehicle, plane](const Occasion& o, Frames& frames) {
+  const auto compose = [&vehicle, plane](const Occasion& o, Frames& frames) {
     const Result<n2k::Geographic> place = plane.to_geographic(vehicle.position);
     if (!place.ok()) return place.status();
     MessageWriter writer(table::kPosition);
     writer.set("Latitude", place.value().latitude_deg).set("Longitude", place.value().longitude_deg);
     return add(writer, o.source, frames);
   };
-  return {.message = table::kPosition, .period = kTenth, .say = say};
+  return {.message = table::kPosition, .period = kTenth, .compose = compose};
 }
 
 Broadcast course_of(const vehicle::State& vehicle) {
-  const auto say = [&vehicle](const Occasion& o, Frames& frames) {
+  const auto compose = [&vehicle](const Occasion& o, Frames& frames) {
     MessageWriter writer(table::kCourse);
     writer.set_raw("SID", o.count)
         .set_raw("COGReference", kTrueNorth)
@@ -109,11 +109,11 @@ Broadcast course_of(const vehicle::State& vehicle) {
         .set("SOG", vehicle.speed.value);
     return add(writer, o.source, frames);
   };
-  return {.message = table::kCourse, .period = kQuarter, .say = say};
+  return {.message = table::kCourse, .period = kQuarter, .compose = compose};
 }
 
 Broadcast fix_of(const vehicle::State& vehicle, const n2k::LocalPlane& plane) {
-  const auto say = [&vehicle, plane](const Occasion& o, Frames& frames) {
+  const auto compose = [&vehicle, plane](const Occasion& o, Frames& frames) {
     constexpr std::int64_t kDay_us = 86'400'000'000;
     const Result<n2k::Geographic> place = plane.to_geographic(vehicle.position);
     if (!place.ok()) return place.status();
@@ -131,7 +131,7 @@ Broadcast fix_of(const vehicle::State& vehicle, const n2k::LocalPlane& plane) {
         .set_raw("ReferenceStations", 0);
     return add_packet(writer, o, frames);
   };
-  return {.message = table::kGnss, .period = kSecond, .say = say};
+  return {.message = table::kGnss, .period = kSecond, .compose = compose};
 }
 
 }  // namespace
@@ -150,7 +150,7 @@ std::unique_ptr<Sensor> make_compass(const vehicle::State& vehicle, std::optiona
 }
 
 std::unique_ptr<Sensor> make_speed_log(const vehicle::State& vehicle, std::uint32_t unique_number) {
-  const auto say = [&vehicle](const Occasion& o, Frames& frames) {
+  const auto compose = [&vehicle](const Occasion& o, Frames& frames) {
     MessageWriter writer(table::kSpeed);
     writer.set_raw("SID", o.count)
         .set("SpeedWaterReferenced", vehicle.speed.value)
@@ -162,11 +162,11 @@ std::unique_ptr<Sensor> make_speed_log(const vehicle::State& vehicle, std::uint3
                         .device_function = 155,
                         .preferred_address = 0x25,
                         .unique_number = unique_number};
-  return std::make_unique<Sensor>(plate, std::vector<Broadcast>{{.message = table::kSpeed, .period = kSecond, .say = say}});
+  return std::make_unique<Sensor>(plate, std::vector<Broadcast>{{.message = table::kSpeed, .period = kSecond, .compose = compose}});
 }
 
 std::unique_ptr<Sensor> make_depth_sensor(const vehicle::State& vehicle, std::uint32_t unique_number) {
-  const auto say = [&vehicle](const Occasion& o, Frames& frames) {
+  const auto compose = [&vehicle](const Occasion& o, Frames& frames) {
     MessageWriter writer(table::kPressure);
     writer.set_raw("SID", o.count)
         .set_raw("Instance", 0)
@@ -179,11 +179,11 @@ std::unique_ptr<Sensor> make_depth_sensor(const vehicle::State& vehicle, std::ui
                         .device_function = 140,
                         .preferred_address = 0x26,
                         .unique_number = unique_number};
-  return std::make_unique<Sensor>(plate, std::vector<Broadcast>{{.message = table::kPressure, .period = kTwoSeconds, .say = say}});
+  return std::make_unique<Sensor>(plate, std::vector<Broadcast>{{.message = table::kPressure, .period = kTwoSeconds, .compose = compose}});
 }
 
 std::unique_ptr<Sensor> make_altimeter(const vehicle::State& vehicle, SeaFloor floor, std::uint32_t unique_number) {
-  const auto say = [&vehicle, floor](const Occasion& o, Frames& frames) {
+  const auto compose = [&vehicle, floor](const Occasion& o, Frames& frames) {
     const Meters altitude = floor.depth - vehicle.depth;
     MessageWriter writer(table::kWaterDepth);
     writer.set_raw("SID", o.count).set("Offset", 0.0);
@@ -195,11 +195,11 @@ std::unique_ptr<Sensor> make_altimeter(const vehicle::State& vehicle, SeaFloor f
                         .device_function = 130,
                         .preferred_address = 0x2A,
                         .unique_number = unique_number};
-  return std::make_unique<Sensor>(plate, std::vector<Broadcast>{{.message = table::kWaterDepth, .period = kSecond, .say = say}});
+  return std::make_unique<Sensor>(plate, std::vector<Broadcast>{{.message = table::kWaterDepth, .period = kSecond, .compose = compose}});
 }
 
 std::unique_ptr<Sensor> make_battery(const double& percent, std::uint32_t unique_number) {
-  const auto say = [&percent](const Occasion& o, Frames& frames) {
+  const auto compose = [&percent](const Occasion& o, Frames& frames) {
     MessageWriter writer(table::kCharge);
     writer.set_raw("SID", o.count)
         .set_raw("Instance", 0)
@@ -212,11 +212,12 @@ std::unique_ptr<Sensor> make_battery(const double& percent, std::uint32_t unique
                         .device_function = 170,
                         .preferred_address = 0x2B,
                         .unique_number = unique_number};
-  return std::make_unique<Sensor>(plate, std::vector<Broadcast>{{.message = table::kCharge, .period = table::kCharge.period, .say = say}});
+  return std::make_unique<Sensor>(plate,
+                                  std::vector<Broadcast>{{.message = table::kCharge, .period = table::kCharge.period, .compose = compose}});
 }
 
 std::unique_ptr<Sensor> make_hull_monitor(const n2k::Hull& hull, std::uint32_t unique_number) {
-  const auto say = [&hull](const Occasion& o, Frames& frames) {
+  const auto compose = [&hull](const Occasion& o, Frames& frames) {
     n2k::Frame frame;
     const Status status = n2k::compose_hull(hull, o.source, frame);
     if (status == Status::kOk) frames.push_back(frame);
@@ -227,7 +228,7 @@ std::unique_ptr<Sensor> make_hull_monitor(const n2k::Hull& hull, std::uint32_t u
                         .device_function = 150,
                         .preferred_address = 0x2C,
                         .unique_number = unique_number};
-  return std::make_unique<Sensor>(plate, std::vector<Broadcast>{{.message = table::kLeak, .period = kSecond, .say = say}});
+  return std::make_unique<Sensor>(plate, std::vector<Broadcast>{{.message = table::kLeak, .period = kSecond, .compose = compose}});
 }
 
 std::unique_ptr<Sensor> make_navigation(const vehicle::State& vehicle, const n2k::LocalPlane& plane, std::uint32_t unique_number) {

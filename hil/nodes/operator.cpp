@@ -35,13 +35,15 @@ void Operator::accept(const n2k::Frame& frame, Time now) {
   if (!parsed.ok()) return;
   const n2k::Identifier& identifier = parsed.value();
   const bool is_for_us = identifier.pgn == n2k::kPeerPgn && identifier.destination == membership_.address();
-  const bool is_told = identifier.pgn == n2k::kHealthPgn || identifier.pgn == n2k::kDecisionPgn || identifier.pgn == n2k::kChallengePgn;
-  if (!is_for_us && !is_told) return;
+  const bool is_published =
+      identifier.pgn == n2k::kHealthPgn || identifier.pgn == n2k::kDecisionPgn || identifier.pgn == n2k::kChallengePgn;
+  if (!is_for_us && !is_published) return;
   std::span<const std::uint8_t> bytes;
   if (assembly_.accept(identifier, frame, bytes) != Status::kOk) return;
   if (const auto report = n2k::read_health(bytes); identifier.pgn == n2k::kHealthPgn && report.ok())
     take_health(identifier.source, report.value());
-  if (const auto told = n2k::read_challenge(bytes); identifier.pgn == n2k::kChallengePgn && told.ok()) challenge_ = told.value();
+  if (const auto published = n2k::read_challenge(bytes); identifier.pgn == n2k::kChallengePgn && published.ok())
+    challenge_ = published.value();
   if (const auto answer = n2k::read_acknowledgement(bytes); is_for_us && answer.ok()) take_answer(answer.value(), now);
   if (const auto decision = n2k::read_decision(bytes); identifier.pgn == n2k::kDecisionPgn && decision.ok()) {
     decision_ = decision.value();

@@ -22,7 +22,7 @@ namespace earshot::hil {
 inline constexpr Duration kOrderLife = Duration::seconds(30);
 
 /// Marks an order for what the vehicle tells (firmware/authority/README.md). Nothing: that is not the vehicle that is meant.
-using MakeMark = std::function<std::optional<messages::CommandMark>(const messages::OperatorCommand&, const messages::ToldChallenge&)>;
+using MakeMark = std::function<std::optional<messages::CommandMark>(const messages::OperatorCommand&, const messages::PublishedChallenge&)>;
 
 struct OperatorSetup {
   std::uint32_t issuer = 1;  ///< 16 bits, best drawn anew for every start
@@ -75,7 +75,7 @@ class Operator final : public Device {
   n2k::FastPacketAssembly assembly_;
   std::optional<std::uint8_t> vehicle_;
   std::optional<n2k::HealthReport> health_;
-  std::optional<messages::ToldChallenge> challenge_;  ///< that the vehicle told last
+  std::optional<messages::PublishedChallenge> challenge_;  ///< that the vehicle told last
   std::optional<messages::Decision> decision_;
   std::uint64_t decisions_ = 0;
   std::vector<messages::CommandAcknowledgement> answers_;

@@ -27,8 +27,8 @@ void Sensor::step(Time now, Frames& frames) {
   if (!source) return;
   for (Paced& paced : broadcasts_) {
     if (!paced.pace.is_due(now)) continue;
-    const Status status = paced.broadcast.say({.now = now, .source = *source, .count = paced.count}, frames);
-    ++(status == Status::kOk ? said_ : unsaid_);
+    const Status status = paced.broadcast.compose({.now = now, .source = *source, .count = paced.count}, frames);
+    ++(status == Status::kOk ? sent_ : unsent_);
     paced.count = paced.count == kHighestCount ? std::uint8_t{0} : static_cast<std::uint8_t>(paced.count + 1);
   }
 }

@@ -26,7 +26,7 @@ struct Broadcast {
   const n2k::Message& message;
   Duration period;
   /// Adds its frames. Otherwise than kOk: the value does not fit its message, and nothing is sent.
-  std::function<Status(const Occasion&, Frames&)> say;
+  std::function<Status(const Occasion&, Frames&)> compose;
 };
 
 /// A device that says what it measures, whoever listens.
@@ -40,8 +40,8 @@ class Sensor final : public Device {
   void step(Time now, Frames& frames) override;
 
   [[nodiscard]] const Membership& membership() const { return membership_; }
-  [[nodiscard]] std::uint64_t said() const { return said_; }      ///< messages
-  [[nodiscard]] std::uint64_t unsaid() const { return unsaid_; }  ///< messages whose value did not fit
+  [[nodiscard]] std::uint64_t sent() const { return sent_; }      ///< messages
+  [[nodiscard]] std::uint64_t unsent() const { return unsent_; }  ///< messages whose value did not fit
 
  private:
   struct Paced {
@@ -51,8 +51,8 @@ class Sensor final : public Device {
   };
   Membership membership_;
   std::vector<Paced> broadcasts_;
-  std::uint64_t said_ = 0;
-  std::uint64_t unsaid_ = 0;
+  std::uint64_t sent_ = 0;
+  std::uint64_t unsent_ = 0;
 };
 
 }  // namespace earshot::hil

@@ -46,9 +46,9 @@ def headline(results: list[CaseResult], not_flown: list[str]) -> str:
     failed = sum(not result.passed for result in results)
     if failed == 0 and not not_flown:
         return f'<h1 class="passed">\N{CHECK MARK} All {len(results)} cases passed</h1>\n'
-    said = [f"{failed} of {len(results)} cases failed"] if failed else []
-    said += [f"{len(not_flown)} of {len(results) + len(not_flown)} cases were not flown"] if not_flown else []
-    return f'<h1 class="failed">\N{MULTIPLICATION X} {", ".join(said)}</h1>\n'
+    sentences = [f"{failed} of {len(results)} cases failed"] if failed else []
+    sentences += [f"{len(not_flown)} of {len(results) + len(not_flown)} cases were not flown"] if not_flown else []
+    return f'<h1 class="failed">\N{MULTIPLICATION X} {", ".join(sentences)}</h1>\n'
 
 
 def _what_is_missing(results: list[CaseResult], not_flown: list[str]) -> str:

@@ -38,9 +38,9 @@ def _rules_that_fire(result: CaseResult) -> str:
 
 
 def _had_to_happen(result: CaseResult) -> str:
-    said = [f"End of the mission: {result.expected_end}.", _rules_that_fire(result)]
+    sentences = [f"End of the mission: {result.expected_end}.", _rules_that_fire(result)]
     for what, is_refused in (("fix", result.refuses_navigation), ("order", result.refuses_commands)):
-        said += [] if is_refused is None else [f"{'At least one' if is_refused else 'No'} {what} is refused."]
+        sentences += [] if is_refused is None else [f"{'At least one' if is_refused else 'No'} {what} is refused."]
     for is_asked, words in (
         (result.loses_nothing, "Nothing is lost on its way in."),
         (result.least_decisions, f"Decisions after the first fault: at least {result.least_decisions}."),
@@ -49,8 +49,8 @@ def _had_to_happen(result: CaseResult) -> str:
         (result.refuses_frames, "The kernel has no room for at least one frame."),
         (result.refuses_to_fly, "Earshot refuses to fly."),
     ):
-        said += [words] if is_asked else []
-    return bullets(said)
+        sentences += [words] if is_asked else []
+    return bullets(sentences)
 
 
 def _places(result: CaseResult) -> list[str]:
@@ -68,7 +68,7 @@ def _places(result: CaseResult) -> list[str]:
 def _happened(result: CaseResult) -> str:
     counts = result.counts
     what = "Datagrams" if result.bus == "LCM" else "Frames"
-    said = [
+    sentences = [
         f"End of the mission: {result.end}, after {number(result.at_sea_s)} s at sea ({number(result.wall_s)} s here).",
         *_places(result),
         f"{counts['setpoints']} set-points; {counts['navigation_refused']} fixes and {counts['commands_refused']} "
@@ -76,7 +76,7 @@ def _happened(result: CaseResult) -> str:
         f"{what}: {counts['frames_sent']} sent by the vehicle, {counts['frames_received']} by Earshot; "
         f"{counts['frames_lost_by_kernel']} lost by the kernel, {counts['frames_afflicted']} befallen by a fault.",
     ]
-    return bullets(said)
+    return bullets(sentences)
 
 
 def _rules(result: CaseResult) -> str:

@@ -38,9 +38,9 @@
 #include "policy/evaluate/world_file.hpp"
 #include "sim/parallel/rank_session.hpp"
 #include "sim/plot/gnuplot.hpp"
+#include "sim/search/known_ocean.hpp"
 #include "sim/search/scenario/placement.hpp"
 #include "sim/search/scenario/world.hpp"
-#include "sim/search/told_ocean.hpp"
 
 namespace {
 
@@ -131,7 +131,7 @@ std::vector<evaluate::Candidate> candidates_of(const Options& o, const std::opti
     for (const std::string& name : *names) candidates.push_back(evaluate::candidate_named(name));
   }
   if (candidates.empty() && mission) candidates.push_back(evaluate::policy_of(*mission));
-  for (const std::string& repeated : evaluate::leave_out_repeated(candidates)) program::say() << host::printable(repeated) << "\n";
+  for (const std::string& repeated : evaluate::leave_out_repeated(candidates)) program::print() << host::printable(repeated) << "\n";
   if (candidates.empty()) throw BadInput("earshot evaluate: no policy given; try --policies shipped,bayes,oracle");
   return candidates;
 }
@@ -309,9 +309,9 @@ std::vector<evaluate::Row> fly_in_all(std::span<const evaluate::WorldFile> world
     ocean::Environment believed = common.believed;
     believed.source.frequency = world.scenario.environment.source.frequency;
     const sonar::SnrCurve expected = command_line::curve_for(believed, depth, common.settings);
-    policy::OceanTables told;
-    if (tables == nullptr) search::make_told_ocean(common.settings, expected, told);
-    const evaluate::Trial trial{world, assembled, expected, tables != nullptr ? *tables->tables : told, o.episodes, common.draw};
+    policy::OceanTables known;
+    if (tables == nullptr) search::make_known_ocean(common.settings, expected, known);
+    const evaluate::Trial trial{world, assembled, expected, tables != nullptr ? *tables->tables : known, o.episodes, common.draw};
     const evaluate::Pace pace = evaluate::pace_of(assembled);
     const std::size_t first_row = rows.size();
     for (const evaluate::Candidate& candidate : candidates) {
@@ -321,7 +321,7 @@ std::vector<evaluate::Row> fly_in_all(std::span<const evaluate::WorldFile> world
     if (ranks.rank() > 0) continue;
     const std::string head = world.name + ": " + world.what + "; " + std::to_string(o.episodes) + " searches, seed " +
                              std::to_string(world.seed) + ", steps of " + host::significant(pace.step_s, 6) + " s";
-    program::say() << program::wrapped_lines(head) << evaluate::as_text(std::span(rows).subspan(first_row)) << std::endl;
+    program::print() << program::wrapped_lines(head) << evaluate::as_text(std::span(rows).subspan(first_row)) << std::endl;
   }
   return rows;
 }
@@ -355,8 +355,8 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
   });
   std::vector<std::string> warnings = warnings_of(candidates, {task.settings, task.depth, host::crc32_text(environment.file_crc32)});
   if (mission && !o.search.environment && o.worlds.empty() && !o.suite) {
-    if (const std::string doubt = evaluate::doubt_of_ocean(*mission, environment, environment_file); !doubt.empty())
-      warnings.push_back(doubt);
+    if (const std::string ocean_warning = evaluate::warning_about_ocean(*mission, environment, environment_file); !ocean_warning.empty())
+      warnings.push_back(ocean_warning);
   }
   const std::vector<const host::TablesFile*> tables = evaluate::tables_of_worlds(given, worlds, task.settings, warnings);
   if (speaks) {
@@ -364,7 +364,7 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
     for (const evaluate::Candidate& c : candidates) print_details(c);
     program::detail() << environment_file.string() << ": " << environment.name << "; the vehicle " << task.depth.value << " m deep\n"
                       << host::counted(ranks.size(), "process", "processes") << "\n";
-    program::say() << program::wrapped_lines((mission ? evaluate::to_string(*mission) : "") + what_is_searched(o.search, task));
+    program::print() << program::wrapped_lines((mission ? evaluate::to_string(*mission) : "") + what_is_searched(o.search, task));
   }
   std::optional<policy::ActionDraw> draw;
   if (o.draw) draw = description::draw_named(*o.draw);

@@ -25,16 +25,17 @@ std::uint32_t steps_in_time(const config::Mission& mission) {
   return static_cast<std::uint32_t>(std::clamp(steps, 1.0, static_cast<double>(mission.max_steps)));
 }
 
-std::string complaint(const FlownMission& mission, const std::string& key, double said, const std::string& name, double trained,
+std::string complaint(const FlownMission& mission, const std::string& key, double in_mission, const std::string& name, double trained,
                       const char* unit) {
   std::ostringstream text;
-  text << "--mission " << mission.path.string() << ": " << key << " = " << said << unit << ", but " << name << " is for " << trained
+  text << "--mission " << mission.path.string() << ": " << key << " = " << in_mission << unit << ", but " << name << " is for " << trained
        << unit;
   return text.str();
 }
 
-void require_alike(const FlownMission& mission, const std::string& key, double said, const Candidate& c, double trained, const char* unit) {
-  if (std::abs(said - trained) > 1e-6 * std::abs(trained)) throw BadInput(complaint(mission, key, said, c.name, trained, unit));
+void require_alike(const FlownMission& mission, const std::string& key, double in_mission, const Candidate& c, double trained,
+                   const char* unit) {
+  if (std::abs(in_mission - trained) > 1e-6 * std::abs(trained)) throw BadInput(complaint(mission, key, in_mission, c.name, trained, unit));
 }
 
 }  // namespace
@@ -106,7 +107,7 @@ std::string to_string(const FlownMission& mission) {
   return text.str();
 }
 
-std::string doubt_of_ocean(const FlownMission& mission, const ocean::Environment& environment, const std::filesystem::path& file) {
+std::string warning_about_ocean(const FlownMission& mission, const ocean::Environment& environment, const std::filesystem::path& file) {
   std::error_code differ;
   const std::filesystem::path folder = std::filesystem::absolute(mission.path).parent_path();
   if (std::filesystem::equivalent(folder, host::shipped("firmware/boards/linux/missions"), differ)) return "";

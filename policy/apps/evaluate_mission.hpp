@@ -41,8 +41,8 @@ void apply(const FlownMission& mission, bool is_depth_given, std::vector<WorldFi
 /// What a mission is flown in where nobody says it is the ocean that ships, which its own water may not resemble. "" of a mission that
 /// ships, which is for that ocean.
 /// @param file  of the environment
-[[nodiscard]] std::string doubt_of_ocean(const FlownMission& mission, const ocean::Environment& environment,
-                                         const std::filesystem::path& file);
+[[nodiscard]] std::string warning_about_ocean(const FlownMission& mission, const ocean::Environment& environment,
+                                              const std::filesystem::path& file);
 
 /// "mission search.toml: 300 m deep, 2 m/s, at most 100 steps of 1000 m \n"
 [[nodiscard]] std::string to_string(const FlownMission& mission);

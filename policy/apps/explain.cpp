@@ -109,11 +109,12 @@ void write_decision_report(const DecisionOptions& o) {
   const report::DecisionReport made = report::make_decision_report(
       flight, report::index_of_step(flight, o.step), o.baseline == "here" ? explain::Baseline::kHere : explain::Baseline::kCentre);
   host::write_whole(o.output, in_format_of(o.output, made));
-  for (const std::string& sentence : report::sentences(made.account)) program::say() << sentence << "\n";
+  for (const std::string& sentence : report::sentences(made.account)) program::print() << sentence << "\n";
   const explain::Attribution& parts = made.account.attribution;
-  (parts.is_complete() ? program::detail() : program::say()) << "Integrated gradients: " << report::completeness_to_string(parts) << ".\n";
-  program::say() << "wrote " << host::printable(o.output.string()) << ": step " << o.step << " of "
-                 << host::printable(flight.journal_path.string()) << "\n";
+  (parts.is_complete() ? program::detail() : program::print())
+      << "Integrated gradients: " << report::completeness_to_string(parts) << ".\n";
+  program::print() << "wrote " << host::printable(o.output.string()) << ": step " << o.step << " of "
+                   << host::printable(flight.journal_path.string()) << "\n";
 }
 
 }  // namespace

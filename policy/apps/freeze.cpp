@@ -168,8 +168,8 @@ void run(const Options& options) {
   host::write_whole(*options.output, std::string(bytes.begin(), bytes.end()));
   command_line::print_policy_details(*options.model, *policy);
   program::detail() << options.key.key << ": signed with it; a vehicle trusts " << host::public_file_of(options.key.key).string() << "\n";
-  program::say() << *options.output << ": " << bytes.size() << " bytes, " << policy->observation.spec.size() << " elements of observation, "
-                 << policy->actions.size() << " actions, " << description::name_of(policy->draw) << "\n";
+  program::print() << *options.output << ": " << bytes.size() << " bytes, " << policy->observation.spec.size()
+                   << " elements of observation, " << policy->actions.size() << " actions, " << description::name_of(policy->draw) << "\n";
 }
 
 }  // namespace

@@ -109,14 +109,14 @@ void run(const program::CommandLine& line, const Options& o) {
   using own_search::FliesBy;
   const FliesBy by = own_search::make_own_folder(o.folder, o.search, o.force ? Earlier::kReplaced : Earlier::kStays);
   if (by == FliesBy::kTablesToBeMade) {
-    if (!o.search.own_tables) program::say() << "no ocean tables that ship are of this depth, frequency and area\n";
-    program::say() << "to be made first:\n"
-                   << in_lines(own_search::tables_command(o.search, fs::absolute(o.folder).lexically_normal())) << "\n";
+    if (!o.search.own_tables) program::print() << "no ocean tables that ship are of this depth, frequency and area\n";
+    program::print() << "to be made first:\n"
+                     << in_lines(own_search::tables_command(o.search, fs::absolute(o.folder).lexically_normal())) << "\n";
   }
   if (o.search.battery_percent && !o.search.battery_percent_per_km)
-    program::say() << "how far the battery lasts is left open: put your vehicle's battery_percent_per_km into\n"
-                   << (o.folder / own_search::kMissionFile).string() << " (or --battery-percent-per-km)\n";
-  program::say() << (o.folder / own_search::kReadmeFile).string() << " explains how to check this search and fly it\n";
+    program::print() << "how far the battery lasts is left open: put your vehicle's battery_percent_per_km into\n"
+                     << (o.folder / own_search::kMissionFile).string() << " (or --battery-percent-per-km)\n";
+  program::print() << (o.folder / own_search::kReadmeFile).string() << " explains how to check this search and fly it\n";
 }
 
 }  // namespace

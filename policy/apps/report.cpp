@@ -24,7 +24,7 @@ namespace {
 using namespace earshot;
 
 /// Reports on standard error what the page lacks. @return the exit status
-int say_what_is_missing(const std::filesystem::path& folder_or_journal, const report::Flight& flight) {
+int report_missing(const std::filesystem::path& folder_or_journal, const report::Flight& flight) {
   const std::filesystem::path& folder = folder_or_journal;
   for (const std::string& name : flight.missing)
     std::cerr << host::printable((folder / name).string()) << ": not there; the page is without it\n";
@@ -40,10 +40,10 @@ std::filesystem::path page_of(std::filesystem::path folder_or_journal) {
 }
 
 /// Of several journals in a folder, which one the page is of.
-void say_which(const std::filesystem::path& folder) {
+void name_journal(const std::filesystem::path& folder) {
   const std::filesystem::path journal = report::journal_of_flight(folder);
   if (journal == folder || journal.filename() == report::kJournalName) return;
-  program::say() << "it is of " << host::printable(journal.filename().string()) << ", the newest journal there\n";
+  program::print() << "it is of " << host::printable(journal.filename().string()) << ", the newest journal there\n";
 }
 
 /// "8 steps, 9 decisions": a mission may end within a step.
@@ -61,11 +61,11 @@ int write_report(const std::filesystem::path& folder, host::Replace replace) try
   host::require_writable(std::move(read), std::array{host::Output{"the page", page, host::kHtmlOutput}}, replace);
   const report::Pictures pictures = report::pictures_of(flight);
   host::write_whole(page, report::page(flight, pictures, report::explain_flight(folder)));
-  program::say() << "wrote " << host::printable(page.string()) << ": " << steps_and_decisions(flight) << "\n";
+  program::print() << "wrote " << host::printable(page.string()) << ": " << steps_and_decisions(flight) << "\n";
   program::detail() << folder.string() << ": " << flight.journal.decisions.size() << " decisions in " << flight.journal.records
                     << " records of the journal, " << flight.track.size() << " rows of track.csv, " << flight.snr.size() << " of snr.csv\n";
-  say_which(folder);
-  return say_what_is_missing(folder, flight);
+  name_journal(folder);
+  return report_missing(folder, flight);
 } catch (const nlohmann::json::exception& e) {
   throw host::BadInput((folder / "summary.json").string() + ": " + description::to_string(e));
 }

@@ -127,7 +127,7 @@ std::vector<std::filesystem::path> new_ones_of(const std::vector<std::filesystem
     if (is_new)
       new_ones.push_back(file);
     else
-      program::say() << host::printable(file.string()) << ": given twice, counts once, as " << first->second << "\n";
+      program::print() << host::printable(file.string()) << ": given twice, counts once, as " << first->second << "\n";
   }
   return new_ones;
 }
@@ -190,7 +190,7 @@ Curves curves_of(const Oceans& oceans, const tables::CurvePlan& plan) {
   curves.others = curves_of(oceans.others, plan, left_out);
   if (!oceans.others.empty() && curves.others.empty())
     throw BadInput("--vehicle-depth-m: " + left_out.front() + kAbove + ", as in every ocean given");
-  for (const std::string& ocean : left_out) program::say() << ocean << ": left out, its sea floor lies above the vehicle\n";
+  for (const std::string& ocean : left_out) program::print() << ocean << ": left out, its sea floor lies above the vehicle\n";
   return curves;
 }
 
@@ -211,8 +211,8 @@ std::unique_ptr<policy::OceanTables> tables_of(const Files& files, const Oceans&
   all.insert(all.end(), curves.others.begin(), curves.others.end());
   const tables::Merged merged = tables::merge_beside(curves.unmerged, curves.others, o.at_most);
   if (merged.curves.size() < all.size())
-    program::say() << all.size() << " curves became " << merged.curves.size() << " tables; none is further than "
-                   << host::decimals(merged.most_difference_db, 1) << " dB rms from its own, where it is audible\n";
+    program::print() << all.size() << " curves became " << merged.curves.size() << " tables; none is further than "
+                     << host::decimals(merged.most_difference_db, 1) << " dB rms from its own, where it is audible\n";
   const std::size_t environments = files.expected.size() + files.variants.size() + files.others.size();
   std::vector<std::pair<std::string, std::string>> provenance{{"made_by", "earshot tables " + program::version()},
                                                               {"commit", program::build_commit()},
@@ -257,10 +257,10 @@ void show(const Options& o) {
   check_outputs(o, std::move(read));
   const std::vector<std::uint8_t> bytes = host::read_tables_bytes(*o.show);
   const std::unique_ptr<policy::OceanTables> tables = host::tables_from(bytes, *o.show);
-  tables::describe(program::say(), *tables);
+  tables::describe(program::print(), *tables);
   const host::PublicKey key = policy::format::carried_key(bytes);
-  program::say() << (host::is_signed_at_end(bytes, key) ? "signed with the secret half of " : "NOT signed with the secret half of ")
-                 << host::to_text(key) << host::printable_lines({tables->provenance.begin(), tables->provenance.end()});
+  program::print() << (host::is_signed_at_end(bytes, key) ? "signed with the secret half of " : "NOT signed with the secret half of ")
+                   << host::to_text(key) << host::printable_lines({tables->provenance.begin(), tables->provenance.end()});
   if (o.plot) tables::plot_curves(*o.plot, *tables);
 }
 
@@ -277,16 +277,16 @@ void make(const Options& o) {
   read.read("--variants", files.variants);
   for (const tables::BelievedOcean& ocean : all_of(oceans)) read.read("a file of " + ocean.file.string() + ":", ocean.environment.files);
   check_outputs(o, std::move(read));
-  program::say() << "oceans read: " << files.expected.size() << " expected (--expected), " << files.variants.size()
-                 << " variants of these (--variants), " << files.others.size() << " others (ENVIRONMENT)\n";
+  program::print() << "oceans read: " << files.expected.size() << " expected (--expected), " << files.variants.size()
+                   << " variants of these (--variants), " << files.others.size() << " others (ENVIRONMENT)\n";
   const std::unique_ptr<policy::OceanTables> tables = tables_of(files, oceans, o);
   const host::SecretKey key = o.key.read(o.force);
   const std::vector<std::uint8_t> bytes = tables::sign(*tables, key);
   host::write_whole(*o.output, std::string(bytes.begin(), bytes.end()));
-  tables::describe(program::say(), *tables);
+  tables::describe(program::print(), *tables);
   if (o.plot) tables::plot_curves(*o.plot, *tables);
   program::detail() << o.key.key << ": signed with it; a vehicle trusts " << host::public_file_of(o.key.key).string() << "\n";
-  program::say() << *o.output << ": " << bytes.size() << " bytes, " << host::counted(tables->tables.size(), "table") << "\n";
+  program::print() << *o.output << ": " << bytes.size() << " bytes, " << host::counted(tables->tables.size(), "table") << "\n";
 }
 
 }  // namespace

@@ -68,13 +68,13 @@ void print_summary(const Trainings& trainings, double seconds) {
       medians.push_back(last.median_reward);
       found.push_back(last.found_fraction);
     }
-    program::say() << training->job().output.string() << ": " << training->curve().episodes() << " episodes, " << training->steps()
-                   << " steps; ";
+    program::print() << training->job().output.string() << ": " << training->curve().episodes() << " episodes, " << training->steps()
+                     << " steps; ";
     if (last.episodes > 0) {
-      program::say() << "last " << last.episodes << " episodes: median reward " << last.median_reward << ", found "
-                     << 100.0 * last.found_fraction << " %\n";
+      program::print() << "last " << last.episodes << " episodes: median reward " << last.median_reward << ", found "
+                       << 100.0 * last.found_fraction << " %\n";
     } else {
-      program::say() << "no episode has ended\n";
+      program::print() << "no episode has ended\n";
     }
   }
   if (trainings.size() > 1 && !medians.empty()) {
@@ -84,11 +84,11 @@ void print_summary(const Trainings& trainings, double seconds) {
            << scale * evaluate::quantile(x, 0.75) << ")";
       return text.str();
     };
-    program::say() << "median of " << medians.size() << " trainings: median reward " << of_seeds(medians, 1.0) << ", found "
-                   << of_seeds(found, 100.0) << " %\n";
+    program::print() << "median of " << medians.size() << " trainings: median reward " << of_seeds(medians, 1.0) << ", found "
+                     << of_seeds(found, 100.0) << " %\n";
   }
-  if (program::stop_requested) program::say() << "interrupted; go on with earshot train --resume\n";
-  program::say() << "trained for " << host::decimals(seconds, 1) << " s\n";
+  if (program::stop_requested) program::print() << "interrupted; go on with earshot train --resume\n";
+  program::print() << "trained for " << host::decimals(seconds, 1) << " s\n";
 }
 
 /// "Reward in training: source changing, state belief, seed 1"

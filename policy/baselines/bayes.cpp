@@ -4,20 +4,20 @@
 
 #include "policy/baselines/moves.hpp"
 #include "sim/search/belief_model.hpp"
-#include "sim/search/told_ocean.hpp"
+#include "sim/search/known_ocean.hpp"
 
 namespace earshot::baselines {
 
 Bayes::Bayes(const PriorKnowledge& prior) : prior_(prior), model_(search::belief_model(prior.settings)) {
-  search::make_told_ocean(prior.settings, prior.snr, tables_);
+  search::make_known_ocean(prior.settings, prior.snr, tables_);
 }
 
 void Bayes::begin(Pcg32 /*random*/) {
   belief_.start(model_, tables_);
 }
 
-void Bayes::ponder() {
-  while (belief_.ponder(model_, tables_)) {
+void Bayes::refine() {
+  while (belief_.refine(model_, tables_)) {
   }
 }
 
@@ -32,7 +32,7 @@ std::size_t Bayes::choose(const DecisionInput& input) {
 
 std::size_t BayesLeastRegret::choose(const DecisionInput& input) {
   hear(input);
-  const auto regret = [this](std::size_t action) { return belief_.outlook(action).regret; };
+  const auto regret = [this](std::size_t action) { return belief_.action_values(action).regret; };
   return std::ranges::min(std::views::iota(std::size_t{0}, model_.actions.size()), {}, regret);
 }
 

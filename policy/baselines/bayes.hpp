@@ -15,10 +15,10 @@ class Bayes : public Searcher {
   explicit Bayes(const PriorKnowledge& prior);
   void begin(Pcg32 random) override;
   [[nodiscard]] std::size_t choose(const DecisionInput& input) override;
-  void ponder() override;
+  void refine() override;
 
   [[nodiscard]] std::optional<bool> declares_found() const override { return belief_.declaration().has_value(); }
-  [[nodiscard]] std::optional<bool> is_surprised() const override { return belief_.surprise().is_surprised(); }
+  [[nodiscard]] std::optional<bool> is_mismatched() const override { return belief_.model_mismatch().is_mismatched(); }
 
  protected:
   /// Takes a measurement into the belief.
@@ -30,7 +30,7 @@ class Bayes : public Searcher {
   policy::OceanBelief belief_;
 };
 
-/// Takes the action of least regret (policy::ActionOutlook), the belief's own advice: what a learned policy that sees it must better.
+/// Takes the action of least regret (policy::ActionValues), the belief's own advice: what a learned policy that sees it must better.
 class BayesLeastRegret : public Bayes {
  public:
   explicit BayesLeastRegret(const PriorKnowledge& prior) : Bayes(prior) {}

@@ -19,7 +19,7 @@ using policy::kLanes;
 using policy::OceanBelief;
 
 constexpr double kBin_db = 2.0;
-/// Less than it no look need tell before one was too faint to measure.
+/// Less than it no measurement need tell before one was too faint to measure.
 constexpr double kUnknownFloor_db = -20.0;
 /// A hypothesis, or a place, less likely than this changes no decision.
 constexpr float kLeastShare = 1e-3F;

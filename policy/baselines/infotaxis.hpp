@@ -15,7 +15,7 @@ namespace earshot::baselines {
 /// another is left; the border's penalty counts for nothing, for J knows no reward.
 ///
 /// A place is as many cells as are a step length long; the distance is that of the crow. How likely an outcome is, the belief says itself
-/// (LaneLikelihoods), but for whether the source moves during the step. The floor is that of the last look too faint to measure.
+/// (LaneLikelihoods), but for whether the source moves during the step. The floor is that of the last measurement too faint to measure.
 /// Source: Loisy and Eloy, Proc. R. Soc. A 478 (2022) 20220118.   Oracle: Infotaxis.*
 class Infotaxis : public OceanSearch {
  public:
@@ -23,7 +23,7 @@ class Infotaxis : public OceanSearch {
   void begin(Pcg32 random) override;
   [[nodiscard]] std::size_t choose(const DecisionInput& input) override;
 
-  /// What J is expected to be after a look at a place (in the domain's frame) under the belief of the last choice.
+  /// What J is expected to be after a measurement at a place (in the domain's frame) under the belief of the last choice.
   [[nodiscard]] double expected_cost(NorthEast place);
 
  private:

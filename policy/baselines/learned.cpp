@@ -31,8 +31,8 @@ std::size_t Learned::choose(const DecisionInput& input) {
   return fallback_.choose(calls_for_sweep, action, plan, input.position, std::span(policy_.actions.begin(), policy_.actions.size()));
 }
 
-void Learned::ponder() {
-  while (memory_.ponder(policy_.observation, tables_)) {
+void Learned::refine() {
+  while (memory_.refine(policy_.observation, tables_)) {
   }
 }
 
@@ -41,9 +41,9 @@ std::optional<bool> Learned::declares_found() const {
   return memory_.belief().declaration().has_value();
 }
 
-std::optional<bool> Learned::is_surprised() const {
+std::optional<bool> Learned::is_mismatched() const {
   if (!policy::needs_belief(policy_.observation.spec)) return std::nullopt;
-  return memory_.belief().surprise().is_surprised();
+  return memory_.belief().model_mismatch().is_mismatched();
 }
 
 }  // namespace earshot::baselines

@@ -17,9 +17,9 @@ class Learned : public Searcher {
       : policy_(policy), tables_(tables), draw_(draw), domain_(domain), edge_margin_(edge_margin) {}
   void begin(Pcg32 random) override;
   [[nodiscard]] std::size_t choose(const DecisionInput& input) override;
-  void ponder() override;
+  void refine() override;
   [[nodiscard]] std::optional<bool> declares_found() const override;
-  [[nodiscard]] std::optional<bool> is_surprised() const override;
+  [[nodiscard]] std::optional<bool> is_mismatched() const override;
 
  private:
   const policy::FrozenPolicy& policy_;

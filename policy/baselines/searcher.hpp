@@ -42,11 +42,11 @@ class Searcher {
   /// The next step. Called at the start and after every step. @return an action below the number of actions
   [[nodiscard]] virtual std::size_t choose(const DecisionInput& input) = 0;
   /// What a vehicle goes on to weigh on its way to the next measurement; what it next chooses is the same whether it was called or not.
-  virtual void ponder() {}
+  virtual void refine() {}
   /// Whether it says that the source is found where it last chose; nothing for one that leaves that to others.
   [[nodiscard]] virtual std::optional<bool> declares_found() const { return std::nullopt; }
   /// Whether what it heard in this search is explained by nothing that it believes possible; absent: it does not judge that.
-  [[nodiscard]] virtual std::optional<bool> is_surprised() const { return std::nullopt; }
+  [[nodiscard]] virtual std::optional<bool> is_mismatched() const { return std::nullopt; }
 };
 
 }  // namespace earshot::baselines

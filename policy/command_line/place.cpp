@@ -37,10 +37,10 @@ NorthEast north_east_of(const std::string& option, const std::string& text) {
   const std::optional<Length> east = comma == std::string::npos ? std::nullopt : length_in(text.substr(comma + 1));
   if (!north || !east)
     throw BadInput(option + " " + text + ": two lengths are needed, metres north and metres east, such as 10000,10000 or 10km,10km");
-  constexpr double kLooksLikeKilometres = 100.0;
+  constexpr double kProbablyKilometres = 100.0;
   const NorthEast place{north->length, east->length};
   const double further = std::max(std::abs(place.north.value), std::abs(place.east.value));
-  if (north->has_unit || east->has_unit || further == 0.0 || further >= kLooksLikeKilometres) return place;
+  if (north->has_unit || east->has_unit || further == 0.0 || further >= kProbablyKilometres) return place;
   throw BadInput(option + " " + text + ": " +
                  host::formatted("metres are meant: did you mean %.10g,%.10g (or %.10gkm,%.10gkm)? If not, write %.10gm,%.10gm",
                                  1000.0 * place.north.value, 1000.0 * place.east.value, place.north.value, place.east.value,

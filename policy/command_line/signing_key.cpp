@@ -18,7 +18,7 @@ host::SecretKey make(const std::string& file, bool force) {
   const auto lone = force ? host::LonePublicHalf::kReplaced : host::LonePublicHalf::kStays;
   const host::SecretKey key =
       host::make_key_pair(file, lone, {.lone_public = "--force replaces it", .secret = "leave out --new-key to sign with it"});
-  program::say() << file << " (secret: keep it), " << host::public_file_of(file).string() << "\n";
+  program::print() << file << " (secret: keep it), " << host::public_file_of(file).string() << "\n";
   return key;
 }
 
@@ -47,9 +47,9 @@ host::SecretKey SigningKeyOptions::read(bool force) const {
     host::require_public_half(secret, key);
   } else if (public_key) {
     host::write_new(public_file, host::to_text(host::public_key_of(secret)));
-    program::say() << public_file.string() << "\n";
+    program::print() << public_file.string() << "\n";
   } else {
-    program::say() << public_file.string() << ": the public half, which a vehicle needs, is missing; --public-key writes it\n";
+    program::print() << public_file.string() << ": the public half, which a vehicle needs, is missing; --public-key writes it\n";
   }
   return secret;
 }

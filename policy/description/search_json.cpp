@@ -50,16 +50,19 @@ config::ListeningWindow listening_from(const Json& json) {
 policy::BeliefCosts costs_from(const Json& json) {
   return {.step = json.at("step").get<float>(),
           .log_step_discount = json.at("log_step_discount").get<float>(),
-          .reach = json.at("reach").get<float>(),
-          .reach_discount = json.at("reach_discount").get<float>(),
+          .find_probability = json.at("reach").get<float>(),
+          .find_discount = json.at("reach_discount").get<float>(),
           .edge = json.at("edge").get<float>(),
           .most_regret = json.at("most_regret").get<float>()};
 }
 
 Json costs_to(const policy::BeliefCosts& costs) {
-  return {{"step", costs.step},   {"log_step_discount", costs.log_step_discount},
-          {"reach", costs.reach}, {"reach_discount", costs.reach_discount},
-          {"edge", costs.edge},   {"most_regret", costs.most_regret}};
+  return {{"step", costs.step},
+          {"log_step_discount", costs.log_step_discount},
+          {"reach", costs.find_probability},
+          {"reach_discount", costs.find_discount},
+          {"edge", costs.edge},
+          {"most_regret", costs.most_regret}};
 }
 
 /// The numbers of a belief that the description does not hold elsewhere.

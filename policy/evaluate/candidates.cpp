@@ -42,17 +42,18 @@ bool are_one(const Candidate& a, const Candidate& b) {
 
 std::vector<std::string> leave_out_repeated(std::vector<Candidate>& candidates) {
   std::vector<Candidate> each;
-  std::vector<std::string> said;
+  std::vector<std::string> sentences;
   for (Candidate& candidate : candidates) {
     const auto first = std::ranges::find_if(each, [&candidate](const Candidate& c) { return are_one(c, candidate); });
     if (first == each.end()) {
       each.push_back(std::move(candidate));
       continue;
     }
-    said.push_back(candidate.name + (candidate.name == first->name ? ": named twice, flies once" : ": is " + first->name + ", flies once"));
+    sentences.push_back(candidate.name +
+                        (candidate.name == first->name ? ": named twice, flies once" : ": is " + first->name + ", flies once"));
   }
   candidates = std::move(each);
-  return said;
+  return sentences;
 }
 
 Candidate candidate_named(const std::string& name) {

@@ -35,24 +35,24 @@ double seconds_to(Work work) {
 
 /// Takes down what the searcher says of where the vehicle is. @return whether it rightly says that the source is found
 bool take_down(const baselines::Searcher& searcher, const search::Episode& episode, Meters step_length, Flight& flight) {
-  const std::optional<bool> says = searcher.declares_found();
-  if (!says) return false;
+  const std::optional<bool> declares = searcher.declares_found();
+  if (!declares) return false;
   if (!flight.declarations) flight.declarations.emplace();
   Declarations& all = *flight.declarations;
   const Meters off = range_between(episode.position(), episode.source());
   const bool is_within = off <= step_length;
   all.was_within |= is_within;
-  all.rightly |= is_within && *says;
-  all.falsely |= !is_within && *says;
-  all.far_off |= off > 1.5 * step_length && *says;
-  return is_within && *says;
+  all.rightly |= is_within && *declares;
+  all.falsely |= !is_within && *declares;
+  all.far_off |= off > 1.5 * step_length && *declares;
+  return is_within && *declares;
 }
 
-/// Takes note of the first look that surprised. @param look  which it was, from 1
-void note_surprise(std::optional<bool> is_surprised, std::size_t look, Flight& flight) {
-  if (!is_surprised) return;
-  if (std::isnan(flight.looks_to_surprise)) flight.looks_to_surprise = std::numeric_limits<double>::infinity();
-  if (*is_surprised) flight.looks_to_surprise = std::min(flight.looks_to_surprise, static_cast<double>(look));
+/// Takes note of the first measurement that was a mismatch. @param measurement  which it was, from 1
+void note_mismatch(std::optional<bool> is_mismatched, std::size_t measurement, Flight& flight) {
+  if (!is_mismatched) return;
+  if (std::isnan(flight.measurements_to_mismatch)) flight.measurements_to_mismatch = std::numeric_limits<double>::infinity();
+  if (*is_mismatched) flight.measurements_to_mismatch = std::min(flight.measurements_to_mismatch, static_cast<double>(measurement));
 }
 
 Flight fly_one(baselines::Searcher& searcher, const search::World& world, const Turn& turn, search::Episode& episode,
@@ -76,9 +76,9 @@ Flight fly_one(baselines::Searcher& searcher, const search::World& world, const 
     if (is_declared && world.settings.found_by == search::FoundBy::kSearcher) flight.record.end = search::EpisodeEnd::kFound;
     if (flight.record.end != search::EpisodeEnd::kRunning) break;  // what was heard last made it say something, at most
     flight.decision_s += took_s;
-    note_surprise(searcher.is_surprised(), episode.record().steps + std::size_t{1}, flight);
+    note_mismatch(searcher.is_mismatched(), episode.record().steps + std::size_t{1}, flight);
     if (watcher) watcher(turn.number, episode, flight.record.end);
-    flight.pondering_s += seconds_to([&searcher] { searcher.ponder(); });
+    flight.refinement_s += seconds_to([&searcher] { searcher.refine(); });
     episode.step(world, action);
     flight.path_m += range_between(before, episode.position()).value;
   }
@@ -162,11 +162,11 @@ std::optional<DeclarationShares> declaration_shares(std::span<const Flight> flig
   DeclarationShares shares;
   double within = 0.0;
   for (const Flight& flight : flights) {
-    const Declarations& said = *flight.declarations;
-    within += said.was_within ? 1.0 : 0.0;
-    shares.missed += said.was_within && !said.rightly ? 1.0 : 0.0;
-    shares.falsely += said.falsely ? 1.0 : 0.0;
-    shares.far_off += said.far_off ? 1.0 : 0.0;
+    const Declarations& declared = *flight.declarations;
+    within += declared.was_within ? 1.0 : 0.0;
+    shares.missed += declared.was_within && !declared.rightly ? 1.0 : 0.0;
+    shares.falsely += declared.falsely ? 1.0 : 0.0;
+    shares.far_off += declared.far_off ? 1.0 : 0.0;
   }
   shares.falsely /= static_cast<double>(flights.size());
   shares.far_off /= static_cast<double>(flights.size());
@@ -185,16 +185,16 @@ double path_over_straight(std::span<const Flight> flights) {
   return straight_m > 0.0 ? path_m / straight_m : std::numeric_limits<double>::quiet_NaN();
 }
 
-Surprises surprises(std::span<const Flight> flights) {
-  std::vector<double> looks;
+Mismatches mismatches(std::span<const Flight> flights) {
+  std::vector<double> measurements;
   double judged = 0.0;
   for (const Flight& flight : flights) {
-    if (std::isfinite(flight.looks_to_surprise)) looks.push_back(flight.looks_to_surprise);
-    judged += std::isnan(flight.looks_to_surprise) ? 0.0 : 1.0;
+    if (std::isfinite(flight.measurements_to_mismatch)) measurements.push_back(flight.measurements_to_mismatch);
+    judged += std::isnan(flight.measurements_to_mismatch) ? 0.0 : 1.0;
   }
-  Surprises result;
-  if (judged > 0.0) result.fraction = static_cast<double>(looks.size()) / judged;
-  if (!looks.empty()) result.median_look = quantile(std::move(looks), 0.5);
+  Mismatches result;
+  if (judged > 0.0) result.fraction = static_cast<double>(measurements.size()) / judged;
+  if (!measurements.empty()) result.median_measurement = quantile(std::move(measurements), 0.5);
   return result;
 }
 
@@ -202,8 +202,8 @@ double decision_time_s(std::span<const Flight> flights) {
   return mean_over_decisions(flights, &Flight::decision_s);
 }
 
-double pondering_time_s(std::span<const Flight> flights) {
-  return mean_over_decisions(flights, &Flight::pondering_s);
+double refinement_time_s(std::span<const Flight> flights) {
+  return mean_over_decisions(flights, &Flight::refinement_s);
 }
 
 double quantile(std::vector<double> values, double q) {

@@ -28,11 +28,11 @@ struct Flight {
   double path_m = 0.0;                                      ///< over ground
   double straight_m = 0.0;                                  ///< from the start to within l of where the nearest source then was
   double decision_s = 0.0;                                  ///< by the clock, all decisions together
-  double pondering_s = 0.0;                                 ///< by the clock, on the way from one decision to the next
+  double refinement_s = 0.0;                                ///< by the clock, on the way from one decision to the next
   std::optional<Declarations> declarations = std::nullopt;  ///< of searchers that make any
-  /// Looks (the start's, and one after every step that did not end the search) up to the first that surprised the searcher; infinite:
-  /// none did; NaN: it does not judge that.
-  double looks_to_surprise = std::numeric_limits<double>::quiet_NaN();
+  /// Measurements (the start's, and one after every step that did not end the search) up to the first that was a mismatch to the searcher;
+  /// infinite: none did; NaN: it does not judge that.
+  double measurements_to_mismatch = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Which episodes of a seed are flown: every stride-th from the first, below the end.
@@ -99,18 +99,18 @@ struct DeclarationShares {
 [[nodiscard]] double path_over_straight(std::span<const Flight> flights);
 
 /// How many searches met what the searcher's belief does not explain.
-struct Surprises {
-  double fraction = std::numeric_limits<double>::quiet_NaN();     ///< of all searches; NaN: the searcher does not judge that
-  double median_look = std::numeric_limits<double>::quiet_NaN();  ///< of those that were surprised, the look of it; NaN: none was
+struct Mismatches {
+  double fraction = std::numeric_limits<double>::quiet_NaN();            ///< of all searches; NaN: the searcher does not judge that
+  double median_measurement = std::numeric_limits<double>::quiet_NaN();  ///< of those with a mismatch, the measurement of it; NaN: none was
 };
 
-[[nodiscard]] Surprises surprises(std::span<const Flight> flights);
+[[nodiscard]] Mismatches mismatches(std::span<const Flight> flights);
 
 /// Mean over all decisions, seconds: what a vehicle waits for.
 [[nodiscard]] double decision_time_s(std::span<const Flight> flights);
 
 /// Mean over all decisions of what follows each, seconds: what a vehicle weighs on its way.
-[[nodiscard]] double pondering_time_s(std::span<const Flight> flights);
+[[nodiscard]] double refinement_time_s(std::span<const Flight> flights);
 
 /// The q-quantile (0 to 1) by linear interpolation between order statistics, as NumPy's default. @param values  at least one, any order
 [[nodiscard]] double quantile(std::vector<double> values, double q);

@@ -43,8 +43,8 @@ ordered_json as_json(const Row& row, Timing timing) {
                     {"path_over_straight_95", interval(row.intervals.path_over_straight)},
                     {"mean_steps", s.mean_steps},
                     {"mean_detections", s.mean_detections},
-                    {"surprised_fraction", row.surprises.fraction},
-                    {"median_look_of_surprise", row.surprises.median_look}};
+                    {"surprised_fraction", row.mismatches.fraction},
+                    {"median_look_of_surprise", row.mismatches.median_measurement}};
   if (row.declarations) {
     json["declared_falsely_fraction"] = row.declarations->falsely;
     json["declared_far_off_fraction"] = row.declarations->far_off;
@@ -52,7 +52,7 @@ ordered_json as_json(const Row& row, Timing timing) {
   }
   if (timing == Timing::kIncluded) {
     json["decision_us"] = 1e6 * row.decision_s;
-    json["pondering_us"] = 1e6 * row.pondering_s;
+    json["pondering_us"] = 1e6 * row.refinement_s;
   }
   return json;
 }

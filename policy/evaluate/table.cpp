@@ -45,8 +45,8 @@ std::string reward(const Row& row) {
 std::string way_and_decisions(const Row& row) {
   return known(" ", 9, row.path_over_straight) +
          host::formatted(" %7.1f %9.1f", 100.0 * row.summary.left_domain_fraction, row.summary.mean_detections) +
-         known(" ", 9, 100.0 * row.surprises.fraction) + known(" ", 7, row.surprises.median_look) +
-         host::formatted(" %9.2f %10.2f", 1e6 * row.decision_s, 1e6 * row.pondering_s);
+         known(" ", 9, 100.0 * row.mismatches.fraction) + known(" ", 7, row.mismatches.median_measurement) +
+         host::formatted(" %9.2f %10.2f", 1e6 * row.decision_s, 1e6 * row.refinement_s);
 }
 
 constexpr std::size_t kLongestName = 28;
@@ -69,7 +69,7 @@ std::string table_of(std::span<const Row> rows, const std::array<std::string, 2>
 /// "ocean_search declared
 ///    falsely in 3.0 % of the searches (further than 1.5 step lengths off in 0.0 %),
 ///    nothing in 1.2 % of those that ended a step within a step length of the source"
-std::string said_by(const Row& row) {
+std::string declarations_text(const Row& row) {
   if (!row.declarations) return "";
   const DeclarationShares& d = *row.declarations;
   return row.policy + " declared\n" +
@@ -197,9 +197,9 @@ Row row_of(const std::string& world, const std::string& policy, std::span<const 
           .pace = pace,
           .intervals = bootstrap(flights, pace.max_steps, seed),
           .path_over_straight = path_over_straight(flights),
-          .surprises = surprises(flights),
+          .mismatches = mismatches(flights),
           .decision_s = decision_time_s(flights),
-          .pondering_s = pondering_time_s(flights),
+          .refinement_s = refinement_time_s(flights),
           .declarations = declaration_shares(flights)};
 }
 
@@ -216,7 +216,7 @@ std::string as_text(std::span<const Row> rows) {
                    {"    path /    left     heard  mismatch  at SNR  decision   refining",  //
                     "      line  area %     times         %  number        us         us"},
                    way_and_decisions);
-  for (const Row& row : rows) text += said_by(row);
+  for (const Row& row : rows) text += declarations_text(row);
   return text;
 }
 
@@ -241,12 +241,12 @@ std::string as_csv(std::span<const Row> rows, Timing timing) {
     for (const double x :
          {s.mean_reward, i.mean_reward.low, i.mean_reward.high, s.lower_quartile_reward, s.median_reward, i.median_reward.low,
           i.median_reward.high, s.upper_quartile_reward, s.left_domain_fraction, row.path_over_straight, i.path_over_straight.low,
-          i.path_over_straight.high, s.mean_steps, s.mean_detections, row.surprises.fraction, row.surprises.median_look})
+          i.path_over_straight.high, s.mean_steps, s.mean_detections, row.mismatches.fraction, row.mismatches.median_measurement})
       csv += "," + shortest(x);
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-    const DeclarationShares said = row.declarations.value_or(DeclarationShares{kUnknown, kUnknown, kUnknown});
-    for (const double x : {said.falsely, said.far_off, said.missed}) csv += "," + shortest(x);
-    if (timing == Timing::kIncluded) csv += "," + shortest(1e6 * row.decision_s) + "," + shortest(1e6 * row.pondering_s);
+    const DeclarationShares declared = row.declarations.value_or(DeclarationShares{kUnknown, kUnknown, kUnknown});
+    for (const double x : {declared.falsely, declared.far_off, declared.missed}) csv += "," + shortest(x);
+    if (timing == Timing::kIncluded) csv += "," + shortest(1e6 * row.decision_s) + "," + shortest(1e6 * row.refinement_s);
     csv += "\n";
   }
   return csv;

@@ -22,9 +22,9 @@ struct Row {
   Pace pace;
   Intervals intervals;
   double path_over_straight = 0.0;
-  Surprises surprises;
+  Mismatches mismatches;
   double decision_s = 0.0;
-  double pondering_s = 0.0;
+  double refinement_s = 0.0;
   std::optional<DeclarationShares> declarations = std::nullopt;  ///< of a searcher that says itself whether the source is found
 };
 

@@ -37,7 +37,7 @@ class Differences {
   void add(const std::string& trained, const std::string& tested) {
     sentences_.push_back(name_ + " " + made_ + " " + trained + " and is tested " + tested);
   }
-  void say(const std::string& what) { sentences_.push_back(name_ + " " + what); }
+  void add_sentence(const std::string& what) { sentences_.push_back(name_ + " " + what); }
   [[nodiscard]] std::vector<std::string> take() { return std::move(sentences_); }
 
  private:
@@ -49,7 +49,7 @@ class Differences {
 void compare_sources(const TrainedTask& trained, const TestedTask& tested, Differences& all) {
   const SourcePlacement searched = tested.settings.placement;
   const std::string kind(search::name_of(searched));
-  if (!trained.source) return all.say("does not state which source it was trained with and is tested with a " + kind + " one");
+  if (!trained.source) return all.add_sentence("does not state which source it was trained with and is tested with a " + kind + " one");
   if (*trained.source != searched) {
     return all.add("with a " + std::string(search::name_of(*trained.source)) + " source",
                    "with a " + kind + " one: another search than it is made for");

@@ -63,8 +63,8 @@ std::vector<NorthEast> cell_centres(NorthEast area_size, std::size_t per_side) {
   return centres;
 }
 
-ActionMap after_a_first_look(const FrozenPolicy& policy, const policy::OceanTables& tables, std::size_t per_side,
-                             const std::function<policy::Reception(NorthEast)>& reception_at) {
+ActionMap after_a_first_measurement(const FrozenPolicy& policy, const policy::OceanTables& tables, std::size_t per_side,
+                                    const std::function<policy::Reception(NorthEast)>& reception_at) {
   const auto memory = std::make_unique<SearchMemory>();
   return map_of(policy, per_side, [&](NorthEast place) {
     memory->start(policy.observation, tables, place, reception_at(place));

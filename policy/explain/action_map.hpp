@@ -27,8 +27,8 @@ using ActionMap = std::vector<MapPoint>;
 /// The policy's actions after a first measurement at each place.
 /// @param reception_at  what is heard there
 /// Oracle: ActionMap.*
-[[nodiscard]] ActionMap after_a_first_look(const policy::FrozenPolicy& policy, const policy::OceanTables& tables, std::size_t per_side,
-                                           const std::function<policy::Reception(NorthEast)>& reception_at);
+[[nodiscard]] ActionMap after_a_first_measurement(const policy::FrozenPolicy& policy, const policy::OceanTables& tables,
+                                                  std::size_t per_side, const std::function<policy::Reception(NorthEast)>& reception_at);
 
 /// The policy's actions if, with all that it remembers and believes, the vehicle stood elsewhere and had not found the source there.
 /// @param memory  of the policy's own observation model

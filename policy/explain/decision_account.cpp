@@ -19,16 +19,16 @@ std::vector<ActionAccount> actions_of(const Circumstances& c, const RecordedDeci
   std::vector<ActionAccount> actions;
   for (std::size_t a = 0; a < probabilities.size(); ++a) {
     const NorthEast end = decision.position + c.policy.step_length * c.policy.actions[a];
-    const policy::ActionOutlook& outlook = belief.outlook(a);
+    const policy::ActionValues& values = belief.action_values(a);
     actions.push_back({.name = direction_name(c.policy.actions[a]),
                        .probability = static_cast<double>(probabilities[a]),
                        .end = end,
                        .hear = expected_hearing(place, sound, end - c.south_west),
-                       .detected = static_cast<double>(outlook.detected),
-                       .found = static_cast<double>(outlook.found),
-                       .found_soon = static_cast<double>(outlook.reach),
+                       .detected = static_cast<double>(values.detected),
+                       .found = static_cast<double>(values.found),
+                       .found_soon = static_cast<double>(values.find_probability),
                        .approach = expected_approach(place, decision.position - c.south_west, end - c.south_west),
-                       .border = static_cast<double>(outlook.border)});
+                       .border = static_cast<double>(values.border)});
   }
   return actions;
 }

@@ -23,7 +23,7 @@ struct ActionAccount {
   ExpectedHearing hear;                        ///< at its end
   double detected = 0.0;                       ///< probability of a detection at its end
   double found = 0.0;                          ///< probability that its end lies within a step length of the source
-  double found_soon = 0.0;                     ///< probability that the source is found within policy::kReachSteps steps, this one first
+  double found_soon = 0.0;                     ///< probability that the source is found within policy::kFindSteps steps, this one first
   Meters approach;                             ///< expected decrease of the distance to the source
   double border = 0.0;                         ///< how deep its end lies in the border: 0 inside, 1 at the edge, more beyond
   std::optional<double> worth = std::nullopt;  ///< 1 the best, 0 the worst, of a policy that goes by its belief's advice alone
@@ -43,7 +43,7 @@ struct HypothesisAccount {
   std::string ocean;           ///< name of its table
   double level_db = 0.0;       ///< the source is that much louder than expected
   double spread_db = 0.0;      ///< standard deviation of what is measured
-  double silence_share = 0.0;  ///< of the looks that meet a pause in the call
+  double silence_share = 0.0;  ///< of the measurements that meet a pause in the call
   bool is_moving = false;      ///< the source, or a current that navigation does not see
   double share = 0.0;          ///< its probability
 };

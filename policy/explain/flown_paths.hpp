@@ -24,7 +24,7 @@ struct FlownPath {
   [[nodiscard]] std::size_t steps() const { return places.size() - 1; }
 };
 
-/// Whether the policy sees nothing but its place: then it does the same there whatever came before, and one look shows all of it.
+/// Whether the policy sees nothing but its place: then it does the same there whatever came before, and one measurement shows all of it.
 [[nodiscard]] bool sees_place_alone(const policy::FrozenPolicy& policy);
 
 struct PathSettings {

@@ -20,8 +20,8 @@ struct RecordedDecision {
   std::size_t action = 0;
   bool overridden = false;  ///< the safety layer changed the way-point
   bool sweeping = false;    ///< the action is a sweep's, not the policy's
-  float surprise_bits = 0.0F;
-  bool was_surprised = false;                             ///< then, or before in this search
+  float mismatch_bits = 0.0F;
+  bool was_mismatched = false;                            ///< then, or before in this search
   std::optional<float> found_probability = std::nullopt;  ///< where the vehicle declared the source found
   NorthEast waypoint;
   std::vector<float> observation;

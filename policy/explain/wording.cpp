@@ -28,7 +28,7 @@ Unit unit_of(Feature feature) {
       return Unit::kDecibels;
     case Feature::kLikeliestShare:
     case Feature::kFound:
-    case Feature::kReach:
+    case Feature::kFindProbability:
     case Feature::kDetected:
       return Unit::kShare;
     case Feature::kEffectiveCells:
@@ -62,7 +62,7 @@ Subject subject_of(Feature feature) {
       return Subject::kHeard;
     case Feature::kFound:
     case Feature::kDetected:
-    case Feature::kReach:
+    case Feature::kFindProbability:
     case Feature::kBorder:
     case Feature::kRegret:
     case Feature::kPreference:
@@ -137,7 +137,7 @@ std::string name_of(const policy::ObservationElement& element, const FixedVector
       return going("chance of finding the source by going");
     case Feature::kDetected:
       return going("chance of hearing it by going");
-    case Feature::kReach:
+    case Feature::kFindProbability:
       return going("chance of finding it within a few steps, first going");
     case Feature::kBorder:
       return going("depth in the border by going");

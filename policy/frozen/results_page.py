@@ -46,10 +46,10 @@ chosen. `policy/tables/make_for` made tables for each world's frequency and dept
 world's ocean.
 
 All worlds together: {found} of {episodes} searches found, {share:.1f} %, from {low:.1f} in one world to {high:.1f}
-in another; `oracle` {oracle:.1f} %. Mismatch: {surprised:.1f} % of the searches, in the mean over the worlds.
+in another; `oracle` {oracle:.1f} %. Mismatch: {mismatched:.1f} % of the searches, in the mean over the worlds.
 
 *Own ocean* is the same policy with a table of the world's own ocean alone, at its own level of noise. The ocean is then
-known, and all else is not. So it finds {told:.1f} %, and 95 % or more in {told_worlds} of {worlds} worlds
+known, and all else is not. So it finds {known:.1f} %, and 95 % or more in {known_worlds} of {worlds} worlds
 instead of {shipped_worlds}.
 """
 
@@ -83,7 +83,7 @@ def hours(row: Row) -> str:
     return f"{float(mean):.2f} ({float(low):.2f} to {float(high):.2f})"
 
 
-def surprised(row: Row) -> str:
+def mismatched(row: Row) -> str:
     return f"{percent(row['surprised_fraction'])} %"
 
 
@@ -115,22 +115,22 @@ def worlds_table(worlds: dict[str, dict[str, Row]], infotaxis: dict[str, dict[st
         other = infotaxis[world]["infotaxis"]
         rows.append(
             [f"`{world}`", found(shipped), hours(shipped), f"{float(shipped['mean_reward']):.1f}"]
-            + [surprised(shipped), *declared(shipped)]
+            + [mismatched(shipped), *declared(shipped)]
             + [found(other), hours(other), f"{percent(of['sweep']['found_fraction'])} %"]
             + [f"{percent(of['oracle']['found_fraction'])} %"]
         )
     return table(header, rows)
 
 
-def test_table(worlds: dict[str, dict[str, Row]], told: dict[str, dict[str, Row]]) -> str:
+def test_table(worlds: dict[str, dict[str, Row]], known: dict[str, dict[str, Row]]) -> str:
     header = ["world", "`shipped`: found", "hours", "reward", "mismatch", *DECLARED]
     header += ["own ocean: found", "`sweep`: found", "`oracle`: found"]
     return table(
         header,
         [
             [f"`{world}`", found(of["shipped"]), hours(of["shipped"]), f"{float(of['shipped']['mean_reward']):.1f}"]
-            + [surprised(of["shipped"]), *declared(of["shipped"])]
-            + [f"{percent(row['found_fraction'])} %" for row in (told[world]["shipped"], of["sweep"], of["oracle"])]
+            + [mismatched(of["shipped"]), *declared(of["shipped"])]
+            + [f"{percent(row['found_fraction'])} %" for row in (known[world]["shipped"], of["sweep"], of["oracle"])]
             for world, of in worlds.items()
         ],
     )
@@ -146,7 +146,7 @@ def bearing_table(worlds: dict[str, dict[str, Row]]) -> str:
 
 
 def noticed_table(worlds: dict[str, dict[str, Row]]) -> str:
-    rows = [[f"`{world}`", surprised(of["shipped"])] for world, of in worlds.items()]
+    rows = [[f"`{world}`", mismatched(of["shipped"])] for world, of in worlds.items()]
     return table(["world", "mismatch within 15 steps"], rows)
 
 
@@ -154,9 +154,9 @@ def episodes(worlds: dict[str, dict[str, Row]], policy: str) -> str:
     return next(iter(worlds.values()))[policy]["episodes"]
 
 
-def test_words(worlds: dict[str, dict[str, Row]], told: dict[str, dict[str, Row]]) -> str:
+def test_words(worlds: dict[str, dict[str, Row]], known: dict[str, dict[str, Row]]) -> str:
     flown = {name: [of[name] for of in worlds.values()] for name in ("shipped", "oracle")}
-    shares_told = [100.0 * float(of["shipped"]["found_fraction"]) for of in told.values()]
+    shares_known = [100.0 * float(of["shipped"]["found_fraction"]) for of in known.values()]
     total = sum(int(row["episodes"]) for row in flown["shipped"])
     hits = {n: sum(round(float(r["found_fraction"]) * int(r["episodes"])) for r in rows) for n, rows in flown.items()}
     shares = [100.0 * float(row["found_fraction"]) for row in flown["shipped"]]
@@ -167,9 +167,9 @@ def test_words(worlds: dict[str, dict[str, Row]], told: dict[str, dict[str, Row]
         low=min(shares),
         high=max(shares),
         oracle=100.0 * hits["oracle"] / total,
-        surprised=100.0 * sum(float(row["surprised_fraction"]) for row in flown["shipped"]) / len(flown["shipped"]),
-        told=sum(shares_told) / len(shares_told),
-        told_worlds=sum(share >= ENOUGH for share in shares_told),
+        mismatched=100.0 * sum(float(row["surprised_fraction"]) for row in flown["shipped"]) / len(flown["shipped"]),
+        known=sum(shares_known) / len(shares_known),
+        known_worlds=sum(share >= ENOUGH for share in shares_known),
         worlds=len(shares),
         shipped_worlds=sum(share >= ENOUGH for share in shares),
     )
@@ -178,14 +178,14 @@ def test_words(worlds: dict[str, dict[str, Row]], told: dict[str, dict[str, Row]
 def page(folder: Path) -> str:
     worlds, infotaxis = read(folder / "worlds.csv"), read(folder / "infotaxis.csv")
     bearing, test = read(folder / "bearing.csv"), read(folder / "test.csv")
-    noticed, told = read(folder / "noticed.csv"), read(folder / "told.csv")
+    noticed, known = read(folder / "noticed.csv"), read(folder / "told.csv")
     numbers = {"infotaxis": episodes(infotaxis, "infotaxis"), "shipped": episodes(worlds, "shipped")}
     return "".join(
         [
             INTRODUCTION.format(commit=(folder / "commit").read_text().strip()),
             WORLDS.format(**numbers) + "\n" + worlds_table(worlds, infotaxis),
             NOTICED.format(episodes=episodes(noticed, "shipped")) + "\n" + noticed_table(noticed),
-            test_words(test, told) + "\n" + test_table(test, told),
+            test_words(test, known) + "\n" + test_table(test, known),
             BEARING.format(episodes=episodes(bearing, "shipped")) + "\n" + bearing_table(bearing),
         ]
     )

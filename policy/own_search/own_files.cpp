@@ -190,18 +190,18 @@ bool is_battery_simulated(const OwnSearch& search) {
 std::string battery_remark(const OwnSearch& search) {
   if (!search.battery_percent) return "";
   const std::string rule = "\n- The search ends when the battery is below " + toml_number(*search.battery_percent) + " %. ";
-  const std::string untold = "no battery is reported, and the rule about `vehicle_status_age_s` warns of that after a minute.";
+  const std::string unreported = "no battery is reported, and the rule about `vehicle_status_age_s` warns of that after a minute.";
   if (is_battery_simulated(search))
     return rule +
            "`earshot fly --battery-percent 100` begins with a full one, of which each kilometre takes the mission's "
            "`battery_percent_per_km`; without that option " +
-           untold;
+           unreported;
   return rule +
          "How far it lasts `mission.toml` does not state yet: put there what a kilometre takes of your vehicle's "
          "(`battery_percent_per_km`). "
          "Then "
          "`earshot fly --battery-percent 100` simulates it; until then " +
-         untold;
+         unreported;
 }
 
 }  // namespace

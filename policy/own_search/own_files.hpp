@@ -15,7 +15,7 @@ inline constexpr const char* kReadmeFile = "README.md";
 /// The mission of the bus that ships, with this search's values; it names policy, tables and key by paths that are valid from anywhere, or,
 /// where these do not fit, those beside it.
 [[nodiscard]] std::string mission_text(const OwnSearch& search, FliesBy by);
-/// The mission's tables for what ears, battery and fence need, of a search that has them; empty for one that has none.
+/// The mission's tables for what hydrophone, battery and fence need, of a search that has them; empty for one that has none.
 [[nodiscard]] std::string extra_tables(const OwnSearch& search);
 /// The ocean that ships, with this search's values.
 [[nodiscard]] std::string ocean_text(const OwnSearch& search);

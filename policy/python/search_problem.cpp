@@ -6,9 +6,9 @@
 #include "policy/description/search_description.hpp"
 #include "policy/description/state.hpp"
 #include "policy/description/trained_task.hpp"
+#include "sim/search/known_ocean.hpp"
 #include "sim/search/scenario/placement.hpp"
 #include "sim/search/scenario/scenario_file.hpp"
-#include "sim/search/told_ocean.hpp"
 
 namespace earshot::python {
 namespace {
@@ -85,7 +85,7 @@ SearchProblem::SearchProblem(const SearchProblemArguments& arguments) : argument
   const description::State state = state_of(arguments);
   world_ = std::make_unique<search::World>(search::assemble(scenario, settings, arguments.vehicle_depth));
   observation_ = description::observation_of(state, arguments.remembered_steps, settings);
-  search::make_told_ocean(settings, world_->expected(), tables_);
+  search::make_known_ocean(settings, world_->expected(), tables_);
   description_ = description::to_text(description_of(arguments, settings, observation_, environment.file_crc32));
 }
 

@@ -44,9 +44,10 @@ void write_ellipse(const fs::path& path, const explain::DecisionAccount& account
   }
 }
 
-void write_looks(const fs::path& path, std::span<const explain::RecordedDecision> looks) {
+void write_measurements_file(const fs::path& path, std::span<const explain::RecordedDecision> measurements) {
   std::ofstream out(path);
-  for (const explain::RecordedDecision& look : looks) out << km(look.position) << ' ' << (look.detected ? 1 : 0) << '\n';
+  for (const explain::RecordedDecision& measurement : measurements)
+    out << km(measurement.position) << ' ' << (measurement.detected ? 1 : 0) << '\n';
 }
 
 /// The datasets stand in files of the folder, `name` their common beginning.
@@ -54,7 +55,7 @@ std::string plot_of(const PlotFolder& folder, const std::string& name, const Bel
   const explain::DecisionAccount& account = picture.account;
   write_belief(folder / (name + ".belief"), account);
   write_ellipse(folder / (name + ".ellipse"), account);
-  write_looks(folder / (name + ".measured"), picture.looks);
+  write_measurements_file(folder / (name + ".measured"), picture.measurements);
   std::ofstream(folder / (name + ".marks")) << km(account.area.south_west + account.place.likeliest) << "\n\n\n"
                                             << km(account.area.south_west + account.place.mean) << "\n\n\n"
                                             << km(account.decision.position) << ' '

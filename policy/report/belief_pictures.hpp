@@ -13,8 +13,8 @@ namespace earshot::report {
 /// One chart: where the source is believed to be when the decision is taken.
 struct BeliefPicture {
   const explain::DecisionAccount& account;
-  std::span<const explain::RecordedDecision> looks;  ///< up to this decision, the track in its corners
-  std::optional<NorthEast> source;                   ///< where only a simulator knows that it is
+  std::span<const explain::RecordedDecision> measurements;  ///< up to this decision, the track in its corners
+  std::optional<NorthEast> source;                          ///< where only a simulator knows that it is
 };
 
 /// Draws the charts with one gnuplot; each is SVG text that may stand in a page. @throws std::runtime_error when gnuplot fails.

@@ -14,9 +14,10 @@ constexpr std::size_t kRows = 8;  ///< of the observation, shown in a report
 
 std::string subtitle(const DecisionReport& report) {
   const explain::RecordedDecision& d = report.account.decision;
-  return host::duration(d.time_s - report.looks().front().time_s) + " after the first decision, " + fixed(d.position.north.value / 1e3, 2) +
-         " km north, " + fixed(d.position.east.value / 1e3, 2) + " km east. Journal " + report.flight.journal_path.string() + ", policy " +
-         report.flight.policy_path.string() + ": replayed, and every decision up to the last comes out bit for bit.";
+  return host::duration(d.time_s - report.measurements().front().time_s) + " after the first decision, " +
+         fixed(d.position.north.value / 1e3, 2) + " km north, " + fixed(d.position.east.value / 1e3, 2) + " km east. Journal " +
+         report.flight.journal_path.string() + ", policy " + report.flight.policy_path.string() +
+         ": replayed, and every decision up to the last comes out bit for bit.";
 }
 
 std::string notes(const DecisionReport& report) {
@@ -44,10 +45,10 @@ std::string as_html(const DecisionReport& report) {
   text += "<ul class=\"words\">\n";
   for (const std::string& sentence : sentences(a)) text += "<li>" + escaped(sentence) + "</li>\n";
   text += "</ul>\n<h2>Where the source is believed to be</h2>\n<div class=\"chart cells\">" +
-          belief_svgs({{.account = a, .looks = report.looks(), .source = report.flight.source}}).front() + "</div>\n";
+          belief_svgs({{.account = a, .measurements = report.measurements(), .source = report.flight.source}}).front() + "</div>\n";
   text += "<h2>What it could do</h2>\n" + actions_table(a);
   text += "<h2>What moved the choice</h2>\n<p>" + std::string(kPartsMean) + "</p>\n" + attribution_tables(a, kRows);
-  text += "<h2>What it measured</h2>\n" + looks_table(report.looks());
+  text += "<h2>What it measured</h2>\n" + measurements_table(report.measurements());
   text += "<h2>All numbers that the policy received</h2>\n<details><summary>" + std::to_string(a.observed.size()) + " numbers</summary>\n" +
           observation_table(a) + "</details>\n";
   return text + std::string(kHtmlEnd);
@@ -71,9 +72,10 @@ std::string as_markdown(const DecisionReport& report) {
     text += "| " + o.name + " | " + o.value + " | " + o.baseline + " | " + fixed(o.part, 3) + " | " + factor_to_string(o.part) + " |\n";
   text += "\nCompared with " + to_string(a.baseline) + ": " + completeness_to_string(a.attribution) + ".\n";
   text += "\n| step | north (km) | east (km) | SNR |\n|---|---|---|---|\n";
-  for (const explain::RecordedDecision& look : report.looks())
-    text += "| " + std::to_string(look.step) + " | " + fixed(look.position.north.value / 1e3, 2) + " | " +
-            fixed(look.position.east.value / 1e3, 2) + " | " + to_string(look.reception) + (look.detected ? ", a detection" : "") + " |\n";
+  for (const explain::RecordedDecision& measurement : report.measurements())
+    text += "| " + std::to_string(measurement.step) + " | " + fixed(measurement.position.north.value / 1e3, 2) + " | " +
+            fixed(measurement.position.east.value / 1e3, 2) + " | " + to_string(measurement.reception) +
+            (measurement.detected ? ", a detection" : "") + " |\n";
   return text;
 }
 

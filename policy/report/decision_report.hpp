@@ -13,7 +13,9 @@ struct DecisionReport {
   std::size_t index;  ///< of the decision
   explain::DecisionAccount account;
 
-  [[nodiscard]] std::span<const explain::RecordedDecision> looks() const { return std::span(flight.journal.decisions).first(index + 1); }
+  [[nodiscard]] std::span<const explain::RecordedDecision> measurements() const {
+    return std::span(flight.journal.decisions).first(index + 1);
+  }
 };
 
 [[nodiscard]] DecisionReport make_decision_report(const RecordedFlight& flight, std::size_t index, explain::Baseline baseline);

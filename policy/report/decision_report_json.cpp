@@ -13,7 +13,7 @@ ordered_json place(NorthEast p) {
   return {{"north_m", p.north.value}, {"east_m", p.east.value}};
 }
 
-ordered_json look(const explain::RecordedDecision& d) {
+ordered_json measurement(const explain::RecordedDecision& d) {
   ordered_json json{{"step", d.step},
                     {"time_s", d.time_s},
                     {"position", place(d.position)},
@@ -89,8 +89,8 @@ ordered_json attribution(const explain::DecisionAccount& a) {
 
 std::string as_json(const DecisionReport& report) {
   const explain::DecisionAccount& a = report.account;
-  ordered_json looks = ordered_json::array();
-  for (const explain::RecordedDecision& d : report.looks()) looks.push_back(look(d));
+  ordered_json measurements = ordered_json::array();
+  for (const explain::RecordedDecision& d : report.measurements()) measurements.push_back(measurement(d));
   ordered_json json{{"step", a.decision.step},
                     {"journal", report.flight.journal_path.string()},
                     {"policy", report.flight.policy_path.string()},
@@ -98,11 +98,11 @@ std::string as_json(const DecisionReport& report) {
                     {"likeliest", a.actions[a.likeliest_action].name},
                     {"waypoint", place(a.decision.waypoint)},
                     {"changed_by_safety_layer", a.decision.overridden},
-                    {"surprise_bits", a.decision.surprise_bits},
+                    {"surprise_bits", a.decision.mismatch_bits},
                     {"sweeping", a.decision.sweeping},
                     {"found_probability", a.decision.found_probability ? ordered_json(*a.decision.found_probability) : ordered_json()},
                     {"summary", sentences(a)},
-                    {"looks", looks},
+                    {"looks", measurements},
                     {"belief", belief(a)},
                     {"actions", actions(a)},
                     {"attribution", attribution(a)}};

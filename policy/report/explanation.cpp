@@ -17,7 +17,7 @@ namespace {
 using explain::DecisionAccount;
 using explain::fixed;
 
-constexpr std::size_t kLooksShown = 6;
+constexpr std::size_t kMeasurementsShown = 6;
 
 std::string percent(double share) {
   const double p = 100.0 * share;
@@ -72,9 +72,9 @@ std::string declared_sentence(const DecisionAccount& a) {
 std::string sweep_sentence(const DecisionAccount& a) {
   const std::string sweep =
       "It sweeps the whole area in parallel tracks, not by the policy, and went " + a.actions[a.decision.action].name + ": ";
-  if (!a.decision.was_surprised) return sweep + "it had detected nothing for long, where its tables predict detections.";
+  if (!a.decision.was_mismatched) return sweep + "it had detected nothing for long, where its tables predict detections.";
   return sweep + "the SNR that it measured fits no ocean of its tables (model-mismatch score " +
-         fixed(static_cast<double>(a.decision.surprise_bits), 1) + " bits).";
+         fixed(static_cast<double>(a.decision.mismatch_bits), 1) + " bits).";
 }
 
 std::string expectation_sentence(const DecisionAccount& a) {
@@ -251,14 +251,14 @@ std::string to_string(const messages::Bearing& bearing) {
   return text + " \u00B1 " + fixed(bearing.deviation.value * kDegreesPerRadian, 0) + "\u00B0";
 }
 
-std::string looks_table(std::span<const explain::RecordedDecision> looks) {
+std::string measurements_table(std::span<const explain::RecordedDecision> measurements) {
   std::string text = "<div class=\"table\"><table>\n<tr><th>step</th><th>at</th><th>north (km)</th><th>east (km)</th><th>SNR</th></tr>\n";
-  for (std::size_t i = looks.size(); i > 0 && looks.size() - i < kLooksShown; --i) {
-    const explain::RecordedDecision& look = looks[i - 1];
-    text += "<tr><td>" + std::to_string(look.step) + "</td><td>" + host::duration(look.time_s - looks.front().time_s) + "</td><td>" +
-            fixed(look.position.north.value / 1e3, 2) + "</td><td>" + fixed(look.position.east.value / 1e3, 2) + "</td><td" +
-            (look.detected ? " class=\"heard\"" : "") + ">" + to_string(look.reception) + (look.detected ? " &#9679;" : "") +
-            "</td></tr>\n";
+  for (std::size_t i = measurements.size(); i > 0 && measurements.size() - i < kMeasurementsShown; --i) {
+    const explain::RecordedDecision& measurement = measurements[i - 1];
+    text += "<tr><td>" + std::to_string(measurement.step) + "</td><td>" + host::duration(measurement.time_s - measurements.front().time_s) +
+            "</td><td>" + fixed(measurement.position.north.value / 1e3, 2) + "</td><td>" + fixed(measurement.position.east.value / 1e3, 2) +
+            "</td><td" + (measurement.detected ? " class=\"heard\"" : "") + ">" + to_string(measurement.reception) +
+            (measurement.detected ? " &#9679;" : "") + "</td></tr>\n";
   }
   return text + "</table></div>\n";
 }

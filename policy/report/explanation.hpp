@@ -42,8 +42,8 @@ inline constexpr const char* kPartsMean =
 /// "047° ± 10°", and its mirror image where left and right cannot be told apart.
 [[nodiscard]] std::string to_string(const messages::Bearing& bearing);
 
-/// The last looks at the source, newest first.
-[[nodiscard]] std::string looks_table(std::span<const explain::RecordedDecision> looks);
+/// The last measurements of the source, newest first.
+[[nodiscard]] std::string measurements_table(std::span<const explain::RecordedDecision> measurements);
 /// Every action: how likely, and what it would be expected to bring.
 [[nodiscard]] std::string actions_table(const explain::DecisionAccount& account);
 /// What moved the choice: the weightiest elements as bars, sums by subject, completeness.

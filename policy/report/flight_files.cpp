@@ -131,7 +131,7 @@ explain::RecordedDecision decision_of(const messages::Decision& m) {
           .action = m.action,
           .overridden = m.overridden,
           .sweeping = m.sweeping,
-          .surprise_bits = m.belief ? m.belief->surprise_bits : 0.0F,
+          .mismatch_bits = m.belief ? m.belief->mismatch_bits : 0.0F,
           .found_probability = m.found ? std::optional(m.found->probability) : std::nullopt,
           .waypoint = m.waypoint,
           .observation = copied(messages::counted(m.observation, m.observation_size)),
@@ -190,8 +190,8 @@ void note(const journal::Record& record, JournalledSearch& search) {
   const auto* const decision = std::get_if<messages::Decision>(&record.content);
   if (decision == nullptr) return;
   explain::RecordedDecision recorded = decision_of(*decision);
-  const bool was_before = recorded.step > 0 && !search.decisions.empty() && search.decisions.back().was_surprised;
-  recorded.was_surprised = was_before || recorded.surprise_bits >= messages::kSurprising_bits;
+  const bool was_before = recorded.step > 0 && !search.decisions.empty() && search.decisions.back().was_mismatched;
+  recorded.was_mismatched = was_before || recorded.mismatch_bits >= messages::kMismatchThreshold_bits;
   search.decisions.push_back(std::move(recorded));
 }
 

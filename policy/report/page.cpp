@@ -222,7 +222,7 @@ FlightExplanation explain_flight(const std::filesystem::path& folder_or_journal)
   std::vector<BeliefPicture> pictures;
   for (const explain::DecisionAccount& account : explanation.accounts)
     pictures.push_back(
-        {.account = account, .looks = std::span(flight.journal.decisions).first(pictures.size() + 1), .source = flight.source});
+        {.account = account, .measurements = std::span(flight.journal.decisions).first(pictures.size() + 1), .source = flight.source});
   explanation.charts = belief_svgs(pictures);
   return explanation;
 } catch (const host::BadInput& e) {

@@ -9,7 +9,7 @@
 #include "policy/evaluate/evaluation.hpp"
 #include "policy/explain/replay.hpp"
 #include "sim/search/belief_model.hpp"
-#include "sim/search/told_ocean.hpp"
+#include "sim/search/known_ocean.hpp"
 #include "sim/sonar/snr_curve.hpp"
 
 namespace earshot::report {
@@ -36,8 +36,8 @@ void require_decisions(const fs::path& path, const JournalledSearch& journal) {
 
 /// What `said` names, or what lies beside the journal.
 /// @param what  "policy"; its files end in "." and that, its option is "--" and that
-fs::path file_for(const fs::path& journal, const std::optional<fs::path>& said, const std::string& what) {
-  if (said) return *said;
+fs::path file_for(const fs::path& journal, const std::optional<fs::path>& given, const std::string& what) {
+  if (given) return *given;
   if (const std::optional<fs::path> beside = beside_journal(journal, "." + what)) return *beside;
   throw BadInput(journal.string() + ": no " + what + " beside it (" + fs::path(journal).replace_extension("." + what).filename().string() +
                  "): name what flew with --" + what + " FILE");
@@ -87,7 +87,7 @@ void add_observer(const Flight& flight, RecordedFlight& recorded) {
   recorded.observer = search::belief_model(settings);
   recorded.observer->actions = recorded.policy->actions;
   recorded.tables = std::make_unique<policy::OceanTables>();
-  search::make_told_ocean(settings, curve, *recorded.tables);
+  search::make_known_ocean(settings, curve, *recorded.tables);
 }
 
 }  // namespace

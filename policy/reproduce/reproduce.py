@@ -119,15 +119,15 @@ def draw(folder, ocean, paper, longer, sweep):
 
 
 def provenance(seconds, steps):
-    def said(*words):
+    def output_of(*words):
         done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False)
         return done.stdout.strip() if done.returncode == 0 else ""
 
     words = [word for word in sys.argv[1:] if word != "--keep"]
-    changed = said("git", "status", "--porcelain", "--untracked-files=no", "--", ":!policy/reproduce/results")
+    changed = output_of("git", "status", "--porcelain", "--untracked-files=no", "--", ":!policy/reproduce/results")
     return {
         "command": " ".join(["policy/reproduce/run", *words]),
-        "commit": (said("git", "rev-parse", "--short=12", "HEAD") or "unknown") + ("-dirty" if changed else ""),
+        "commit": (output_of("git", "rev-parse", "--short=12", "HEAD") or "unknown") + ("-dirty" if changed else ""),
         "rest": f"{steps / 1e6:.1f} million steps of training for Figures 4 to 9; {seconds / 60:.0f} minutes of "
         "commands, as many at a time as there are processors, for these, the sweep and all evaluations, "
         f"on {experiments.processors()} processors",

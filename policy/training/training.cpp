@@ -20,9 +20,9 @@
 #include "policy/training/curve_files.hpp"
 #include "policy/training/training_worlds.hpp"
 #include "sim/parallel/ordered_tasks.hpp"
+#include "sim/search/known_ocean.hpp"
 #include "sim/search/scenario/placement.hpp"
 #include "sim/search/scenario/world.hpp"
-#include "sim/search/told_ocean.hpp"
 
 namespace earshot::training {
 namespace {
@@ -103,7 +103,7 @@ struct Training::Parts {
 
   const policy::OceanTables& believed_oceans() {
     if (run.tables.empty()) {
-      search::make_told_ocean(run.search, world.expected(), tables);
+      search::make_known_ocean(run.search, world.expected(), tables);
       return tables;
     }
     const policy::SearchedSound sound{.vehicle_depth = run.vehicle_depth,
@@ -248,9 +248,9 @@ void Training::run(TrainingProgress& progress, std::size_t number, const std::at
     p.refuse_divergence();
     p.record(gather_episodes(p.ranks, episodes), update);
     progress.update(number, p.progress());
-    std::vector<std::int32_t> rank_0_says{p.is_over() || interrupted ? 1 : 0};
-    p.ranks.share(rank_0_says);
-    ends = rank_0_says.front() != 0;
+    std::vector<std::int32_t> rank_0_ends{p.is_over() || interrupted ? 1 : 0};
+    p.ranks.share(rank_0_ends);
+    ends = rank_0_ends.front() != 0;
     if (ends || p.trainer.steps() - written_at >= every) {
       p.write();
       written_at = p.trainer.steps();

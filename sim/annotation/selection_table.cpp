@@ -239,8 +239,8 @@ class TableParser {
                         .begin_file = std::string(cell(kFile)),
                         .file_offset_s = number(kOffset, kLatest_s, 0.0),
                         .values = {},
-                        .tells_channel = !cell(kChannel).empty(),
-                        .tells_offset = !cell(kOffset).empty()};
+                        .names_channel = !cell(kChannel).empty(),
+                        .names_offset = !cell(kOffset).empty()};
     selection.end_s = column(kEnd) ? number(kEnd, kLatest_s) : selection.begin_s + number(kDuration, kLatest_s);
     if (problems_ == before && selection.end_s < selection.begin_s) note(kEnd, "lies before the begin");
     if (problems_ > before) return;

@@ -19,8 +19,8 @@ struct Selection {
   std::string begin_file;           ///< name without folder; empty: not told
   double file_offset_s = 0.0;       ///< of the begin, in that file
   std::vector<std::string> values;  ///< of the further columns
-  bool tells_channel = false;       ///< read: the table has it
-  bool tells_offset = false;        ///< read: the table has the offset
+  bool names_channel = false;       ///< read: the table has it
+  bool names_offset = false;        ///< read: the table has the offset
 };
 
 /// A selection table as Raven (Cornell Lab of Ornithology) reads and writes it: tab-separated, one line a selection.

@@ -90,7 +90,7 @@ void require_depths_in_water(const std::filesystem::path& path, const LibraryPla
   throw host::BadInput(text.str());
 }
 
-constexpr std::size_t kBearingsLookedAt = 8;
+constexpr std::size_t kBearingsSampled = 8;
 
 bool is_in_water(const LibraryPlan& plan, NorthEast position) {
   Meters floor = plan.environment.seabed.depth;
@@ -103,7 +103,7 @@ bool is_in_water(const LibraryPlan& plan, NorthEast position) {
 
 void require_on_chart(const LibraryPlan& plan, NorthEast position) {
   const Meters max_range = plan.fan.radial.max_range();
-  const std::size_t stride = std::max<std::size_t>(1, plan.fan.bearings / kBearingsLookedAt);
+  const std::size_t stride = std::max<std::size_t>(1, plan.fan.bearings / kBearingsSampled);
   for (std::size_t j = 0; j < plan.fan.bearings; j += stride)
     (void)ocean::section_along(plan.environment, position, sonar::bearing_of(j, plan.fan.bearings), max_range);
 }
@@ -149,7 +149,7 @@ std::optional<ocean::UnmeasuredWater> unmeasured_water(const LibraryPlan& plan) 
   if (!sonar::differs_with_place(plan.environment) || !plan.environment.charts->climatology) return thickest;
   for (const NorthEast& position : plan.positions) {
     if (!is_in_water(plan, position)) continue;
-    const auto here = sonar::unmeasured_water(plan.environment, position, kBearingsLookedAt, plan.fan.radial.max_range());
+    const auto here = sonar::unmeasured_water(plan.environment, position, kBearingsSampled, plan.fan.radial.max_range());
     if (here && (!thickest || here->thickness() > thickest->thickness())) thickest = here;
   }
   return thickest;

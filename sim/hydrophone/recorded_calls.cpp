@@ -94,8 +94,8 @@ void require_audible(const std::filesystem::path& file, const recording::Sequenc
 
 /// Root mean square of the loudest integration time, as the vehicle's own detector has it; 0 where it hears nothing.
 double loudest_in_band(const Recording& recording, const detector::SoundSettings& listening) {
-  const auto ears = std::make_unique<detector::SoundDetector>();
-  if (ears->configure(listening) != Status::kOk) return 0.0;
+  const auto sound_detector = std::make_unique<detector::SoundDetector>();
+  if (sound_detector->configure(listening) != Status::kOk) return 0.0;
   const double recorded_s = static_cast<double>(recording.samples.size()) / recording.sample_rate.value;
   const auto count = static_cast<std::int64_t>((recorded_s + kSettling_s) * kHeardAt.value);
   std::vector<float> block(static_cast<std::size_t>(kHeardAt.value));
@@ -103,16 +103,16 @@ double loudest_in_band(const Recording& recording, const detector::SoundSettings
   for (std::int64_t begin = 0; begin < count; begin += static_cast<std::int64_t>(block.size())) {
     for (std::size_t i = 0; i < block.size(); ++i)
       block[i] = static_cast<float>(recording.at(static_cast<double>(begin + static_cast<std::int64_t>(i)) / kHeardAt.value));
-    ears->hear({.time = {begin * 1000},
-                .sequence = begin,
-                .first_sample = begin,
-                .sample_rate = kHeardAt,
-                .gain = {},
-                .samples_per_channel = static_cast<std::uint32_t>(block.size()),
-                .overflow_count = 0,
-                .channels = 1},
-               block);
-    while (const std::optional<detector::Estimate> estimate = ears->next()) {
+    sound_detector->hear({.time = {begin * 1000},
+                          .sequence = begin,
+                          .first_sample = begin,
+                          .sample_rate = kHeardAt,
+                          .gain = {},
+                          .samples_per_channel = static_cast<std::uint32_t>(block.size()),
+                          .overflow_count = 0,
+                          .channels = 1},
+                         block);
+    while (const std::optional<detector::Estimate> estimate = sound_detector->next()) {
       if (estimate->hearing > detector::Hearing::kFloorUnsettled) continue;
       loudest_db = std::max(loudest_db, estimate->channels[0].level.value);
     }

@@ -3,7 +3,7 @@
 namespace earshot::link {
 namespace {
 
-constexpr std::chrono::milliseconds kLookUp{100};         ///< how often a waiting loop looks whether it is to stop
+constexpr std::chrono::milliseconds kPollInterval{100};   ///< how often a waiting loop looks whether it is to stop
 constexpr std::chrono::milliseconds kPortPatience{2000};  ///< for what was sent before its tick: on one host it is there already
 constexpr std::uint32_t kIssuer = 0x53494d;               ///< "SIM": of the simulator's orders
 
@@ -34,13 +34,13 @@ board::Clock::Wake LockStepClock::wait(const Awaited& awaited) {
                             : "the hydrophone's bus: sound that the simulator sent was not heard (earshotd listens to it with --hear)";
     return Wake::kLost;
   }
-  board::wait_for_ports(awaited.ports, Duration::milliseconds(kLookUp.count()));
+  board::wait_for_ports(awaited.ports, Duration::milliseconds(kPollInterval.count()));
   return Wake::kPorts;
 }
 
 board::Clock::Wake LockStepClock::receive() {
   Tick tick;
-  const Delivery delivery = link_.receive(tick, kLookUp);
+  const Delivery delivery = link_.receive(tick, kPollInterval);
   if (delivery == Delivery::kLost) {
     lost_ = "the simulator";
     return Wake::kLost;
@@ -77,7 +77,7 @@ bool LockStepClock::answered(const runtime::Outputs& outputs, std::uint64_t setp
               .state = static_cast<std::uint8_t>(outputs.health.state),
               .end_reason = static_cast<std::uint8_t>(outputs.health.end_reason),
               .believed_source = believed_source_,
-              .surprise_bits = outputs.health.surprise_bits,
+              .mismatch_bits = outputs.health.mismatch_bits,
               .is_sweeping = outputs.health.is_sweeping,
               .is_found = outputs.health.is_found,
               .rule = stopping_rule(outputs)});

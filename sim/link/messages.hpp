@@ -33,9 +33,9 @@ struct Answer {
   std::uint8_t state = 0;
   std::uint8_t end_reason = 0;
   std::optional<NorthEast> believed_source = std::nullopt;   ///< where it was likeliest at the last decision
-  float surprise_bits = 0.0F;                                ///< of the belief after its last look; 0 without one
+  float mismatch_bits = 0.0F;                                ///< of the belief after its last measurement; 0 without one
   bool is_sweeping = false;                                  ///< the last decision was the sweep's
-  bool is_found = false;                                     ///< with its last look the vehicle said that it has found the source
+  bool is_found = false;                                     ///< with its last measurement the vehicle said that it has found the source
   std::optional<messages::SafetyEvent> rule = std::nullopt;  ///< that ends the mission, or sends the vehicle home or up, from this turn on
 };
 

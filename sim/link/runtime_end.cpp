@@ -38,7 +38,7 @@ earshot_sim_Answer to_wire(const Answer& answer, RunId run) {
           .source_believed = answer.believed_source.has_value(),
           .source_north_m = answer.believed_source.value_or(NorthEast{}).north.value,
           .source_east_m = answer.believed_source.value_or(NorthEast{}).east.value,
-          .surprise_bits = answer.surprise_bits,
+          .surprise_bits = answer.mismatch_bits,
           .sweeping = answer.is_sweeping,
           .found = answer.is_found,
           .rule_acted = answer.rule.has_value(),
@@ -62,10 +62,10 @@ struct RuntimeEnd::Entities {
   std::thread answering{[this] { write_answers(); }};
 
   void write_answers() {
-    constexpr std::chrono::milliseconds kLookUp{2000};
+    constexpr std::chrono::milliseconds kPollInterval{2000};
     Answer answer;
     for (;;) {
-      const Delivery delivery = outbox.take(answer, kLookUp);
+      const Delivery delivery = outbox.take(answer, kPollInterval);
       if (delivery == Delivery::kLost) return;
       if (delivery == Delivery::kNothing) continue;
       const earshot_sim_Answer sample = to_wire(answer, delivering.run());

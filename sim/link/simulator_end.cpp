@@ -25,7 +25,7 @@ Answer from_wire(const earshot_sim_Answer& sample) {
           .end_reason = sample.end_reason,
           .believed_source =
               sample.source_believed ? std::optional(NorthEast{Meters{sample.source_north_m}, Meters{sample.source_east_m}}) : std::nullopt,
-          .surprise_bits = sample.surprise_bits,
+          .mismatch_bits = sample.surprise_bits,
           .is_sweeping = sample.sweeping,
           .is_found = sample.found,
           .rule = sample.rule_acted ? std::optional(rule_in(sample)) : std::nullopt};

@@ -62,10 +62,10 @@ std::string lower_case(std::string text) {
 
 Packing::Packing(int file, int variable) : file_(file), variable_(variable) {
   (void)nc_inq_vartype(file, variable, &type_);
-  const std::string said = lower_case(text_attribute(file, variable, "_Unsigned").value_or(""));
-  meant_unsigned_ = said == "true";
-  if (said == (is_unsigned(type_) ? "false" : "true")) sign_modulus_ = modulus_of(type_);
-  if (has("_Unsigned") && said != "true" && said != "false") fault_ = "_Unsigned: must be true or false";
+  const std::string is_unsigned_text = lower_case(text_attribute(file, variable, "_Unsigned").value_or(""));
+  meant_unsigned_ = is_unsigned_text == "true";
+  if (is_unsigned_text == (is_unsigned(type_) ? "false" : "true")) sign_modulus_ = modulus_of(type_);
+  if (has("_Unsigned") && is_unsigned_text != "true" && is_unsigned_text != "false") fault_ = "_Unsigned: must be true or false";
   if (const std::vector<double> scale = expect("scale_factor", 1, "one number"); !scale.empty()) scale_ = scale.front();
   if (const std::vector<double> offset = expect("add_offset", 1, "one number"); !offset.empty()) offset_ = offset.front();
   is_packed_ = scale_ != 1.0 || offset_ != 0.0;

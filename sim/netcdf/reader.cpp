@@ -37,7 +37,7 @@ ApartLimits limits_for(std::size_t values) {
 }
 
 /// What a child tells of a file before the bytes of its header.
-struct Told {
+struct ChildAnswer {
   int status = NC_NOERR;
   std::size_t header_bytes = 0;
 };
@@ -111,21 +111,21 @@ Reader::Reader(std::filesystem::path path) : path_(std::move(path)) {
 Reader::~Reader() = default;
 
 Header Reader::header_apart() const {
-  const SharedBytes shared(sizeof(Told) + kMostHeaderBytes);
+  const SharedBytes shared(sizeof(ChildAnswer) + kMostHeaderBytes);
   if (shared.data() == nullptr) throw error("", "cannot be read: no memory for it");
-  auto* const told = new (shared.data()) Told;
-  char* const bytes = static_cast<char*>(shared.data()) + sizeof(Told);
+  auto* const answer = new (shared.data()) ChildAnswer;
+  char* const bytes = static_cast<char*>(shared.data()) + sizeof(ChildAnswer);
   require_sound(run_apart(limits_for(0), [&] {
     const OpenFile file(path_);
-    told->status = file.status();
-    if (told->status != NC_NOERR) return;
+    answer->status = file.status();
+    if (answer->status != NC_NOERR) return;
     const std::string header = to_bytes(file.header());
-    told->header_bytes = header.size();
+    answer->header_bytes = header.size();
     if (header.size() <= kMostHeaderBytes) std::ranges::copy(header, bytes);
   }));
-  require_open(told->status);
-  if (told->header_bytes > kMostHeaderBytes) throw error("", "is damaged: its names and texts are longer than 16 MiB");
-  std::optional<Header> header = header_from({bytes, told->header_bytes});
+  require_open(answer->status);
+  if (answer->header_bytes > kMostHeaderBytes) throw error("", "is damaged: its names and texts are longer than 16 MiB");
+  std::optional<Header> header = header_from({bytes, answer->header_bytes});
   if (!header) throw error("", "is damaged: its header cannot be read");
   return *std::move(header);
 }

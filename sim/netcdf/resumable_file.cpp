@@ -63,7 +63,7 @@ void define(int file, const Layout& layout, const std::filesystem::path& path) {
 int locked(const std::filesystem::path& path, int more_flags = 0) {
   const int descriptor = open(path.c_str(), O_RDWR | O_CLOEXEC | more_flags, 0666);  // NOLINT(cppcoreguidelines-pro-type-vararg)
   if (descriptor == -1) fail(path, "", std::string("cannot be written (") + std::strerror(errno) + ")");
-  // Not lockf: such a lock falls when the process closes any descriptor of the file, as nc_open does after its first look.
+  // Not lockf: such a lock falls when the process closes any descriptor of the file, as nc_open does after its first read.
   struct flock whole {};
   whole.l_type = F_WRLCK;
   whole.l_whence = SEEK_SET;

@@ -119,7 +119,7 @@ std::vector<Spot> logarithms(std::vector<Spot> spots) {
   return spots;
 }
 
-constexpr const char* kLook =
+constexpr const char* kStyle =
     "set tics out nomirror\nset grid lc rgb '#dddddd'\nset key off\n"
     "set xlabel 'false alarms per hour'\n";
 
@@ -138,7 +138,7 @@ void plot_operating_curve(const std::filesystem::path& path, const std::vector<a
   const std::vector<Spot> missed_logarithms = logarithms(missed);
   const Labels of_found = labels("$recall_labels", found, found, frame_of_recalls(found));
   const Labels of_missed = labels("$miss_labels", missed, missed_logarithms, frame_of_misses(missed_logarithms));
-  text << block("$recalls", found) << of_found.data << block("$misses", missed) << of_missed.data << kLook << "set multiplot layout 1,2\n"
+  text << block("$recalls", found) << of_found.data << block("$misses", missed) << of_missed.data << kStyle << "set multiplot layout 1,2\n"
        << head << "set ylabel 'recall'\nset yrange [0:1.02]\nset xrange [0:*]\n"
        << curve("$recalls", of_found)
        << "set title 'Misses against false alarms (none is drawn as half of one)'\nset ylabel 'share missed'\nset logscale xy\n"

@@ -60,9 +60,9 @@ std::optional<Time> audiomoth_time(std::string_view text) {
   comment.word(" ").digits(2, c.day).word("/").digits(2, c.month).word("/").digits(4, c.year).blanks();
   Duration zone;
   if (comment.comes_next("(")) {
-    const std::optional<Duration> told = read_zone(comment.word("("));
-    if (!told || !comment.blanks().word(")").is_ok()) return std::nullopt;
-    zone = *told;
+    const std::optional<Duration> read = read_zone(comment.word("("));
+    if (!read || !comment.blanks().word(")").is_ok()) return std::nullopt;
+    zone = *read;
   }
   const std::optional<Time> clock = comment.is_ok() ? utc(c) : std::nullopt;
   return clock ? std::optional(Time{clock->us + Duration::milliseconds(fraction).us - zone.us}) : std::nullopt;

@@ -135,18 +135,18 @@ bool is_placeholder(std::uint64_t size, bool is_32_bit) {
   return size >= kBeyondAllDisks || (is_32_bit && (is_all_ones || is_half));
 }
 
-RiffData data_of(ByteReader& reader, Dialect dialect, const RiffChunk& chunk, std::uint64_t told) {
-  RiffData data{.begin = chunk.begin, .told = told, .there = reader.size() - chunk.begin};
-  if (told > data.there) {
-    if (is_placeholder(told, !dialect.is_wave64)) data.told.reset();
+RiffData data_of(ByteReader& reader, Dialect dialect, const RiffChunk& chunk, std::uint64_t declared) {
+  RiffData data{.begin = chunk.begin, .declared = declared, .there = reader.size() - chunk.begin};
+  if (declared > data.there) {
+    if (is_placeholder(declared, !dialect.is_wave64)) data.declared.reset();
     return data;
   }
-  for (std::uint64_t bytes = told; bytes <= data.there; bytes += kWrap) {
+  for (std::uint64_t bytes = declared; bytes <= data.there; bytes += kWrap) {
     if (!is_end_of_samples(reader, dialect, data.begin + bytes)) continue;
     data.there = bytes;
     return data;
   }
-  if (told == 0) data.told.reset();
+  if (declared == 0) data.declared.reset();
   return data;
 }
 
@@ -175,8 +175,8 @@ std::optional<RiffFile> read_riff(const std::filesystem::path& path) {
   while (std::optional<RiffChunk> chunk = walk.next()) {
     std::uint64_t bytes = chunk->bytes;
     if (chunk->name == "data" && !has_data) {
-      const bool is_told_before = !dialect->is_wave64 && long_size != kUnknown && (bytes == kUnknown || bytes == 0);
-      file.data = data_of(reader, *dialect, *chunk, is_told_before ? long_size : bytes);
+      const bool has_size_before = !dialect->is_wave64 && long_size != kUnknown && (bytes == kUnknown || bytes == 0);
+      file.data = data_of(reader, *dialect, *chunk, has_size_before ? long_size : bytes);
       bytes = file.data.there;
       has_data = true;
     } else {

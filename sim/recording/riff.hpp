@@ -18,10 +18,10 @@ struct RiffFormat {
 
 /// Samples of a WAV file, in bytes.
 struct RiffData {
-  std::uint64_t begin = 0;            ///< in the file
-  std::optional<std::uint64_t> told;  ///< by its own header; nothing: it tells no length
-  std::uint64_t there = 0;            ///< that the file holds, those behind the header's size too
-  std::uint64_t elsewhere = 0;        ///< in further chunks of samples
+  std::uint64_t begin = 0;                ///< in the file
+  std::optional<std::uint64_t> declared;  ///< by its own header; nothing: it tells no length
+  std::uint64_t there = 0;                ///< that the file holds, those behind the header's size too
+  std::uint64_t elsewhere = 0;            ///< in further chunks of samples
 };
 
 struct RiffChunk {

@@ -37,7 +37,7 @@ std::vector<Part> parts_of(const std::filesystem::path& path, const SoundFile& f
              .missing_frames = file.missing_frames(),
              .frames_behind = file.frames_behind(),
              .frames_elsewhere = file.frames_elsewhere(),
-             .told_length = file.told_length()};
+             .declared_length = file.declared_length()};
   if (const std::optional<Time> start = stated_start(path, stated)) {
     whole.notes.start = start;
     whole.notes.start_from = stated.begin ? "--begin" : "its name by --time-format";
@@ -151,8 +151,9 @@ Sequence::Place Sequence::place_of(Time in_sequence) const {
 }
 
 bool Sequence::is_whole() const {
-  return unreadable_.empty() &&
-         std::ranges::all_of(parts_, [](const Part& part) { return part.told_length == ToldLength::kRight && part.frames_elsewhere == 0; });
+  return unreadable_.empty() && std::ranges::all_of(parts_, [](const Part& part) {
+           return part.declared_length == DeclaredLength::kRight && part.frames_elsewhere == 0;
+         });
 }
 
 std::vector<std::string> Sequence::remarks() const {
@@ -163,11 +164,11 @@ std::vector<std::string> Sequence::remarks() const {
     if (part.missing_frames > 0)
       remarks.push_back(part.path.string() + ": was cut short: its header announces " +
                         seconds_text(duration_of(part.missing_frames, part.format.sample_rate)) + " more than it holds");
-    if (part.first_frame == 0 && part.told_length == ToldLength::kTooShort)
+    if (part.first_frame == 0 && part.declared_length == DeclaredLength::kTooShort)
       remarks.push_back(part.path.string() + ": holds " + seconds_text(duration_of(part.frames_behind, part.format.sample_rate)) +
                         " of samples behind the end that its header gives; they are listened to: its recorder was killed, or the size "
                         "wrapped at 4 GiB");
-    if (part.first_frame == 0 && part.told_length == ToldLength::kUnknown)
+    if (part.first_frame == 0 && part.declared_length == DeclaredLength::kUnknown)
       remarks.push_back(part.path.string() + ": its header does not give its length: it is listened to up to its end, " +
                         seconds_text(duration_of(part.file_frames, part.format.sample_rate)) +
                         "; whether its recorder took more is not known");

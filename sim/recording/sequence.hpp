@@ -27,7 +27,7 @@ struct Part {
   std::uint64_t missing_frames = 0;    ///< that the header tells of, behind this part
   std::uint64_t frames_behind = 0;     ///< of these that the header does not tell of
   std::uint64_t frames_elsewhere = 0;  ///< of the file, in further chunks of samples, which are not listened to
-  ToldLength told_length = ToldLength::kRight;
+  DeclaredLength declared_length = DeclaredLength::kRight;
   std::uint64_t begin = 0;  ///< frames of the sequence before it
   bool follows_on = false;  ///< the part before ends where this one begins, as the recorder's clock has it
 };

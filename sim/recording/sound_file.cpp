@@ -62,7 +62,7 @@ struct SoundFile::Handle {
     window.begin = data.begin;
     window.bytes = data.there;
     window.at = 0;
-    SF_VIRTUAL_IO io{.get_filelen = length_of, .seek = seek, .read = read_bytes, .write = nullptr, .tell = tell};
+    SF_VIRTUAL_IO io{.get_filelen = length_of, .seek = seek, .read = read_bytes, .write = nullptr, .tell = position_of};
     file = sf_open_virtual(&io, SFM_READ, &info, &window);
     if (file == nullptr) throw refused(path, std::string("is no sound file that can be read: ") + sf_strerror(nullptr));
     return info;
@@ -75,7 +75,7 @@ struct SoundFile::Handle {
 
  private:
   static sf_count_t length_of(void* user) { return static_cast<sf_count_t>(static_cast<Window*>(user)->bytes); }
-  static sf_count_t tell(void* user) { return static_cast<sf_count_t>(static_cast<Window*>(user)->at); }
+  static sf_count_t position_of(void* user) { return static_cast<sf_count_t>(static_cast<Window*>(user)->at); }
   static sf_count_t seek(sf_count_t offset, int whence, void* user) {
     Window& window = *static_cast<Window*>(user);
     const std::uint64_t from = whence == SEEK_SET ? 0 : whence == SEEK_CUR ? window.at : window.bytes;
@@ -203,7 +203,7 @@ SoundFile::SoundFile(const std::filesystem::path& path) : handle_(std::make_uniq
 /// A FLAC file that was written into a pipe, or by a recorder that was killed, does not say how long it is.
 void SoundFile::count_frames(const std::filesystem::path& path) {
   frames_ = 0;
-  told_length_ = ToldLength::kUnknown;
+  declared_length_ = DeclaredLength::kUnknown;
   std::vector<float> piece = piece_of(format_);
   while (const std::size_t frames = read(piece)) frames_ += frames;
   handle_->close();
@@ -213,22 +213,22 @@ void SoundFile::count_frames(const std::filesystem::path& path) {
 void SoundFile::open_riff(const std::filesystem::path& path, const RiffFile& riff) {
   const RiffData& data = riff.data;
   const std::optional<SF_INFO> raw = riff.format ? raw_format(*riff.format) : std::nullopt;
-  const bool is_told_right = data.told && data.there <= *data.told;
-  std::optional<SF_INFO> info = raw && !is_told_right ? std::nullopt : handle_->try_open(path);
+  const bool is_size_right = data.declared && data.there <= *data.declared;
+  std::optional<SF_INFO> info = raw && !is_size_right ? std::nullopt : handle_->try_open(path);
   if (!info) info = raw ? handle_->open_samples(path, data, *raw) : handle_->open(path);
   format_ = format_of(*info, path);
   frames_ = static_cast<std::uint64_t>(std::max<sf_count_t>(info->frames, 0));
   const std::uint64_t frame_bytes =
       riff.format && riff.format->bytes_per_frame > 0 ? static_cast<std::uint64_t>(riff.format->bytes_per_frame) : 1;
   frames_elsewhere_ = data.elsewhere / frame_bytes;
-  if (!data.told) {
-    told_length_ = ToldLength::kUnknown;
-  } else if (*data.told > data.there && frames_ > 0) {
-    missing_frames_ = (*data.told - data.there) / frame_bytes;
-    if (missing_frames_ > 0) told_length_ = ToldLength::kTooLong;
-  } else if (data.there > *data.told) {
-    frames_behind_ = (data.there - *data.told) / frame_bytes;
-    if (frames_behind_ > 0) told_length_ = ToldLength::kTooShort;
+  if (!data.declared) {
+    declared_length_ = DeclaredLength::kUnknown;
+  } else if (*data.declared > data.there && frames_ > 0) {
+    missing_frames_ = (*data.declared - data.there) / frame_bytes;
+    if (missing_frames_ > 0) declared_length_ = DeclaredLength::kTooLong;
+  } else if (data.there > *data.declared) {
+    frames_behind_ = (data.there - *data.declared) / frame_bytes;
+    if (frames_behind_ > 0) declared_length_ = DeclaredLength::kTooShort;
   }
 }
 

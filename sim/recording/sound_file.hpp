@@ -28,7 +28,7 @@ struct SoundFormat {
 [[nodiscard]] std::string to_string(const SoundFormat& format);
 
 /// How what a header tells of a file's length compares with what is there.
-enum class ToldLength : std::uint8_t {
+enum class DeclaredLength : std::uint8_t {
   kRight,
   kTooLong,   ///< the file was cut short
   kTooShort,  ///< samples stand behind the told end: the recorder was killed, or 32 bits did not hold the size
@@ -57,7 +57,7 @@ class SoundFile {
   [[nodiscard]] std::uint64_t frames_behind() const { return frames_behind_; }
   /// Samples of one channel in further chunks of its own, which are not read (WAV).
   [[nodiscard]] std::uint64_t frames_elsewhere() const { return frames_elsewhere_; }
-  [[nodiscard]] ToldLength told_length() const { return told_length_; }
+  [[nodiscard]] DeclaredLength declared_length() const { return declared_length_; }
   /// When which of its samples were taken, where the file has a table of that; else nothing.
   [[nodiscard]] const std::vector<ClockedRun>& runs() const { return runs_; }
 
@@ -81,7 +81,7 @@ class SoundFile {
   std::uint64_t missing_frames_ = 0;
   std::uint64_t frames_behind_ = 0;
   std::uint64_t frames_elsewhere_ = 0;
-  ToldLength told_length_ = ToldLength::kRight;
+  DeclaredLength declared_length_ = DeclaredLength::kRight;
   std::vector<ClockedRun> runs_;
 };
 

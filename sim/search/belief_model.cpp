@@ -7,13 +7,13 @@
 namespace earshot::search {
 namespace {
 
-constexpr double kCell = 500.0;  // m; a look at a source within l = 1 km of the vehicle ends the search, so finer is not needed
+constexpr double kCell = 500.0;  // m; a measurement within l = 1 km of the vehicle ends the search, so finer is not needed
 
 /// What a search costs, chosen for finding: in 100 searches of each of eight worlds these found most (`hz_35` 97 %, `rock` 91), while the
 /// paper's costs (3, 0.9, 30) found 92 and 87. The paper's reward in its own ocean is 0.5 less for it.
 constexpr float kStepCost = 10.0F;
 constexpr float kLogStepDiscount = -0.162518929F;  // ln 0.85
-constexpr float kReachWorth = 100.0F;
+constexpr float kFindWorth = 100.0F;
 
 /// As near to 500 m a cell as fits.
 void choose_grid(policy::BeliefModel& model) {
@@ -36,7 +36,7 @@ policy::BeliefModel belief_model(const SearchSettings& settings) {
   model.border_width = settings.border_width;
   model.costs.step = kStepCost;
   model.costs.log_step_discount = kLogStepDiscount;
-  model.costs.reach = kReachWorth;
+  model.costs.find_probability = kFindWorth;
   model.costs.edge = static_cast<float>(std::max(0.0, -settings.border_reward));
   choose_grid(model);
   return model;

@@ -41,9 +41,9 @@ Meters furthest_range(const SearchSettings& s) {
   return range_between(s.domain.south_west, s.domain.north_east) + s.step_length;
 }
 
-std::size_t looks_on_leg(config::ListeningWindow window, double leg_s) {
+std::size_t measurements_on_leg(config::ListeningWindow window, double leg_s) {
   const double reach_s = std::min(window.length.to_seconds(), leg_s);
-  return std::max<std::size_t>(1, static_cast<std::size_t>(reach_s / kLookInterval.to_seconds()));
+  return std::max<std::size_t>(1, static_cast<std::size_t>(reach_s / kMeasurementInterval.to_seconds()));
 }
 
 Status check(const SearchSettings& s) {

@@ -37,7 +37,7 @@ struct SearchSettings {
   Meters step_length{1'000.0};                           ///< l > 0; within l of the source it is found
   std::uint32_t max_steps = 100;                         ///< N >= 1
   Decibels detection_threshold{10.0};                    ///< DT
-  config::ListeningWindow listening;                     ///< what an observation hears of the looks on its step
+  config::ListeningWindow listening;                     ///< what an observation hears of the measurements on its step
   Meters border_width{1'000.0};                          ///< b > 0; not given by the paper
   double border_reward = -100.0;                         ///< p, the reward at the edge itself
   FoundBy found_by = FoundBy::kSimulator;
@@ -50,13 +50,12 @@ struct SearchSettings {
 /// How far a source can be from a vehicle: from corner to corner of the domain and a step beyond.
 [[nodiscard]] Meters furthest_range(const SearchSettings& settings);
 
-/// Between two looks of a vehicle under way: the simulator's tick.
-inline constexpr Duration kLookInterval = Duration::seconds(1);
+/// Between two measurements of a vehicle under way: the simulator's tick.
+inline constexpr Duration kMeasurementInterval = Duration::seconds(1);
 
-/// The looks that count on a leg that lasts so long: one every kLookInterval back from its end, as far as window and leg reach, and one at
-/// least.
-/// Oracle: LooksOnLeg.*
-[[nodiscard]] std::size_t looks_on_leg(config::ListeningWindow window, double leg_s);
+/// The measurements that count on a leg that lasts so long: one every kMeasurementInterval back from its end, as far as window and leg
+/// reach, and one at least. Oracle: MeasurementsOnLeg.*
+[[nodiscard]] std::size_t measurements_on_leg(config::ListeningWindow window, double leg_s);
 
 /// kOutOfRange when a number is not finite or outside its range, the start region leaves the domain, or there is no room for a search:
 /// every start is within l of the source (fixed source), or of every place where it may be (changing source).

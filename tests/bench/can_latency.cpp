@@ -111,9 +111,9 @@ class Vehicle {
 };
 
 /// Stands by the bus with the kernel's stamps, and hears what the vehicle computer says of its state.
-class Listener {
+class SnrWindow {
  public:
-  Listener() : bus_(kInterface, host::IfMissing::kRefuse, options()) {}
+  SnrWindow() : bus_(kInterface, host::IfMissing::kRefuse, options()) {}
   void listen() {
     std::size_t budget = config::kCanFramesPerCollect;
     Time arrival;
@@ -153,16 +153,16 @@ class Listener {
 
 std::vector<std::int64_t> measure() {
   Vehicle vehicle;
-  Listener listener;
+  SnrWindow snr_window;
   auto end = std::chrono::steady_clock::now() + kMeasured + 20s;
   for (auto next = std::chrono::steady_clock::now(); next < end; std::this_thread::sleep_until(next)) {
-    vehicle.turn(!listener.latencies_us.empty());
-    listener.listen();
-    if (listener.latencies_us.size() == 1) end = next + kMeasured;
+    vehicle.turn(!snr_window.latencies_us.empty());
+    snr_window.listen();
+    if (snr_window.latencies_us.size() == 1) end = next + kMeasured;
     next += 10ms;
   }
-  if (listener.latencies_us.size() < 100 || listener.healths_in_search < 10) throw std::runtime_error("no search was flown");
-  return listener.latencies_us;
+  if (snr_window.latencies_us.size() < 100 || snr_window.healths_in_search < 10) throw std::runtime_error("no search was flown");
+  return snr_window.latencies_us;
 }
 
 double at_share(std::vector<std::int64_t>& sorted_us, double share) {

@@ -1,5 +1,6 @@
 // Row search.decision_us: how long the shipped policy takes to decide with the tables that ship, belief update included; "peer" measures a
-// plain Bayes chase instead. Row search.ponder_us: "ponder" measures a slice of what the belief ponders between two decisions.
+// plain Bayes chase instead. Row search.ponder_us: "ponder" measures a slice of how the belief refines its hypotheses between two
+// decisions.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -55,7 +56,7 @@ class PlainBayes {
     }
     return action;
   }
-  bool ponder() { return false; }
+  bool refine() { return false; }
 
  private:
   static NorthEast centre(std::size_t i) {
@@ -85,7 +86,7 @@ class Shipped {
     policy::find_logits(policy_, seen, scores);
     return policy::draw_action(policy_.draw, scores, random_);
   }
-  bool ponder() { return memory_->ponder(policy_.observation, tables_); }
+  bool refine() { return memory_->refine(policy_.observation, tables_); }
 
  private:
   const policy::FrozenPolicy& policy_;
@@ -98,9 +99,9 @@ class Shipped {
 /// What is timed.
 enum class Timed { kDecision, kSlice };
 
-/// Median microseconds over whole searches, sources and starts everywhere; the vehicle stays in the area, and ponders between decisions.
+/// Median microseconds over whole searches, sources and starts everywhere; the vehicle stays in the area, and refines between decisions.
 /// Wrong: it does not go where it is told.
-/// @throws std::runtime_error: fewer than half of the searches come near their source, or a belief that ponders nothing
+/// @throws std::runtime_error: fewer than half of the searches come near their source, or a belief that refines nothing
 template <class Decider>
 double median_us(Decider decider, Timed timed, const policy::BeliefModel& model, const policy::OceanTables& tables) {
   Pcg32 random(3);
@@ -122,9 +123,9 @@ double median_us(Decider decider, Timed timed, const policy::BeliefModel& model,
     Meters nearest = range_between(place, source);
     decider.start();
     for (int i = 0; i < kDecisions; ++i) {
-      const policy::Reception look{.snr = Decibels{snr_db_at(tables, range_between(place, source))}};
-      const std::size_t action = time(timed == Timed::kDecision, [&] { return decider.decide(model, place, look); });
-      while (time(timed == Timed::kSlice, [&] { return decider.ponder(); })) ++slices;
+      const policy::Reception measurement{.snr = Decibels{snr_db_at(tables, range_between(place, source))}};
+      const std::size_t action = time(timed == Timed::kDecision, [&] { return decider.decide(model, place, measurement); });
+      while (time(timed == Timed::kSlice, [&] { return decider.refine(); })) ++slices;
       if (!bench::is_wrong_on_purpose()) place = place + model.step_length * model.actions[action];
       nearest = std::min(nearest, range_between(place, source));
     }

@@ -16,7 +16,7 @@
 #include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/host/mission/mission_file.hpp"
-#include "firmware/host/mission/mission_judge.hpp"
+#include "firmware/host/mission/mission_verifier.hpp"
 #include "tests/bench/short_form.hpp"
 #include "tests/firmware/boards/linux/set_clock.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -30,7 +30,7 @@ const int kTurns = bench::full_or_short(1'000'000, 20'000);
 
 struct Flown {
   host::MissionFile file = host::load_mission(std::filesystem::path(EARSHOT_SOURCE_DIR) / "firmware/boards/linux/missions/search.toml");
-  host::SignedSearch search = host::MissionJudge().load_search(file);
+  host::SignedSearch search = host::MissionVerifier().load_search(file);
   std::unique_ptr<runtime::Runtime> runtime = std::make_unique<runtime::Runtime>();
 
   Flown() {

@@ -46,7 +46,7 @@ constexpr const char* kEchoUrl = "udpm://239.255.76.68:7668?ttl=0";
 const int kFixes =
     bench::full_or_short(20'000, 3'000);  // in short, too, longer than a vehicle may stand still before a rule ends its search
 constexpr auto kBetweenFixes = 3ms;       ///< longer than between two turns at least
-constexpr int kFixesPerLook = 300;
+constexpr int kFixesPerMeasurement = 300;
 
 /// Answers every fix, until somebody ends it.
 [[noreturn]] void echo() {
@@ -90,7 +90,7 @@ class Vehicle {
     }
     return std::chrono::duration<double, std::micro>(steady_clock::now() - sent).count();
   }
-  void look() {
+  void measurement() {
     (void)bus_.publish(wire::kSnrEstimateChannel,
                        wire::Encoded(messages::SnrMeasurement{.time = clock_.utc(), .snr = Decibels{3}}).bytes());
   }
@@ -142,7 +142,7 @@ struct Latencies {
 
 void begin_search(Vehicle& vehicle) {
   for (int i = 0; i < 100; ++i) {
-    vehicle.look();
+    vehicle.measurement();
     if (vehicle.ask()) return;
     if (i % 10 == 9) vehicle.start();
   }
@@ -164,7 +164,7 @@ Latencies measure() {
     if (answered) latencies.earshotd_us.push_back(*answered);
     if (echoed) latencies.echo_us.push_back(*echoed);
     if (!answered || !echoed) ++latencies.unanswered;
-    if (i % kFixesPerLook == 0) vehicle.look();
+    if (i % kFixesPerMeasurement == 0) vehicle.measurement();
     std::this_thread::sleep_until(began + kBetweenFixes);
   }
   if (2 * vehicle.healths_in_search() < kFixes) throw std::runtime_error("most turns were no search's");

@@ -33,7 +33,7 @@ void Digest::add(const messages::BeliefSummary& belief) {
   add(belief.spread.value);
   add(belief.likeliest_share);
   add(belief.effective_cells);
-  add(belief.surprise_bits);
+  add(belief.mismatch_bits);
 }
 
 void Digest::add(const messages::Decision& decision) {
@@ -81,7 +81,7 @@ void Digest::add(const messages::Health& health) {
   add(std::uint64_t{health.decisions});
   add(std::uint64_t{health.steps_taken});
   add(number(health.state) + 256 * number(health.end_reason) + 65'536 * number(health.authority));
-  add(health.surprise_bits);
+  add(health.mismatch_bits);
   add(health.counters.navigation_refused + health.counters.snr_refused + health.counters.status_refused + health.counters.commands_refused +
       health.counters.setpoints_limited + health.counters.bearings_refused);
 }

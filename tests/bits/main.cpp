@@ -53,8 +53,9 @@ int check() {
       std::printf("step %2u  SNR 0x%016llX (%.2f dB)  action %u", static_cast<unsigned>(line.step),
                   static_cast<unsigned long long>(line.snr_bits), std::bit_cast<double>(line.snr_bits), line.action);
     }
-    std::printf("  looks %u  set-points %u  digest 0x%08X%s\n", static_cast<unsigned>(line.looks), static_cast<unsigned>(line.setpoints),
-                static_cast<unsigned>(line.digest), is_same ? "" : "  differs from what was recorded");
+    std::printf("  looks %u  set-points %u  digest 0x%08X%s\n", static_cast<unsigned>(line.measurements),
+                static_cast<unsigned>(line.setpoints), static_cast<unsigned>(line.digest),
+                is_same ? "" : "  differs from what was recorded");
   }
   return is_same ? 0 : 1;
 }

@@ -131,8 +131,8 @@ void Mission::give(std::int32_t second, const Value& value) {
 
 void Mission::take(const detector::Estimate& estimate, std::int32_t second) {
   digest_.add(estimate);
-  if (!estimate.is_look()) return;
-  ++now_.looks;
+  if (!estimate.is_snr_measurement()) return;
+  ++now_.measurements;
   give(second, estimate.measurement());
 }
 

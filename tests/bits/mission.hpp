@@ -20,9 +20,9 @@ struct Line {
   std::int32_t second = 0;
   std::uint32_t step = 0;
   bool is_end = false;
-  std::uint64_t snr_bits = 0;   ///< of the decision: its double
-  std::uint32_t looks = 0;      ///< SNRs heard so far
-  std::uint32_t setpoints = 0;  ///< given so far
+  std::uint64_t snr_bits = 0;      ///< of the decision: its double
+  std::uint32_t measurements = 0;  ///< SNRs heard so far
+  std::uint32_t setpoints = 0;     ///< given so far
   unsigned action = 0;
   Corner corner{};           ///< where the decision leads to
   std::uint32_t digest = 0;  ///< CRC-32 of every bit of what the core has said so far

@@ -18,10 +18,10 @@ alignas(bits::Mission) std::array<std::byte, sizeof(bits::Mission)> room;
 }  // namespace
 
 int main() {
-  using emulator::say;
+  using emulator::print;
   auto& mission = *new (room.data()) bits::Mission;
   if (mission.begin(bits::Track::kRecorded) != Status::kOk) {
-    say("the core refuses the mission\n");
+    print("the core refuses the mission\n");
     emulator::end(2);
   }
   bits::Line line;
@@ -29,11 +29,11 @@ int main() {
   for (std::size_t number = 0; is_same && !line.is_end; ++number) {
     line = mission.fly();
     is_same = bits::is_as_recorded(number, line);
-    say(line.is_end ? "end " : "step ");
-    emulator::say_number(line.is_end ? line.second : static_cast<std::int64_t>(line.step));
-    say(", digest ");
-    emulator::say_number(line.digest);
-    say(is_same ? "\n" : " differs from what was recorded\n");
+    print(line.is_end ? "end " : "step ");
+    emulator::print_number(line.is_end ? line.second : static_cast<std::int64_t>(line.step));
+    print(", digest ");
+    emulator::print_number(line.digest);
+    print(is_same ? "\n" : " differs from what was recorded\n");
   }
   emulator::end(is_same ? 0 : 1);
 }

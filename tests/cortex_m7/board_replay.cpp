@@ -28,7 +28,7 @@ using host::JournalRecord;
 
 constexpr std::chrono::minutes kPatience{10};
 
-struct Said {
+struct Sent {
   std::string channel;
   Time time;
   std::vector<std::uint8_t> data;
@@ -42,10 +42,10 @@ class Line {
     line_.write(wire::RecordFrame(time, channel, data).bytes(), kPatience);
   }
 
-  Said next() {
+  Sent next() {
     for (;;) {
       while (at_ < size_) {
-        if (reader_.take(bytes_[at_++]) != wire::CobsReader::Said::kFrame) continue;
+        if (reader_.take(bytes_[at_++]) != wire::CobsReader::Outcome::kFrame) continue;
         wire::FramedRecord record;
         if (wire::read_record_frame(reader_.frame(), record) != Status::kOk) throw std::runtime_error("a frame of the board is torn");
         return {std::string(record.channel), record.time, {record.data.begin(), record.data.end()}};
@@ -94,8 +94,8 @@ struct Board {
   std::int64_t sum_us = 0;
   int decisions = 0;
 
-  void note(const Said& said) {
-    if (last.decode(said.data.data(), 0, static_cast<int>(said.data.size())) < 0) throw std::runtime_error("no board_t");
+  void note(const Sent& sent) {
+    if (last.decode(sent.data.data(), 0, static_cast<int>(sent.data.size())) < 0) throw std::runtime_error("no board_t");
     if (last.event == board_t::REFUSED) throw std::runtime_error("the board refuses, status " + std::to_string(last.status));
     if (last.event == board_t::INPUTS_LOST)
       throw std::runtime_error("inputs were lost: " + std::to_string(last.frames_refused) + " frames torn, " +
@@ -107,11 +107,11 @@ struct Board {
   }
 };
 
-Said next_of_turn(Line& line, Board& board) {
+Sent next_of_turn(Line& line, Board& board) {
   for (;;) {
-    Said said = line.next();
-    if (said.channel != wire::kBoardChannel) return said;
-    board.note(said);
+    Sent sent = line.next();
+    if (sent.channel != wire::kBoardChannel) return sent;
+    board.note(sent);
   }
 }
 
@@ -146,14 +146,14 @@ int play(const std::string& journal, const std::string& path, std::optional<long
       is_in_turn = true;
       ++turns;
     }
-    const Said said = next_of_turn(line, board);
-    const bool is_same_channel = said.channel == record.channel || said.channel.starts_with(record.channel + ".");
-    if (!is_same_channel || said.time != record.time || said.data != record.data) {
+    const Sent sent = next_of_turn(line, board);
+    const bool is_same_channel = sent.channel == record.channel || sent.channel.starts_with(record.channel + ".");
+    if (!is_same_channel || sent.time != record.time || sent.data != record.data) {
       std::printf("record %u, %s at %lld us, is not what the board says (%s at %lld us)\n", record.number, record.channel.c_str(),
-                  static_cast<long long>(record.time.us), said.channel.c_str(), static_cast<long long>(said.time.us));
+                  static_cast<long long>(record.time.us), sent.channel.c_str(), static_cast<long long>(sent.time.us));
       return 1;
     }
-    bytes += said.data.size();
+    bytes += sent.data.size();
     is_in_turn = record.channel != wire::kHealthChannel;
   }
   std::printf("the same: %llu turns, %d decisions, %llu inputs, %llu bytes of what was said\n", static_cast<unsigned long long>(turns),

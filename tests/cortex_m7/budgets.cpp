@@ -11,7 +11,7 @@
 #include "firmware/core/random.hpp"
 #include "firmware/detector/hydrophone/settings.hpp"
 #include "firmware/detector/hydrophone/sound_detector.hpp"
-#include "firmware/policy/action_values/belief_outlook.hpp"
+#include "firmware/policy/action_values/action_values.hpp"
 #include "firmware/policy/belief/belief_summary.hpp"
 #include "firmware/policy/frozen_policy.hpp"
 #include "firmware/policy/golden.hpp"
@@ -39,17 +39,17 @@ constexpr int kRate = 1000;
 std::array<float, kRate> samples;
 std::array<float, config::kMaxBeliefCells> places;
 
-void tell(const char* name, std::uint32_t value) {
-  emulator::say(name);
-  emulator::say(" ");
-  emulator::say_number(value);
-  emulator::say("\n");
+void print_row(const char* name, std::uint32_t value) {
+  emulator::print(name);
+  emulator::print(" ");
+  emulator::print_number(value);
+  emulator::print("\n");
 }
 
 void require(bool is_so, const char* what) {
   if (is_so) return;
-  emulator::say(what);
-  emulator::say("\n");
+  emulator::print(what);
+  emulator::print("\n");
   emulator::end(2);
 }
 
@@ -72,7 +72,7 @@ void measure_network(policy::Network& network) {
   std::array<float, 8> logits;
   const std::uint32_t began = instructions();
   policy::forward(network, observation, logits);
-  tell("forward_pass", instructions() - began);
+  print_row("forward_pass", instructions() - began);
   require(logits[0] == logits[0], "a logit is no number");
 }
 
@@ -115,11 +115,11 @@ struct BeliefAccounts {
   Account declarations;  ///< updates after which the source is declared found
   /// Updates of four hypotheses, with all that does not depend on how many there are; neither where a search begins nor where it finds.
   Account of_four;
-  Account of_four_at_rest;  ///< of looks at which none of those that are held drifts
+  Account of_four_at_rest;  ///< of measurements at which none of those that are held drifts
   Account observations;
   Account decisions;
   Account slices;
-  Account ponderings;
+  Account refinements;
 };
 
 /// What an update costs however many hypotheses there are: what each action may bring, and what is told of all places.
@@ -132,13 +132,13 @@ std::uint32_t cost_beyond_hypotheses(const State& state, NorthEast vehicle) {
   for (std::size_t r = 0; r < by_range.size(); ++r) by_range[r] = 1.0F / static_cast<float>(r + 1);
   std::array<policy::RangeSample, config::kMaxTableRanges> foreseen;
   policy::find_samples(by_range, by_range, foreseen);
-  std::array<policy::ActionOutlook, config::kMaxActions> outlooks;
+  std::array<policy::ActionValues, config::kMaxActions> action_values;
   const std::uint32_t began = instructions();
   const messages::BeliefSummary summary = policy::summary_of(belief, probabilities);
-  policy::find_outlooks(belief, probabilities, {foreseen, state.tables.range_step}, vehicle,
-                        std::span(outlooks).first(belief.actions.size()));
+  policy::find_action_values(belief, probabilities, {foreseen, state.tables.range_step}, vehicle,
+                             std::span(action_values).first(belief.actions.size()));
   const std::uint32_t cost = instructions() - began;
-  require(summary.effective_cells > 0.0F && outlooks[0].regret >= 0.0F, "no outlook");
+  require(summary.effective_cells > 0.0F && action_values[0].regret >= 0.0F, "no outlook");
   return cost;
 }
 
@@ -148,23 +148,23 @@ bool has_drifts(const policy::OceanBelief& belief) {
   return any;
 }
 
-/// A search of forty looks, to and fro towards a source, and beside it until it is declared found and for a few more: what was heard is
-/// weighed, observed and answered, as in a decision. No bearing is heard. @param draw  which noise
+/// A search of forty measurements, to and fro towards a source, and beside it until it is declared found and for a few more: what was heard
+/// is weighed, observed and answered, as in a decision. No bearing is heard. @param draw  which noise
 void count_search(State& state, std::uint64_t draw, BeliefAccounts& accounts) {
-  constexpr int kLooks = 40;
+  constexpr int kMeasurements = 40;
   constexpr NorthEast source{Meters{15'700.0}, Meters{8'700.0}};
   Pcg32 random(draw);
   std::array<float, config::kMaxObservation> observation;
   std::array<float, 8> logits;
-  for (int look = 0; look < kLooks; ++look) {
-    const int way = std::min(look, 26);
+  for (int measurement = 0; measurement < kMeasurements; ++measurement) {
+    const int way = std::min(measurement, 26);
     const NorthEast place{Meters{2'500.0 + 500.0 * way}, Meters{4'500.0 + 2'000.0 * (way % 4)}};
     const auto range = static_cast<std::size_t>(range_between(place, source) / state.tables.range_step);
     const double expected_db = state.tables.tables[0].snr_db(std::min(range, state.tables.range_count - std::size_t{1}));
     const policy::Reception heard{.snr = Decibels{expected_db + 3.0 * static_cast<double>(random.uniform_float()) - 1.5},
-                                  .too_faint = look % 7 == 6};
+                                  .too_faint = measurement % 7 == 6};
     const std::uint32_t began = instructions();
-    if (look == 0) {
+    if (measurement == 0) {
       state.memory.start(state.model, state.tables, place, heard);
     } else {
       state.memory.remember(state.model, state.tables, place, heard);
@@ -178,20 +178,20 @@ void count_search(State& state, std::uint64_t draw, BeliefAccounts& accounts) {
     const std::uint32_t decided = instructions();
     const std::uint32_t beyond = cost_beyond_hypotheses(state, place);
     const std::uint32_t with_four = beyond + (updated - began - beyond) / (policy::OceanBelief::kHypotheses / 4);
-    if (look > 0 && !is_found) accounts.of_four.take(with_four);
-    if (look > 0 && !is_found && !has_drifts(state.memory.belief())) accounts.of_four_at_rest.take(with_four);
+    if (measurement > 0 && !is_found) accounts.of_four.take(with_four);
+    if (measurement > 0 && !is_found && !has_drifts(state.memory.belief())) accounts.of_four_at_rest.take(with_four);
     accounts.observations.take(observed - updated);
     accounts.decisions.take(decided - began);
-    std::uint32_t pondering = 0;
+    std::uint32_t refining = 0;
     bool is_left = true;
     while (is_left) {
       const std::uint32_t slice_began = instructions();
-      is_left = state.memory.ponder(state.model, state.tables);
+      is_left = state.memory.refine(state.model, state.tables);
       const std::uint32_t slice = instructions() - slice_began;
       accounts.slices.take(slice);
-      pondering += slice;
+      refining += slice;
     }
-    accounts.ponderings.take(pondering);
+    accounts.refinements.take(refining);
   }
 }
 
@@ -207,25 +207,25 @@ void measure_belief(State& state) {
     require(accounts.declarations.count == declared + 1, "the source is not declared found once");
   }
   require(accounts.of_four_at_rest.count > 0, "a hypothesis drifts at every look");
-  tell("belief_update_most", accounts.updates.most);
-  tell("belief_update_declared", accounts.declarations.most);
-  tell("belief_update_of_four_most", accounts.of_four.most);
-  tell("belief_update_of_four_at_rest_most", accounts.of_four_at_rest.most);
-  tell("belief_update_of_four_mean", accounts.of_four.mean());
-  tell("belief_update_mean", static_cast<std::uint32_t>((accounts.updates.sum + accounts.declarations.sum) /
-                                                        (accounts.updates.count + accounts.declarations.count)));
-  tell("observation_most", accounts.observations.most);
-  tell("decision_most", accounts.decisions.most);
-  tell("decision_mean", accounts.decisions.mean());
-  tell("slice_most", accounts.slices.most);
-  tell("pondering_mean", accounts.ponderings.mean());
+  print_row("belief_update_most", accounts.updates.most);
+  print_row("belief_update_declared", accounts.declarations.most);
+  print_row("belief_update_of_four_most", accounts.of_four.most);
+  print_row("belief_update_of_four_at_rest_most", accounts.of_four_at_rest.most);
+  print_row("belief_update_of_four_mean", accounts.of_four.mean());
+  print_row("belief_update_mean", static_cast<std::uint32_t>((accounts.updates.sum + accounts.declarations.sum) /
+                                                             (accounts.updates.count + accounts.declarations.count)));
+  print_row("observation_most", accounts.observations.most);
+  print_row("decision_most", accounts.decisions.most);
+  print_row("decision_mean", accounts.decisions.mean());
+  print_row("slice_most", accounts.slices.most);
+  print_row("pondering_mean", accounts.refinements.mean());
 }
 
 /// One channel at 1 kHz; half a minute of it, in blocks of a second, behind the half minute in which the noise is learnt.
 void measure_detector(detector::SoundDetector& detector) {
   require(detector.configure(detector::fin_whale()) == Status::kOk, "the detector refuses its settings");
   Pcg32 random(3);
-  std::uint32_t looks = 0;
+  std::uint32_t measurements = 0;
   std::uint64_t sum = 0;
   for (int second = 0; second < 60; ++second) {
     for (float& sample : samples) sample = 0.01F * (random.uniform_float() + random.uniform_float() - 1.0F);
@@ -239,11 +239,11 @@ void measure_detector(detector::SoundDetector& detector) {
                                           .channels = 1};
     const std::uint32_t began = instructions();
     detector.hear(block, samples);
-    while (const std::optional<detector::Estimate> estimate = detector.next()) looks += estimate->is_look() ? 1U : 0U;
+    while (const std::optional<detector::Estimate> estimate = detector.next()) measurements += estimate->is_snr_measurement() ? 1U : 0U;
     if (second >= 30) sum += instructions() - began;
   }
-  tell("hydrophone_sample", static_cast<std::uint32_t>(sum / (30 * kRate)));
-  require(looks > 0, "the detector heard nothing");
+  print_row("hydrophone_sample", static_cast<std::uint32_t>(sum / (30 * kRate)));
+  require(measurements > 0, "the detector heard nothing");
 }
 
 /// Fixes of a vehicle, as its NMEA 2000 devices send them.
@@ -271,7 +271,7 @@ void measure_can() {
       fixes += status == Status::kOk ? 1U : 0U;
     }
   }
-  tell("can_frame", static_cast<std::uint32_t>(sum / frames));
+  print_row("can_frame", static_cast<std::uint32_t>(sum / frames));
   require(fixes > 0, "no fix");
 }
 
@@ -282,7 +282,7 @@ int main() {
   measure_network(state.network);
   measure_belief(state);
   measure_detector(state.detector);
-  tell("stack_used_by_decision_and_sound", static_cast<std::uint32_t>(stack::most_used()));
+  print_row("stack_used_by_decision_and_sound", static_cast<std::uint32_t>(stack::most_used()));
   measure_can();
   emulator::end(0);
 }

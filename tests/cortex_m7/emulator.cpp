@@ -26,11 +26,11 @@ volatile std::uint32_t& prescale() {
 
 }  // namespace
 
-void say(const char* text) {
+void print(const char* text) {
   call(kWriteText, reinterpret_cast<std::uintptr_t>(text));
 }
 
-void say_number(std::int64_t number) {
+void print_number(std::int64_t number) {
   std::array<char, 24> text{};
   std::size_t at = text.size() - 1;
   const bool is_negative = number < 0;
@@ -40,13 +40,13 @@ void say_number(std::int64_t number) {
     left /= 10;
   } while (left > 0);
   if (is_negative) text[--at] = '-';
-  say(text.data() + at);
+  print(text.data() + at);
 }
 
 void end(int status) {
-  say("exit status ");
-  say_number(status);
-  say("\n");
+  print("exit status ");
+  print_number(status);
+  print("\n");
   call(kEnd, kApplicationExit);
   for (;;) {
   }

@@ -7,8 +7,8 @@ namespace earshot::emulator {
 // What a program in QEMU can ask of it without a C library: Arm's semihosting.
 
 /// @param text  ends with a zero
-void say(const char* text);
-void say_number(std::int64_t number);
+void print(const char* text);
+void print_number(std::int64_t number);
 /// Says "exit status N" and ends the emulator.
 [[noreturn]] void end(int status);
 

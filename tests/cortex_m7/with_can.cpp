@@ -65,7 +65,7 @@ extern "C" __attribute__((used)) void keep_can(const n2k::LocalPlane& plane, con
   keep(&n2k::VehicleCondition::accept_hull);
   keep(&n2k::VehicleCondition::give);
   keep(&n2k::parse_identifier);
-  keep(&n2k::SourceGate::standing);
+  keep(&n2k::SourceGate::status_of);
   keep(&n2k::SourceGate::hold);
   keep(&n2k::read_snr);
   keep(&n2k::measurement_of);

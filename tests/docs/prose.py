@@ -65,8 +65,8 @@ def long_rows(name: str, text: str) -> list[str]:
 
 
 def read_words(file: Path) -> list[tuple[re.Pattern[str], str]]:
-    """Forbidden words, each with what to write in its place."""
-    lines = [line for line in file.read_text().splitlines() if line.strip() and not line.startswith("#")]
+    """Forbidden words of prose, each with what to write in its place (names.py reads those of names)."""
+    lines = [line for line in file.read_text().splitlines() if line.strip() and not line.startswith(("#", "name"))]
     pairs = [line.split(" | ") for line in lines]
     return [(re.compile(rf"\b(?:{pattern.strip()})\b"), instead.strip()) for pattern, instead in pairs]
 

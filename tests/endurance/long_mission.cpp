@@ -12,7 +12,7 @@
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/memory/heap_trap.hpp"
 #include "firmware/host/mission/mission_file.hpp"
-#include "firmware/host/mission/mission_judge.hpp"
+#include "firmware/host/mission/mission_verifier.hpp"
 #include "firmware/host/program/run.hpp"
 #include "tests/endurance/fast_sea.hpp"
 #include "tests/endurance/witness.hpp"
@@ -112,7 +112,7 @@ bool is_held(const Flown& f) {
 int run(const Options& options) {
   (void)test::enter_private_network();  // it would hear nobody else's missions; without the right to it, others' ports differ
   const host::MissionFile file = endless_mission();
-  const host::SignedSearch search = host::MissionJudge().load_search(file);
+  const host::SignedSearch search = host::MissionVerifier().load_search(file);
   auto runtime = std::make_unique<runtime::Runtime>();
   if (runtime->configure(file.mission, *search.policy.policy, *search.tables.tables) != Status::kOk)
     throw host::BadInput("the mission that ships cannot be flown for so long");

@@ -150,7 +150,7 @@ class Run {
     }
   }
 
-  void tell() const {
+  void describe() const {
     for (const auto& [what, count] : counts_) std::cout << count << "  " << what << "\n";
   }
 

@@ -12,7 +12,7 @@ namespace earshot::fuzz {
 /// The main function of a program that judges mutants by their numbers: PROGRAM COUNT [FIRST].
 /// @param does  what it does with them, for --help
 /// @param noun  what a mutant is, for the message that names its number
-/// @param make  a run: its judge(number) throws where the mutant does what none may, its tell() says at the end what became of all
+/// @param make  a run: its judge(number) throws where the mutant does what none may, its describe() says at the end what became of all
 /// @return exit status: 0, 1 at the first violation, 2 without a count or for what is no number
 template <class Make>
 int judge_numbered(int argc, char** argv, const std::string& program, const std::string& does, const std::string& noun, Make make) {
@@ -32,7 +32,7 @@ int judge_numbered(int argc, char** argv, const std::string& program, const std:
         return 1;
       }
     }
-    run.tell();
+    run.describe();
     return 0;
   });
 }

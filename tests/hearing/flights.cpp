@@ -18,7 +18,7 @@
 namespace {
 
 using namespace earshot;
-using hearing::Look;
+using hearing::Measurement;
 
 constexpr std::array kIntegrations_s{4.0, 1.0, 2.0, 8.0};  ///< the mission's own first: its policy flies on it
 constexpr double kWindow_s = 30.0;                         ///< that the shipped policy hears the mean of
@@ -62,7 +62,7 @@ class Curve {
   [[nodiscard]] static double middle_db(std::size_t bin) { return kLowest_db + (static_cast<double>(bin) + 0.5) * kBin_db; }
   [[nodiscard]] const std::array<Bin, kBins>& bins() const { return bins_; }
 
-  /// The SNR at which half of the looks are too faint, in line between bins.
+  /// The SNR at which half of the measurements are too faint, in line between bins.
   [[nodiscard]] double floor_db() const {
     for (std::size_t i = kBins - 1; i > 0; --i) {
       if (bins_[i].count == 0 || bins_[i - 1].count == 0) continue;
@@ -89,28 +89,28 @@ class Curve {
   std::array<Bin, kBins> bins_{};
 };
 
-/// Of one integration time: its looks, and their means over windows in which each was measured.
+/// Of one integration time: its measurements, and their means over windows in which each was measured.
 struct Curves {
-  Curve looks;
+  Curve measurements;
   Curve windows;
 
-  void add(const std::vector<Look>& looks_of_search) {
-    double begin_s = looks_of_search.empty() ? 0.0 : looks_of_search.front().time_s;
+  void add(const std::vector<Measurement>& measurements_of_search) {
+    double begin_s = measurements_of_search.empty() ? 0.0 : measurements_of_search.front().time_s;
     double measured_db = 0.0;
     double modelled_db = 0.0;
     double count = 0.0;
     bool is_whole = true;
-    for (const Look& look : looks_of_search) {
-      looks.add(look.modelled_db, look.snr_db, look.too_faint);
-      if (look.time_s >= begin_s + kWindow_s) {
+    for (const Measurement& measurement : measurements_of_search) {
+      measurements.add(measurement.modelled_db, measurement.snr_db, measurement.too_faint);
+      if (measurement.time_s >= begin_s + kWindow_s) {
         if (is_whole && count > 0.0) windows.add(modelled_db / count, measured_db / count, false);
-        begin_s = look.time_s;
+        begin_s = measurement.time_s;
         measured_db = modelled_db = count = 0.0;
         is_whole = true;
       }
-      is_whole = is_whole && !look.too_faint;
-      measured_db += look.snr_db;
-      modelled_db += look.modelled_db;
+      is_whole = is_whole && !measurement.too_faint;
+      measured_db += measurement.snr_db;
+      modelled_db += measurement.modelled_db;
       count += 1.0;
     }
   }
@@ -190,7 +190,7 @@ int main(int argc, char** argv) {
     return made;
   }();
   const search::World world = search::assemble(plan.scenario, plan.search, plan.mission.mission.search_depth);
-  const host::SignedSearch flown = host::MissionJudge().load_search(plan.mission);
+  const host::SignedSearch flown = host::MissionVerifier().load_search(plan.mission);
   const hearing::Rig rig{.plan = plan, .world = world, .flown = flown};
   std::vector<detector::SoundSettings> detectors;
   for (const double integration_s : kIntegrations_s) detectors.push_back(listening_of(*plan.mission.hearing, integration_s));
@@ -202,18 +202,18 @@ int main(int argc, char** argv) {
     const hearing::Search search = hearing::fly_search(rig, detectors, static_cast<std::uint64_t>(seed));
     heard.add(search);
     told.add(hearing::fly_search(rig, {}, static_cast<std::uint64_t>(seed)));
-    for (std::size_t i = 0; i < curves.size(); ++i) curves[i].add(search.looks[i]);
+    for (std::size_t i = 0; i < curves.size(); ++i) curves[i].add(search.measurements[i]);
   }
   std::string text = "what,modelled_snr_db,count,too_faint_share,mean_error_db,standard_deviation_db\n";
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    text += rows_of(kIntegrations_s[i], "look", curves[i].looks) + rows_of(kIntegrations_s[i], "mean of 30 s", curves[i].windows);
+    text += rows_of(kIntegrations_s[i], "look", curves[i].measurements) + rows_of(kIntegrations_s[i], "mean of 30 s", curves[i].windows);
     std::printf(
         "looks of %g s: half are too faint at %5.2f dB; fluctuation %.2f dB from 4 to 8 dB, %.2f dB from 8 to 12 dB, %.2f dB from 12 dB "
         "on; "
         "of the mean of 30 s %.2f, %.2f, %.2f dB\n",
-        kIntegrations_s[i], curves[i].looks.floor_db(), curves[i].looks.deviation_db(4, 8), curves[i].looks.deviation_db(8, 12),
-        curves[i].looks.deviation_db(12, 100), curves[i].windows.deviation_db(4, 8), curves[i].windows.deviation_db(8, 12),
-        curves[i].windows.deviation_db(12, 100));
+        kIntegrations_s[i], curves[i].measurements.floor_db(), curves[i].measurements.deviation_db(4, 8),
+        curves[i].measurements.deviation_db(8, 12), curves[i].measurements.deviation_db(12, 100), curves[i].windows.deviation_db(4, 8),
+        curves[i].windows.deviation_db(8, 12), curves[i].windows.deviation_db(12, 100));
   }
   host::write_whole(argv[3], text);
   draw_curves(argv[4], argv[3]);

@@ -1,5 +1,5 @@
-// What a vehicle's detector makes of a steady source: how far a look lies from the true SNR, and how often it is too faint to measure.
-// usage: fluctuation CSV PNG [HOURS]     hours of sound for every SNR (default 3)
+// What a vehicle's detector makes of a steady source: how far a measurement lies from the true SNR, and how often it is too faint to
+// measure. usage: fluctuation CSV PNG [HOURS]     hours of sound for every SNR (default 3)
 
 #include <algorithm>
 #include <cmath>
@@ -27,24 +27,24 @@ const Song kSong{.pattern = {.interval_s = kInterval_s, .song_s = 1e9, .pause_s 
 constexpr Meters kRange{15'000};
 constexpr double kTravel_s = 10.0;  // at 1500 m/s
 
-struct Look {
+struct Measurement {
   double time_s;
   double snr_db;
   bool too_faint;
 };
 
-/// Looks that share no sound of a tone; of a song the loudest of each pulse's second, as a window that takes the loudest hears it.
+/// Measurements that share no sound of a tone; of a song the loudest of each pulse's second, as a window that takes the loudest hears it.
 struct Sample {
   double snr_db;  ///< true
-  std::size_t looks = 0;
+  std::size_t measurements = 0;
   std::size_t too_faint = 0;
   double mean_error_db = 0.0;
   double deviation_db = 0.0;
 };
 
-std::vector<Look> looks_of(const detector::SoundSettings& listening, const Calls& calls, double snr_db, int seconds) {
-  const auto ears = std::make_unique<detector::SoundDetector>();
-  if (ears->configure(listening) != Status::kOk) std::abort();
+std::vector<Measurement> measurements_of(const detector::SoundSettings& listening, const Calls& calls, double snr_db, int seconds) {
+  const auto sound_detector = std::make_unique<detector::SoundDetector>();
+  if (sound_detector->configure(listening) != Status::kOk) std::abort();
   hydrophone::HydrophoneSettings settings;
   settings.band = {.low = listening.band.low, .high = listening.band.high};
   settings.calls = calls;
@@ -54,45 +54,45 @@ std::vector<Look> looks_of(const detector::SoundSettings& listening, const Calls
   (void)situation.arrivals.push_back({.range = kRange, .level = settings.noise_level + Decibels{snr_db}});
   ocean.begin(situation);
   const bool is_tone = std::holds_alternative<Tone>(calls);
-  std::vector<Look> looks;
+  std::vector<Measurement> measurements;
   for (int t = 1; t <= seconds; ++t) {
     if (!ocean.hear(situation, Time{} + Duration::seconds(t))) continue;
-    ears->hear(ocean.block(), ocean.samples());
-    while (const auto e = ears->next()) {
+    sound_detector->hear(ocean.block(), ocean.samples());
+    while (const auto e = sound_detector->next()) {
       if (e->is_measured() && (e->is_independent || !is_tone))
-        looks.push_back({(e->time - Time{}).to_seconds(), e->snr.value, e->too_faint});
+        measurements.push_back({(e->time - Time{}).to_seconds(), e->snr.value, e->too_faint});
     }
   }
-  return looks;
+  return measurements;
 }
 
-/// One look for each pulse: the loudest that shares sound with it.
-std::vector<Look> loudest_of_pulses(const std::vector<Look>& looks) {
-  std::vector<Look> loudest;
+/// One measurement for each pulse: the loudest that shares sound with it.
+std::vector<Measurement> loudest_of_pulses(const std::vector<Measurement>& measurements) {
+  std::vector<Measurement> loudest;
   double pulse = -1.0;
-  for (const Look& look : looks) {
-    const double since_s = look.time_s - kTravel_s;
-    if (std::fmod(since_s, kInterval_s) > 2.0) continue;  // a look of a second that ends later has none of the pulse
+  for (const Measurement& measurement : measurements) {
+    const double since_s = measurement.time_s - kTravel_s;
+    if (std::fmod(since_s, kInterval_s) > 2.0) continue;  // a measurement of a second that ends later has none of the pulse
     const double its_pulse = std::floor(since_s / kInterval_s);
-    if (its_pulse != pulse) loudest.push_back(look);
+    if (its_pulse != pulse) loudest.push_back(measurement);
     pulse = its_pulse;
-    Look& so_far = loudest.back();
-    if (so_far.too_faint || (!look.too_faint && look.snr_db > so_far.snr_db)) so_far = look;
+    Measurement& so_far = loudest.back();
+    if (so_far.too_faint || (!measurement.too_faint && measurement.snr_db > so_far.snr_db)) so_far = measurement;
   }
   return loudest;
 }
 
-Sample sample_of(double snr_db, const std::vector<Look>& looks) {
-  Sample s{.snr_db = snr_db, .looks = looks.size()};
+Sample sample_of(double snr_db, const std::vector<Measurement>& measurements) {
+  Sample s{.snr_db = snr_db, .measurements = measurements.size()};
   double sum = 0.0;
   double squares = 0.0;
-  for (const Look& look : looks) {
-    s.too_faint += look.too_faint ? 1 : 0;
-    if (look.too_faint) continue;
-    sum += look.snr_db - snr_db;
-    squares += (look.snr_db - snr_db) * (look.snr_db - snr_db);
+  for (const Measurement& measurement : measurements) {
+    s.too_faint += measurement.too_faint ? 1 : 0;
+    if (measurement.too_faint) continue;
+    sum += measurement.snr_db - snr_db;
+    squares += (measurement.snr_db - snr_db) * (measurement.snr_db - snr_db);
   }
-  const auto measured = static_cast<double>(s.looks - s.too_faint);
+  const auto measured = static_cast<double>(s.measurements - s.too_faint);
   s.mean_error_db = sum / measured;
   s.deviation_db = std::sqrt(squares / measured - s.mean_error_db * s.mean_error_db);
   return s;
@@ -101,9 +101,9 @@ Sample sample_of(double snr_db, const std::vector<Look>& looks) {
 std::vector<Sample> samples_of(const detector::SoundSettings& listening, const Calls& calls, int seconds) {
   std::vector<Sample> samples;
   for (double snr_db = -10.0; snr_db <= 40.0; snr_db += snr_db < 16.0 ? 1.0 : 4.0) {
-    std::vector<Look> looks = looks_of(listening, calls, snr_db, seconds);
-    if (std::holds_alternative<Song>(calls)) looks = loudest_of_pulses(looks);
-    samples.push_back(sample_of(snr_db, looks));
+    std::vector<Measurement> measurements = measurements_of(listening, calls, snr_db, seconds);
+    if (std::holds_alternative<Song>(calls)) measurements = loudest_of_pulses(measurements);
+    samples.push_back(sample_of(snr_db, measurements));
   }
   return samples;
 }
@@ -112,16 +112,16 @@ std::string rows_of(const char* name, const std::vector<Sample>& samples) {
   std::string text;
   for (const Sample& s : samples) {
     std::array<char, 200> row{};
-    (void)std::snprintf(row.data(), row.size(), "%s,%g,%zu,%.4f,%.3f,%.3f\n", name, s.snr_db, s.looks,
-                        static_cast<double>(s.too_faint) / static_cast<double>(s.looks), s.mean_error_db, s.deviation_db);
+    (void)std::snprintf(row.data(), row.size(), "%s,%g,%zu,%.4f,%.3f,%.3f\n", name, s.snr_db, s.measurements,
+                        static_cast<double>(s.too_faint) / static_cast<double>(s.measurements), s.mean_error_db, s.deviation_db);
     text += row.data();
   }
   return text;
 }
 
-/// The SNR at which half of the looks are too faint, in line between samples.
+/// The SNR at which half of the measurements are too faint, in line between samples.
 double floor_of(const std::vector<Sample>& samples) {
-  const auto share = [](const Sample& s) { return static_cast<double>(s.too_faint) / static_cast<double>(s.looks); };
+  const auto share = [](const Sample& s) { return static_cast<double>(s.too_faint) / static_cast<double>(s.measurements); };
   for (std::size_t i = 1; i < samples.size(); ++i) {
     const double above = share(samples[i - 1]);
     const double below = share(samples[i]);
@@ -134,7 +134,7 @@ double floor_of(const std::vector<Sample>& samples) {
 double worst_of(const std::vector<Sample>& samples) {
   double worst = 0.0;
   for (const Sample& s : samples) {
-    if (10 * s.too_faint < s.looks) worst = std::max(worst, s.deviation_db);
+    if (10 * s.too_faint < s.measurements) worst = std::max(worst, s.deviation_db);
   }
   return worst;
 }

@@ -20,9 +20,9 @@ using messages::MissionState;
 using messages::Order;
 
 /// One detector of a vehicle that has several.
-class Ear {
+class Detector {
  public:
-  explicit Ear(const detector::SoundSettings& settings)
+  explicit Detector(const detector::SoundSettings& settings)
       : integration_s_(settings.integration_time.to_seconds()), detector_(std::make_unique<detector::SoundDetector>()) {
     if (detector_->configure(settings) != Status::kOk) std::abort();
   }
@@ -31,18 +31,18 @@ class Ear {
     newest_.clear();
     detector_->hear(sea.block(), sea.samples());
     while (const auto estimate = detector_->next()) {
-      if (!estimate->is_look()) continue;  // as the vehicle hands over its looks
+      if (!estimate->is_snr_measurement()) continue;  // as the vehicle hands over its measurements
       newest_.push_back(estimate->measurement());
       const double end_s = (estimate->time - Time{}).to_seconds();
-      looks.push_back({.time_s = end_s,
-                       .snr_db = estimate->snr.value,
-                       .too_faint = estimate->too_faint,
-                       .modelled_db = modelled_over(modelled_db, end_s)});
+      measurements.push_back({.time_s = end_s,
+                              .snr_db = estimate->snr.value,
+                              .too_faint = estimate->too_faint,
+                              .modelled_db = modelled_over(modelled_db, end_s)});
     }
   }
   [[nodiscard]] const std::vector<messages::SnrMeasurement>& newest() const { return newest_; }
 
-  std::vector<Look> looks;
+  std::vector<Measurement> measurements;
 
  private:
   [[nodiscard]] double modelled_over(const std::vector<double>& modelled_db, double end_s) const {
@@ -86,14 +86,14 @@ class Flight {
     command_ = {.heading = vehicle_.heading, .speed = vehicle_.speed, .depth = vehicle_.depth};
     surroundings_.start(rig.world, vehicle_.position, episode.source(), Pcg32(seed, 1));
     source_ = episode.source();
-    for (const detector::SoundSettings& settings : detectors) ears_.emplace_back(settings);
+    for (const detector::SoundSettings& settings : detectors) detectors_.emplace_back(settings);
     if (!detectors.empty()) sea_.emplace(sea_of(rig, detectors.front(), seed));
   }
 
   Search run() {
     bool is_found = false;
     MissionState state = MissionState::kStandby;
-    for (Time now; state == MissionState::kStandby || state == MissionState::kSearch; now = now + search::kLookInterval) {
+    for (Time now; state == MissionState::kStandby || state == MissionState::kSearch; now = now + search::kMeasurementInterval) {
       const bool reached = range_between(vehicle_.position, source_) <= rig_.plan.search.step_length;
       if (listen(now) && state == MissionState::kStandby) order(now, Order::kStart);
       if (state == MissionState::kSearch && reached) order(now, Order::kComplete);
@@ -106,10 +106,10 @@ class Flight {
       score_.add(
           {.time = now, .vehicle = vehicle_, .reception = {}, .range = {}, .state = state, .steps_taken = outputs.health.steps_taken});
       if (outputs.setpoint) command_ = {outputs.setpoint->heading, outputs.setpoint->speed, outputs.setpoint->depth};
-      vehicle_ = vehicle::advance_for(vehicle_, command_, {}, search::kLookInterval);
+      vehicle_ = vehicle::advance_for(vehicle_, command_, {}, search::kMeasurementInterval);
     }
-    Search search{.is_found = is_found, .reward = score_.reward(), .looks = {}};
-    for (Ear& ear : ears_) search.looks.push_back(std::move(ear.looks));
+    Search search{.is_found = is_found, .reward = score_.reward(), .measurements = {}};
+    for (Detector& one : detectors_) search.measurements.push_back(std::move(one.measurements));
     return search;
   }
 
@@ -121,9 +121,9 @@ class Flight {
   void order(Time now, Order order) {
     take(now, messages::OperatorCommand{.time = now, .expiry = now, .issuer = 1, .number = ++orders_, .order = order});
   }
-  void told(Time now, const messages::SnrMeasurement& look) {
-    take(now, look);
-    score_.hear(look);
+  void give(Time now, const messages::SnrMeasurement& measurement) {
+    take(now, measurement);
+    score_.hear(measurement);
     has_heard_ = true;
   }
 
@@ -131,7 +131,7 @@ class Flight {
   bool listen(Time now) {
     const search::Arrivals arrivals = surroundings_.arrivals(rig_.world, vehicle_.position);
     if (!sea_) {
-      told(now, {.time = now, .snr = arrivals[0].snr});
+      give(now, {.time = now, .snr = arrivals[0].snr});
       return true;
     }
     modelled_db_.push_back(arrivals[0].snr.value);
@@ -142,8 +142,8 @@ class Flight {
       return false;
     }
     if (!sea_->hear(situation, now)) std::abort();
-    for (Ear& ear : ears_) ear.hear(*sea_, modelled_db_);
-    for (const messages::SnrMeasurement& look : ears_.front().newest()) told(now, look);
+    for (Detector& one : detectors_) one.hear(*sea_, modelled_db_);
+    for (const messages::SnrMeasurement& measurement : detectors_.front().newest()) give(now, measurement);
     return has_heard_;
   }
 
@@ -154,7 +154,7 @@ class Flight {
   vehicle::Command command_;
   search::Surroundings surroundings_;
   NorthEast source_;
-  std::vector<Ear> ears_;
+  std::vector<Detector> detectors_;
   std::optional<hydrophone::Hydrophone> sea_;
   std::vector<double> modelled_db_;  ///< of each tick
   std::uint32_t orders_ = 0;

@@ -31,8 +31,8 @@ def main() -> int:
     complaints = [c for name in names for c in complaints_about(name, commands.of(name), entries)]
     for complaint in complaints:
         print(complaint)
-    looked_at = sum(1 for entry in entries if entry.file in names)
-    print(f"{looked_at} entries for {len(names)} files: {len(complaints)} do not mean just one fault")
+    counted = sum(1 for entry in entries if entry.file in names)
+    print(f"{counted} entries for {len(names)} files: {len(complaints)} do not mean just one fault")
     return 1 if complaints else 0
 
 

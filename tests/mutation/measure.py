@@ -61,7 +61,7 @@ class Running:
 RUNNING = Running()
 
 
-def say(text: str) -> None:
+def show(text: str) -> None:
     if sys.stderr.isatty():
         sys.stderr.write(f"\r\x1b[K{text[:150]}")
         sys.stderr.flush()
@@ -126,7 +126,7 @@ def measure_baseline(project: Project, tests: list[Test], count: int) -> Baselin
     baseline = Baseline()
     reached = project.build / "reached"
     for index, test in enumerate(tests):
-        say(f"without a fault: {index + 1} of {len(tests)} tests")
+        show(f"without a fault: {index + 1} of {len(tests)} tests")
         reached.write_bytes(bytes(count))
         began = time.monotonic()
         failure = run_command(list(test.command), test, {"EARSHOT_FAULTS_REACHED": str(reached)}, 600.0)
@@ -160,7 +160,7 @@ def command_of(batch: list[Test]) -> list[str]:
     return [command[0], f"--gtest_filter={names}", "--gtest_fail_fast", *command[2:]]
 
 
-def look_for(planted: Planted, number: int, baseline: Baseline, seconds: float, near: set[str]) -> None:
+def try_fault(planted: Planted, number: int, baseline: Baseline, seconds: float, near: set[str]) -> None:
     """Runs the tests that come by the fault, the nearest and quickest first, until one fails."""
     coming_by = [t for t, reached in baseline.reached.items() if number in reached]
     planted.reached = bool(coming_by)
@@ -180,7 +180,7 @@ def look_for(planted: Planted, number: int, baseline: Baseline, seconds: float, 
             return
 
 
-def time_told(seconds: float) -> str:
+def time_in_words(seconds: float) -> str:
     return f"{1000.0 * seconds:.0f} ms" if seconds < 1.0 else f"{seconds:.1f} s"
 
 
@@ -194,7 +194,7 @@ def report(name: str, planted: list[Planted], skipped: str) -> tuple[int, int]:
     for p in sorted(counted, key=lambda p: p.fault.line):
         if not p.seen_by:
             why = "" if p.reached else " (no test comes by)"
-            why += f" (tests of {time_told(p.left_out)} were not run)" if p.left_out else ""
+            why += f" (tests of {time_in_words(p.left_out)} were not run)" if p.left_out else ""
             site = f", {p.fault.site}" if p.fault.site else ""
             print(
                 f"  {name}:{p.fault.line}: survived: {p.fault.kind}: {p.fault.change} [{p.fault.function}{site}]{why}"
@@ -263,7 +263,7 @@ def measure(options: argparse.Namespace, names: list[str], project: Project, lis
     if not programs:  # ninja would build everything
         raise BadInput("no test program is made of these files")
     complain_of(listed, complaints)
-    say(f"building {len(programs)} test programs with {next_number - 1} faults")
+    show(f"building {len(programs)} test programs with {next_number - 1} faults")
     dropped = build_without_errors(project, plans, sources, sorted(programs))
     baseline = measure_baseline(project, project.tests(programs), next_number)
     for failing in baseline.failing:
@@ -287,12 +287,12 @@ def run_all(
     planted = {n: Planted(of_file[n], plans[of_file[n]][n], excuses.get(n)) for n in chosen}
     began = time.monotonic()
     with ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
-        looking = [pool.submit(look_for, planted[number], number, baseline, options.seconds, near) for number in chosen]
-        for done, future in enumerate(looking, 1):
+        running = [pool.submit(try_fault, planted[number], number, baseline, options.seconds, near) for number in chosen]
+        for done, future in enumerate(running, 1):
             future.result()
-            say(f"{done} of {len(looking)} faults")
-    say("")
-    each = time_told((time.monotonic() - began) / max(len(chosen), 1))
+            show(f"{done} of {len(running)} faults")
+    show("")
+    each = time_in_words((time.monotonic() - began) / max(len(chosen), 1))
     return report_all(options.at_least, list(planted.values()), constant, dropped, each)
 
 

@@ -324,7 +324,7 @@ class Measuring(unittest.TestCase):
 
     def test_tells_short_times_in_milliseconds(self):
         self.assertEqual(
-            [measure.time_told(s) for s in (0.0042, 0.25, 1.0, 61.04)], ["4 ms", "250 ms", "1.0 s", "61.0 s"]
+            [measure.time_in_words(s) for s in (0.0042, 0.25, 1.0, 61.04)], ["4 ms", "250 ms", "1.0 s", "61.0 s"]
         )
 
 

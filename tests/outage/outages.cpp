@@ -236,13 +236,13 @@ class Outages : public WalkAtSea, public testing::WithParamInterface<int> {
     record.since_boot = record.since_boot - Duration::seconds(1000);
     record.utc = record.utc + Duration::seconds(-1000);
   }
-  static void make_anothers(host::SafetyRecord& record) {
+  static void make_record_of_another(host::SafetyRecord& record) {
     record.owner.computer ^= 1U;
     record.sequence += 1000;
     record.is_closed = true;
   }
   /// Somebody has the records, and has not written them for long.
-  void let_holder_hang() {
+  void let_holder_stall() {
     for (const fs::path& record : records()) {
       change(record, [](host::SafetyRecord& held) {
         ++held.sequence;
@@ -263,9 +263,9 @@ class Outages : public WalkAtSea, public testing::WithParamInterface<int> {
     const fs::path record = records[below(static_cast<std::uint32_t>(records.size()))];
     if (is(Wrong::kBitInRecord)) flip_bit(record);
     if (is(Wrong::kStaleCopy)) change(record, make_stale);
-    if (is(Wrong::kOthersRecord)) change(record, make_anothers);
+    if (is(Wrong::kOthersRecord)) change(record, make_record_of_another);
     if (is(Wrong::kNoRecord)) fs::remove(record);
-    if (is(Wrong::kHolderThatHangs) && !is_in_new_boot()) let_holder_hang();
+    if (is(Wrong::kHolderThatHangs) && !is_in_new_boot()) let_holder_stall();
     if (is(Wrong::kSilentSensors)) vehicle_->fall_silent();
     if (is(Wrong::kNoJournal)) fs::remove(folder_ / "journal.lcmlog");
     if (is(Wrong::kNoMission)) fs::remove(folder_ / "mission.toml");

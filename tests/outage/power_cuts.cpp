@@ -48,14 +48,14 @@ struct Appended {
 };
 
 /// What the journal said of itself at some moment.
-struct Told {
+struct Reported {
   SteadyClock::time_point when;
   bool is_in_trouble = false;
 };
 
 struct Recording {
   std::map<std::uint32_t, Appended> appended;
-  std::vector<Told> told;
+  std::vector<Reported> reported;
   std::vector<DiskCall> calls;
   std::uint64_t lost = 0;     ///< counted by the journal
   std::uint64_t refused = 0;  ///< of these, when they were to be appended
@@ -102,10 +102,10 @@ Recording record(const Options& o) {
       std::vector<std::uint8_t> data(below(random, 100) == 0 ? 3'000 : 20 + below(random, 200));
       for (std::uint8_t& byte : data) byte = static_cast<std::uint8_t>(random.next());
       const std::uint32_t kind = below(random, 60);
-      const host::Weight weight = kind == 0 ? host::Weight::kOrder : (kind < 8 ? host::Weight::kSteering : host::Weight::kStream);
+      const host::Priority priority = kind == 0 ? host::Priority::kOrder : (kind < 8 ? host::Priority::kSteering : host::Priority::kStream);
       const Appended record{.when = SteadyClock::now(), .data = data};
       // A number is spent even on a record that finds no room.
-      if (journal.append(Time{number}, "OUTAGE", data, weight) == Status::kOk) {
+      if (journal.append(Time{number}, "OUTAGE", data, priority) == Status::kOk) {
         recording.appended[number] = record;
       } else {
         ++recording.refused;
@@ -113,7 +113,7 @@ Recording record(const Options& o) {
       ++number;
       bytes += data.size() + 34;
     }
-    recording.told.push_back({.when = SteadyClock::now(), .is_in_trouble = journal.trouble() != host::JournalTrouble::kNone});
+    recording.reported.push_back({.when = SteadyClock::now(), .is_in_trouble = journal.trouble() != host::JournalTrouble::kNone});
     std::this_thread::sleep_for(milliseconds(2));
   }
   journal.conclude({});
@@ -145,18 +145,18 @@ std::set<std::uint32_t> read_back(const Files& files, const std::map<std::uint32
 /// What the power cuts cost.
 struct Findings {
   std::uint64_t cuts = 0;
-  std::uint64_t not_read_back = 0;  ///< records that the disk had been told to keep
-  std::uint64_t not_counted = 0;    ///< records that are not in the file in the end, though the journal says that they are
-  bool is_invented = false;         ///< something was read that nobody appended
-  double longest_s = 0.0;           ///< the age of the oldest record that a cut cost
-  double longest_untold_s = 0.0;    ///< likewise, while the journal had not said that it is in trouble
+  std::uint64_t not_read_back = 0;    ///< records that the disk had been told to keep
+  std::uint64_t not_counted = 0;      ///< records that are not in the file in the end, though the journal says that they are
+  bool is_invented = false;           ///< something was read that nobody appended
+  double longest_s = 0.0;             ///< the age of the oldest record that a cut cost
+  double longest_unreported_s = 0.0;  ///< likewise, while the journal had not said that it is in trouble
 };
 
 /// Whether the journal, asked last before the cut and after the record was older than the budget, said that it is in trouble; true also
 /// when nobody asked it in between.
-bool was_told(const std::vector<Told>& told, SteadyClock::time_point appended, SteadyClock::time_point cut) {
-  const auto to = std::ranges::lower_bound(told, cut, {}, &Told::when);
-  return to == told.begin() || std::prev(to)->when < appended + host::kJournalBudget || std::prev(to)->is_in_trouble;
+bool was_reported(const std::vector<Reported>& reported, SteadyClock::time_point appended, SteadyClock::time_point cut) {
+  const auto to = std::ranges::lower_bound(reported, cut, {}, &Reported::when);
+  return to == reported.begin() || std::prev(to)->when < appended + host::kJournalBudget || std::prev(to)->is_in_trouble;
 }
 
 /// Were the power to fail at `cut`, and all that was kept is what `kept` holds.
@@ -168,8 +168,8 @@ void count_cost(const Recording& recording, const std::set<std::uint32_t>& kept,
     if (record.when >= cut || kept.contains(number)) continue;
     const double age_s = Seconds(cut - record.when).count();
     findings.longest_s = std::max(findings.longest_s, age_s);
-    if (cut > record.when + host::kJournalBudget && was_told(recording.told, record.when, cut)) continue;
-    findings.longest_untold_s = std::max(findings.longest_untold_s, age_s);
+    if (cut > record.when + host::kJournalBudget && was_reported(recording.reported, record.when, cut)) continue;
+    findings.longest_unreported_s = std::max(findings.longest_unreported_s, age_s);
   }
 }
 
@@ -205,7 +205,7 @@ Findings cut_everywhere(const Recording& recording, const Options& o) {
 int judge(const Recording& recording, const Findings& findings) {
   const double budget_s = Seconds(host::kJournalBudget).count();
   // Twice the budget: a busy computer wakes the journal's thread late, and its clock begins with that.
-  const bool is_told = findings.longest_untold_s <= 2 * budget_s;
+  const bool is_reported = findings.longest_unreported_s <= 2 * budget_s;
   std::printf(
       "%zu records, %llu lost and counted; %zu calls of the disk, %llu power cuts\n"
       "records that the disk had been told to keep and that were not read back: %llu%s\n"
@@ -215,8 +215,9 @@ int judge(const Recording& recording, const Findings& findings) {
       recording.appended.size(), static_cast<unsigned long long>(recording.lost), recording.calls.size(),
       static_cast<unsigned long long>(findings.cuts), static_cast<unsigned long long>(findings.not_read_back),
       findings.not_read_back > 0 ? "  WRONG" : "", static_cast<long long>(findings.not_counted), findings.not_counted != 0 ? "  WRONG" : "",
-      findings.is_invented ? "some  WRONG" : "none", findings.longest_s, findings.longest_untold_s, budget_s, is_told ? "" : "  WRONG");
-  return findings.not_read_back == 0 && findings.not_counted == 0 && !findings.is_invented && is_told ? program::kDone : kNotHeld;
+      findings.is_invented ? "some  WRONG" : "none", findings.longest_s, findings.longest_unreported_s, budget_s,
+      is_reported ? "" : "  WRONG");
+  return findings.not_read_back == 0 && findings.not_counted == 0 && !findings.is_invented && is_reported ? program::kDone : kNotHeld;
 }
 
 }  // namespace

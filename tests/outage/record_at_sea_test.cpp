@@ -53,11 +53,11 @@ class RecordAtSea : public RestartAtSea {
 TEST_F(RecordAtSea, GivenAStopBelowTheNextStartBringsTheVehicleUpAndAfterThatNothingIsUnderWay) {
   search();
   stop();
-  EXPECT_TRUE(is_said("it stays under way")) << earshotd_->output();
+  EXPECT_TRUE(is_printed("it stays under way")) << earshotd_->output();
   start();
   expect_comes_up();
   stop();
-  EXPECT_FALSE(is_said("it stays under way")) << "its depth says that it is up" << earshotd_->output();
+  EXPECT_FALSE(is_printed("it stays under way")) << "its depth says that it is up" << earshotd_->output();
   const int turns = vehicle_->turns;
   start();
   ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 5; })) << earshotd_->output();
@@ -68,10 +68,11 @@ TEST_F(RecordAtSea, GivenAStopBelowAStartWithoutResumeStatesThatTheVehicleMaySti
   search();
   stop();
   start_earshotd({"--speed", "10"});
-  ASSERT_TRUE(vehicle_->sails_until([&] { return is_said("For another rehearsal name another folder (--out)"); })) << earshotd_->output();
+  ASSERT_TRUE(vehicle_->sails_until([&] { return is_printed("For another rehearsal name another folder (--out)"); }))
+      << earshotd_->output();
   EXPECT_TRUE(
-      is_said("warning: the earlier mission of this folder is over, but its vehicle was not known to be up, and may still be below. "
-              "It is given up: nobody commands the vehicle until START. With --resume earshotd brings it up."))
+      is_printed("warning: the earlier mission of this folder is over, but its vehicle was not known to be up, and may still be below. "
+                 "It is given up: nobody commands the vehicle until START. With --resume earshotd brings it up."))
       << earshotd_->output();
   kill();
 }
@@ -83,7 +84,7 @@ TEST_F(RecordAtSea, GivenALeakWhileTheJournalIsReadTheWeightStaysReleased) {
   start_with_slow_reading();
   vehicle_->leak();
   ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->is_released; })) << earshotd_->output();
-  EXPECT_FALSE(is_said("goes on from"));
+  EXPECT_FALSE(is_printed("goes on from"));
   vehicle_->leak(false);
   ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->state() == MissionState::kAbort; })) << earshotd_->output();
   const int setpoints = vehicle_->setpoints;
@@ -97,7 +98,7 @@ TEST_F(RecordAtSea, GivenThatItsRecordIsRemovedItGoesOnByTheSecondOne) {
   kill();
   ASSERT_TRUE(fs::remove(folder_ / "journal.safety"));
   start();
-  EXPECT_TRUE(vehicle_->sails_until([&] { return is_said("goes on from") && vehicle_->turns > 5; })) << earshotd_->output();
+  EXPECT_TRUE(vehicle_->sails_until([&] { return is_printed("goes on from") && vehicle_->turns > 5; })) << earshotd_->output();
   EXPECT_TRUE(fs::exists(folder_ / "journal.safety")) << "made anew";
 }
 
@@ -140,7 +141,7 @@ TEST_F(RecordAtSea, GivenThatEveryRecordIsDamagedItComesUpIfItsJournalSaysThatAS
     std::fstream(folder_ / name, std::ios::in | std::ios::out | std::ios::binary) << std::string(8192, '\0');
   start();
   expect_comes_up();
-  EXPECT_TRUE(is_said("every copy of its safety record is damaged")) << earshotd_->output();
+  EXPECT_TRUE(is_printed("every copy of its safety record is damaged")) << earshotd_->output();
   kill();
   start();
   expect_comes_up();
@@ -194,7 +195,7 @@ TEST_F(RecordAtSea, GivenThatEveryRecordIsDamagedInStandbyANewMissionBegins) {
   kill();
   for (const char* name : kRecords) fs::resize_file(folder_ / name, 0);
   start();
-  ASSERT_TRUE(vehicle_->sails_until([&] { return is_said("journal-2.lcmlog") && vehicle_->turns > 15; })) << earshotd_->output();
+  ASSERT_TRUE(vehicle_->sails_until([&] { return is_printed("journal-2.lcmlog") && vehicle_->turns > 15; })) << earshotd_->output();
   EXPECT_EQ(vehicle_->state(), MissionState::kStandby);
   EXPECT_EQ(vehicle_->setpoints, 0);
 }
@@ -203,7 +204,7 @@ TEST_F(RecordAtSea, GivenAJournalThatWasFlownElsewhereWithItsRecordItBeginsInSta
   const fs::path elsewhere = search_carried_elsewhere();
   expect_no_setpoint_of_a_start_in(elsewhere);
   EXPECT_EQ(vehicle_->state(), MissionState::kStandby);
-  EXPECT_TRUE(is_said("it is of another vehicle, or of another folder's flights")) << earshotd_->output();
+  EXPECT_TRUE(is_printed("it is of another vehicle, or of another folder's flights")) << earshotd_->output();
 }
 
 TEST_F(RecordAtSea, GivenABackupThatHasLockedTheRecordToReadItTheMissionGoesOn) {
@@ -212,7 +213,7 @@ TEST_F(RecordAtSea, GivenABackupThatHasLockedTheRecordToReadItTheMissionGoesOn) 
   const host::FileDescriptor backup(::open((folder_ / "journal.safety").c_str(), O_RDONLY | O_CLOEXEC));
   ASSERT_EQ(::flock(backup.number(), LOCK_EX | LOCK_NB), 0) << "by another program's name";
   start();
-  EXPECT_TRUE(vehicle_->sails_until([&] { return is_said("goes on from") && vehicle_->turns > 5; })) << earshotd_->output();
+  EXPECT_TRUE(vehicle_->sails_until([&] { return is_printed("goes on from") && vehicle_->turns > 5; })) << earshotd_->output();
 }
 
 TEST_F(RecordAtSea, GivenAKilledProgramWhoseRecordIsNotLetGoTheNextComesUpAtOnce) {
@@ -222,7 +223,7 @@ TEST_F(RecordAtSea, GivenAKilledProgramWhoseRecordIsNotLetGoTheNextComesUpAtOnce
   start();
   expect_comes_up();
   EXPECT_TRUE(
-      is_said("earshotd (process " + holder.number() + ") is writing this file, but has been killed, and does not end: a disk hangs"))
+      is_printed("earshotd (process " + holder.number() + ") is writing this file, but has been killed, and does not end: a disk hangs"))
       << earshotd_->output();
 }
 
@@ -236,7 +237,7 @@ TEST_F(RecordAtSea, GivenAFirstProgramThatHangsTheNextComesUpAndTheFirstEndsOnce
     return vehicle_->state() == MissionState::kAbort && vehicle_->depth() == Meters{0.0};
   };
   EXPECT_TRUE(vehicle_->sails_until(starts_again)) << earshotd_->output();
-  EXPECT_TRUE(is_said("it hangs, or does not fly")) << earshotd_->output();
+  EXPECT_TRUE(is_printed("it hangs, or does not fly")) << earshotd_->output();
   first->signal(SIGCONT);
   EXPECT_EQ(first->wait(std::chrono::seconds(20)), program::kLost) << first->output();
   const int setpoints = vehicle_->setpoints;

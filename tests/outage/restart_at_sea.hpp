@@ -88,11 +88,11 @@ class RestartAtSea : public WalkAtSea {
     start_on_sick_host({{"EARSHOT_TEST_READING_S", "12"}});
     const int setpoints = vehicle_->setpoints;
     ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->setpoints > setpoints; })) << earshotd_->output();
-    EXPECT_FALSE(is_said("goes on from")) << "before it has been read";
+    EXPECT_FALSE(is_printed("goes on from")) << "before it has been read";
     EXPECT_EQ(vehicle_->depth(), Meters{0.0});
     EXPECT_EQ(vehicle_->state(), messages::MissionState::kSearch);
   }
-  [[nodiscard]] bool is_said(std::string_view words) const { return earshotd_->output().find(words) != std::string::npos; }
+  [[nodiscard]] bool is_printed(std::string_view words) const { return earshotd_->output().find(words) != std::string::npos; }
   [[nodiscard]] std::filesystem::path journal() const { return folder_ / "journal.lcmlog"; }
 
   /// Started again with the journal's folder elsewhere.

@@ -24,8 +24,8 @@ TEST_F(RestartAtSea, GivenNothingWrongItGoesOn) {
   search();
   kill();
   start();
-  EXPECT_TRUE(vehicle_->sails_until([&] { return is_said("goes on from") && vehicle_->turns > 5; })) << earshotd_->output();
-  EXPECT_TRUE(is_said(": SEARCH, after ")) << earshotd_->output();
+  EXPECT_TRUE(vehicle_->sails_until([&] { return is_printed("goes on from") && vehicle_->turns > 5; })) << earshotd_->output();
+  EXPECT_TRUE(is_printed(": SEARCH, after ")) << earshotd_->output();
 }
 
 class SickDiskRestart : public RestartAtSea, public testing::WithParamInterface<const char*> {
@@ -115,7 +115,7 @@ TEST_F(RestartAtSea, GivenOptionsThatDoNotGoTogetherItComesUp) {
   kill();
   start({"--replace"});
   expect_comes_up();
-  EXPECT_TRUE(is_said("--replace")) << earshotd_->output();
+  EXPECT_TRUE(is_printed("--replace")) << earshotd_->output();
 }
 
 TEST_F(RestartAtSea, GivenNoThreadThatCouldBeMadeItComesUpAndKeepsItsRecord) {
@@ -138,7 +138,7 @@ TEST_P(RestartWithFewThreads, GoesOnOrComesUpHoweverFewTheyAre) {
   const int turns = vehicle_->turns;
   EXPECT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 5; })) << earshotd_->output();
 }
-/// All that it makes: for each copy of the record, for reading the journal, for writing it, and for news.
+/// All that it makes: for each copy of the record, for reading the journal, for writing it, and for the event log.
 INSTANTIATE_TEST_SUITE_P(Threads, RestartWithFewThreads, testing::Range(1, 6));
 
 TEST_F(RestartAtSea, GivenTooFewDescriptorsItsStatusIsOneThatAServiceStartsAgain) {
@@ -167,7 +167,7 @@ TEST_F(RestartAtSea, GivenDescriptorsForOnePortItComesUpHoweverFewTheyAre) {
   }
   start_on_sick_host({{"EARSHOT_TEST_FILES", std::to_string(kFewestFiles - 1)}});
   EXPECT_EQ(earshotd_->wait(std::chrono::seconds(10)), program::kLost);
-  EXPECT_TRUE(is_said("nobody commands the vehicle")) << earshotd_->output();
+  EXPECT_TRUE(is_printed("nobody commands the vehicle")) << earshotd_->output();
 }
 
 TEST_F(RestartAtSea, GivenDescriptorsForOneOfTwoPortsItComesUpByThatAndNamesTheOther) {
@@ -177,7 +177,7 @@ TEST_F(RestartAtSea, GivenDescriptorsForOneOfTwoPortsItComesUpByThatAndNamesTheO
   kill();
   start_on_sick_host({{"EARSHOT_TEST_FILES", std::to_string(kFewestFiles)}});
   expect_comes_up();
-  EXPECT_TRUE(is_said("port ashore does not open")) << earshotd_->output();
+  EXPECT_TRUE(is_printed("port ashore does not open")) << earshotd_->output();
 }
 
 TEST_F(RestartAtSea, GivenSensorsThatAreSilentItComesUpMeanwhileAndObeysAnAbort) {
@@ -199,8 +199,8 @@ TEST_F(RestartAtSea, GivenAJournalThatTakesLongToReadItComesUpMeanwhileAndThenGo
   search();
   kill();
   start_with_slow_reading();
-  ASSERT_TRUE(vehicle_->sails_until([&] { return is_said("goes on from"); })) << earshotd_->output();
-  EXPECT_TRUE(is_said(": SEARCH, after ")) << earshotd_->output();
+  ASSERT_TRUE(vehicle_->sails_until([&] { return is_printed("goes on from"); })) << earshotd_->output();
+  EXPECT_TRUE(is_printed(": SEARCH, after ")) << earshotd_->output();
 }
 
 TEST_F(RestartAtSea, GivenAnAbortWhileTheJournalIsReadItIsAcknowledgedAtOnceAndHolds) {
@@ -209,8 +209,8 @@ TEST_F(RestartAtSea, GivenAnAbortWhileTheJournalIsReadItIsAcknowledgedAtOnceAndH
   start_with_slow_reading();
   vehicle_->order(Order::kAbort);
   ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->outcome == messages::CommandOutcome::kObeyed; })) << earshotd_->output();
-  EXPECT_FALSE(is_said("goes on from"));
-  ASSERT_TRUE(vehicle_->sails_until([&] { return is_said("goes on from"); })) << earshotd_->output();
+  EXPECT_FALSE(is_printed("goes on from"));
+  ASSERT_TRUE(vehicle_->sails_until([&] { return is_printed("goes on from"); })) << earshotd_->output();
   const int turns = vehicle_->turns;
   ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 5; })) << earshotd_->output();
   EXPECT_EQ(vehicle_->state(), MissionState::kAbort);
@@ -249,7 +249,7 @@ TEST_F(RestartAtSea, GivenAJournalThatWasFlownElsewhereItBeginsInStandbyAndComma
   ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->turns > turns + 10; })) << earshotd_->output();
   EXPECT_EQ(vehicle_->state(), MissionState::kStandby);
   EXPECT_EQ(vehicle_->setpoints, setpoints);
-  EXPECT_TRUE(is_said("no safety record of this vehicle names it")) << earshotd_->output();
+  EXPECT_TRUE(is_printed("no safety record of this vehicle names it")) << earshotd_->output();
 }
 
 TEST_F(RestartAtSea, GivenThreeStartsThatEndedAtOnceTheFourthComesUp) {
@@ -259,12 +259,12 @@ TEST_F(RestartAtSea, GivenThreeStartsThatEndedAtOnceTheFourthComesUp) {
     start();
     const int setpoints = vehicle_->setpoints;
     ASSERT_TRUE(vehicle_->sails_until([&] { return vehicle_->setpoints > setpoints; })) << i << earshotd_->output();
-    EXPECT_TRUE(is_said("goes on from")) << earshotd_->output();
+    EXPECT_TRUE(is_printed("goes on from")) << earshotd_->output();
   }
   kill();
   start();
   expect_comes_up();
-  EXPECT_TRUE(is_said("ended 3 times within a minute of its start")) << earshotd_->output();
+  EXPECT_TRUE(is_printed("ended 3 times within a minute of its start")) << earshotd_->output();
 }
 
 }  // namespace

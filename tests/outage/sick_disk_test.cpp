@@ -23,7 +23,7 @@ using messages::MissionState;
 using messages::Order;
 
 constexpr int kSteps = 10;
-constexpr std::string_view kTold = ": journal: the disk does not take it in time";
+constexpr std::string_view kReported = ": journal: the disk does not take it in time";
 constexpr std::string_view kNotWhole = "earshotd: the journal is not whole: ";
 
 class SickDisk : public WalkAtSea {
@@ -63,7 +63,7 @@ class SickDisk : public WalkAtSea {
     // The journal of all but the last turns is on the disk; what comes after the others has fallen ill is more than its reserve holds.
     if (from == From::kEnd) fall_ill();
     if (from != From::kEnd) {
-      EXPECT_TRUE(vehicle.sails_until([&] { return is_said(kTold); })) << earshotd_->output();
+      EXPECT_TRUE(vehicle.sails_until([&] { return is_printed(kReported); })) << earshotd_->output();
     }
     const int more = from == From::kEnd ? 20 : 400;
     const int turns = vehicle.turns;
@@ -72,7 +72,7 @@ class SickDisk : public WalkAtSea {
     return earshotd_->wait(std::chrono::seconds(60));
   }
 
-  [[nodiscard]] bool is_said(std::string_view words) const { return earshotd_->output().find(words) != std::string::npos; }
+  [[nodiscard]] bool is_printed(std::string_view words) const { return earshotd_->output().find(words) != std::string::npos; }
 
   /// Orders that stand in the journal; every record of it must read back.
   [[nodiscard]] int orders_in_journal() const {
@@ -86,22 +86,22 @@ class SickDisk : public WalkAtSea {
 
 TEST_F(SickDisk, GivenADiskThatTakesASecondForEveryCallTheMissionIsFlownNothingIsLostAndTheLagIsTold) {
   EXPECT_EQ(sail("slow", From::kBeginning), 0) << earshotd_->output();
-  EXPECT_TRUE(is_said(kTold)) << earshotd_->output();
-  EXPECT_FALSE(is_said(kNotWhole)) << earshotd_->output();
+  EXPECT_TRUE(is_printed(kReported)) << earshotd_->output();
+  EXPECT_FALSE(is_printed(kNotWhole)) << earshotd_->output();
   EXPECT_EQ(orders_in_journal(), 1);
   EXPECT_TRUE(board::replay(folder_ / "journal.lcmlog").is_same());
 }
 
 TEST_F(SickDisk, GivenAFullDiskFromTheFirstByteTheMissionIsFlownAndStatusThreeSaysThatNothingIsKept) {
   EXPECT_EQ(sail("full", From::kBeginning), 3);
-  EXPECT_TRUE(is_said(kTold)) << earshotd_->output();
-  EXPECT_TRUE(is_said(kNotWhole)) << earshotd_->output();
+  EXPECT_TRUE(is_printed(kReported)) << earshotd_->output();
+  EXPECT_TRUE(is_printed(kNotWhole)) << earshotd_->output();
 }
 
 TEST_F(SickDisk, GivenADiskThatIsFullFromTheMiddleOnTheMissionIsFlownAndTheRestIsCounted) {
   EXPECT_EQ(sail("full", From::kMiddle), 3);
-  EXPECT_TRUE(is_said(kTold)) << earshotd_->output();
-  EXPECT_TRUE(is_said(kNotWhole)) << earshotd_->output();
+  EXPECT_TRUE(is_printed(kReported)) << earshotd_->output();
+  EXPECT_TRUE(is_printed(kNotWhole)) << earshotd_->output();
   EXPECT_EQ(orders_in_journal(), 1);
 }
 
@@ -113,8 +113,8 @@ TEST_F(SickDisk, GivenADiskThatIsFullAtTheLastTheReserveTakesTheEnd) {
 
 TEST_F(SickDisk, GivenADiskThatBecomesReadOnlyTheMissionIsFlownAndWhatWasWrittenBeforeReadsBack) {
   EXPECT_EQ(sail("read-only", From::kMiddle), 3);
-  EXPECT_TRUE(is_said(kTold)) << earshotd_->output();
-  EXPECT_TRUE(is_said(kNotWhole)) << earshotd_->output();
+  EXPECT_TRUE(is_printed(kReported)) << earshotd_->output();
+  EXPECT_TRUE(is_printed(kNotWhole)) << earshotd_->output();
   EXPECT_EQ(orders_in_journal(), 1);
 }
 
@@ -124,8 +124,8 @@ TEST_F(SickDisk, GivenAFullDiskASearchThatASignalStopsEndsWithTheStatusOfTheLoss
   search(vehicle, "full");
   earshotd_->signal(SIGTERM);
   EXPECT_EQ(earshotd_->wait(std::chrono::seconds(60)), 3) << earshotd_->output();
-  EXPECT_TRUE(is_said("ABORT, this program was stopped")) << earshotd_->output();
-  EXPECT_TRUE(is_said(kNotWhole)) << earshotd_->output();
+  EXPECT_TRUE(is_printed("ABORT, this program was stopped")) << earshotd_->output();
+  EXPECT_TRUE(is_printed(kNotWhole)) << earshotd_->output();
 }
 
 }  // namespace

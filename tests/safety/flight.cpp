@@ -137,7 +137,7 @@ class Flight {
       if (fixes_.size() > late) take(fixes_[fixes_.size() - 1 - late]);
       return;
     }
-    take(fix_told(fix));
+    take(fix_sent(fix));
     if (is_first_faulty_turn() && drawn_.fault == Fault::kStrayFix) take(displaced(fix, 20'000.0));
     if (is_first_faulty_turn() && drawn_.fault == Fault::kPoorFix) take(displaced(fix, std::numeric_limits<double>::quiet_NaN()));
     if (has(Fault::kSecondSender)) take(displaced(fix, 10'000.0));
@@ -149,7 +149,7 @@ class Flight {
     }
   }
 
-  [[nodiscard]] Navigation fix_told(const Navigation& fix) {
+  [[nodiscard]] Navigation fix_sent(const Navigation& fix) {
     Navigation told = fix;
     if (has(Fault::kFrozenFix)) {
       if (!frozen_) frozen_ = fix;

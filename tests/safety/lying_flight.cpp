@@ -279,7 +279,7 @@ class LyingFlight {
       if (!liar.is_second_sender() && liar.lies_at(since_s)) told = liar.told(told, since_s, before_);
     }
     for (Liar& liar : liars_) {
-      if (liar.is_second_sender() && liar.lies_at(since_s)) say_beside(liar, told, since_s);
+      if (liar.is_second_sender() && liar.lies_at(since_s)) send_beside(liar, told, since_s);
     }
     told.time = now_ + Duration::milliseconds(-kDelay_ms);  // its clock is right, and a message takes its time
     take(told);
@@ -291,7 +291,7 @@ class LyingFlight {
     return 100.0 + 2.0 * (vehicle.max_speed + vehicle.max_current).value;
   }
 
-  void say_beside(Liar& liar, const Navigation& told, std::int64_t since_s) {
+  void send_beside(Liar& liar, const Navigation& told, std::int64_t since_s) {
     constexpr std::int64_t kAhead_ms = 400;
     const auto fixes = static_cast<std::int64_t>(liar.fixes());
     const Way way = liar.way_at(since_s);
@@ -361,7 +361,7 @@ LyingMission draw_lying(std::uint64_t seed, bool is_honest) {
   return lying;
 }
 
-MetersPerSecond slowest_told_drift(const config::Mission& mission) {
+MetersPerSecond slowest_noticed_drift(const config::Mission& mission) {
   return 2.0 * mission.safety.vehicle.max_current + 0.3 * mission.search_speed + MetersPerSecond{0.1};
 }
 
@@ -371,8 +371,8 @@ double most_beyond_m(const LyingMission& mission, std::int64_t lied_s) {
     const bool is_drift = lie && lie->sensor == Sensor::kPlace && lie->kind == LieKind::kDrift;  // of two senders each tells of the other
     if (is_drift) slow_mps += lie->size;
   }
-  const bool is_told = slow_mps > slowest_told_drift(mission.drawn.mission).value;
-  return kMostBeyond_m + (is_told ? 0.0 : slow_mps * static_cast<double>(std::max<std::int64_t>(lied_s, 0)));
+  const bool is_reported = slow_mps > slowest_noticed_drift(mission.drawn.mission).value;
+  return kMostBeyond_m + (is_reported ? 0.0 : slow_mps * static_cast<double>(std::max<std::int64_t>(lied_s, 0)));
 }
 
 LyingResult fly_lying(const LyingMission& mission) {

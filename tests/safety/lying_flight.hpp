@@ -68,7 +68,7 @@ struct LyingResult {
 };
 
 /// A place that is made to drift faster is found to: the current may run the other way, and heading and speed have their errors.
-[[nodiscard]] MetersPerSecond slowest_told_drift(const config::Mission& mission);
+[[nodiscard]] MetersPerSecond slowest_noticed_drift(const config::Mission& mission);
 /// How far beyond the halt polygon the true vehicle may be while it searches: as far as a dead reckoning that is put right may jump; and as
 /// far as a place was made to drift that no other source tells from the current.
 inline constexpr double kMostBeyond_m = 500.0;

@@ -58,25 +58,25 @@ class HeardFlight : public Flight {
     EXPECT_FALSE(fs::exists(folder_ / "refused")) << part;
   }
 
-  struct Look {
+  struct Measurement {
     std::int64_t time_us = 0;
     long snr_ten_thousandths = 0;
     int too_faint = 0;
-    friend bool operator==(const Look&, const Look&) = default;
+    friend bool operator==(const Measurement&, const Measurement&) = default;
   };
   /// What the vehicle's own journal says that its detector gave it.
-  [[nodiscard]] std::vector<Look> journalled(const std::string& out) const {
-    std::vector<Look> looks;
+  [[nodiscard]] std::vector<Measurement> journalled(const std::string& out) const {
+    std::vector<Measurement> measurements;
     host::JournalReader reader(folder_ / out / "journal.lcmlog");
     for (host::JournalRecord record; reader.next(record);) {
-      snr_estimate_t look{};
-      if (!record.channel.starts_with(wire::kSnrEstimateChannel) || support::read_peer(record.data, look) != Status::kOk) continue;
-      looks.push_back({look.utime, std::lround(1e4 * look.snr_db), look.too_faint != 0 ? 1 : 0});
+      snr_estimate_t measurement{};
+      if (!record.channel.starts_with(wire::kSnrEstimateChannel) || support::read_peer(record.data, measurement) != Status::kOk) continue;
+      measurements.push_back({measurement.utime, std::lround(1e4 * measurement.snr_db), measurement.too_faint != 0 ? 1 : 0});
     }
-    return looks;
+    return measurements;
   }
-  [[nodiscard]] std::vector<Look> written(const std::string& out) const {
-    std::vector<Look> looks;
+  [[nodiscard]] std::vector<Measurement> written(const std::string& out) const {
+    std::vector<Measurement> measurements;
     std::ifstream rows(folder_ / out / "hearing.csv");
     std::string row;
     std::getline(rows, row);
@@ -85,9 +85,9 @@ class HeardFlight : public Flight {
       double snr_db = 0.0;
       int too_faint = 0;
       EXPECT_EQ(std::sscanf(row.c_str(), "%lf,%lf,%d", &time_s, &snr_db, &too_faint), 3) << row;
-      looks.push_back({std::llround(1e6 * time_s), std::lround(1e4 * snr_db), too_faint});
+      measurements.push_back({std::llround(1e6 * time_s), std::lround(1e4 * snr_db), too_faint});
     }
-    return looks;
+    return measurements;
   }
 };
 
@@ -111,7 +111,7 @@ TEST_F(HeardFlight, GivenOneSeedTwoFlightsHearTheSameAndGoTheSameWayByteForByteA
 TEST_F(HeardFlight, GivenItsJournalTheSnrsInItAreThoseThatTheSimulatorsFileTells) {
   const auto flight = hear("out", {"--hear", "synthetic", "--seed", "3"});
   ASSERT_EQ(flight->wait(240s), 0) << flight->output();
-  const std::vector<Look> heard = journalled("out");
+  const std::vector<Measurement> heard = journalled("out");
   EXPECT_GT(heard.size(), 200U);
   EXPECT_TRUE(heard == written("out"));
 }
@@ -131,7 +131,7 @@ TEST_F(HeardFlight, GivenASeaThatLosesBlocksItHearsTheRestAndTheSameSeedLosesThe
 TEST_F(HeardFlight, GivenRecordedCallsTheyAreHeardAtTheModelledLevelAndTheSourceIsSearchedFor) {
   const auto flight = hear("out", {"--hear", song(), "--seed", "3"});
   ASSERT_EQ(flight->wait(240s), 0) << flight->output();
-  // A pulse falls into one look or two that follow each other: together they hold its sound.
+  // A pulse falls into one measurement or two that follow each other: together they hold its sound.
   std::ifstream rows(folder_ / "out/hearing.csv");
   std::string row;
   std::getline(rows, row);

@@ -112,15 +112,15 @@ void fly(const support::TemporaryFolder& folder) {
   ASSERT_EQ(earshotd.wait(30s), program::kAborted) << earshotd.output();
 }
 
-std::vector<messages::SnrMeasurement> looks_in(const fs::path& journal) {
-  std::vector<messages::SnrMeasurement> looks;
+std::vector<messages::SnrMeasurement> measurements_in(const fs::path& journal) {
+  std::vector<messages::SnrMeasurement> measurements;
   host::JournalReader reader(journal);
   messages::Input input;
   for (host::JournalRecord record; reader.next(record);) {
     if (wire::read_input(record.channel, record.time, record.data, 0, input) != Status::kOk) continue;
-    if (const auto* look = std::get_if<messages::SnrMeasurement>(&input.value)) looks.push_back(*look);
+    if (const auto* measurement = std::get_if<messages::SnrMeasurement>(&input.value)) measurements.push_back(*measurement);
   }
-  return looks;
+  return measurements;
 }
 
 TEST(HearingInLockStep, GivenASimulatorsSoundTheVehicleSearchesByWhatItMeasuresAndTwiceTheSameToTheByte) {
@@ -136,10 +136,10 @@ TEST(HearingInLockStep, GivenASimulatorsSoundTheVehicleSearchesByWhatItMeasuresA
 
   double sum_db = 0.0;
   int in_call = 0;
-  for (const messages::SnrMeasurement& look : looks_in(journal)) {
-    if (look.time.us < (kCallBegins + 1) * std::int64_t{1'000'000}) continue;
-    EXPECT_FALSE(look.too_faint);
-    sum_db += look.snr.value;
+  for (const messages::SnrMeasurement& measurement : measurements_in(journal)) {
+    if (measurement.time.us < (kCallBegins + 1) * std::int64_t{1'000'000}) continue;
+    EXPECT_FALSE(measurement.too_faint);
+    sum_db += measurement.snr.value;
     ++in_call;
   }
   ASSERT_GE(in_call, 7);

@@ -58,7 +58,7 @@ class NoAllocation : public WalkAtSea {
     return earshotd_->wait(30s);
   }
 
-  void expect_said(std::string_view words) const {
+  void expect_output(std::string_view words) const {
     EXPECT_NE(earshotd_->output().find(words), std::string::npos) << words << "\nin:\n" << earshotd_->output();
   }
 };
@@ -99,16 +99,17 @@ TEST_F(NoAllocationOverLcm, GivenAWholeMissionWithRefusedOrdersAndNonsenseOnTheB
   EXPECT_EQ(vehicle.health.steps_taken, 20);
   EXPECT_EQ(vehicle.health.commands_refused, 1);
   EXPECT_EQ(stop(), 0);
-  expect_said("\nearshotd: 0 allocations in 5 threads over ");
-  expect_said("  runtime, of 340992 allowed\n");
-  expect_said("     7159244  journal ring\n");
-  expect_said("      262144  stack of thread journal\n");
-  expect_said("      262144  stack of thread event-log\n");
-  for (const char* news : {" UTC: STANDBY\n", " UTC: SEARCH\n", " UTC: DONE, all steps are taken, after 20 steps\n"}) expect_said(news);
-  expect_said("earshotd: stopped by a signal after ");
-  expect_said(" s, in DONE; it ended in DONE, all steps are taken, after 20 steps; journal ");
-  expect_said(" in STANDBY, ");
-  expect_said(" in SEARCH, ");
+  expect_output("\nearshotd: 0 allocations in 5 threads over ");
+  expect_output("  runtime, of 340992 allowed\n");
+  expect_output("     7159244  journal ring\n");
+  expect_output("      262144  stack of thread journal\n");
+  expect_output("      262144  stack of thread event-log\n");
+  for (const char* event_log : {" UTC: STANDBY\n", " UTC: SEARCH\n", " UTC: DONE, all steps are taken, after 20 steps\n"})
+    expect_output(event_log);
+  expect_output("earshotd: stopped by a signal after ");
+  expect_output(" s, in DONE; it ended in DONE, all steps are taken, after 20 steps; journal ");
+  expect_output(" in STANDBY, ");
+  expect_output(" in SEARCH, ");
   // Of the vehicle that has no configuration; of the proof there is none.
   EXPECT_EQ(earshotd_->output().rfind("warning"), earshotd_->output().find("warning: without --vehicle")) << earshotd_->output();
   EXPECT_EQ(earshotd_->output().find("has grown"), std::string::npos);
@@ -125,8 +126,8 @@ TEST_F(NoAllocationOverLcm, GivenAKeyThereIsNoneAsItTellsItsChallengeAndRefusesW
   ASSERT_TRUE(vehicle.sails_until([&] { return vehicle.health.commands_refused > 0; })) << earshotd_->output();
   EXPECT_EQ(vehicle.state(), MissionState::kStandby);
   EXPECT_EQ(stop(), 0);
-  expect_said("\nearshotd: 0 allocations in 5 threads over ");
-  expect_said("an order was refused: its mark is missing or wrong");
+  expect_output("\nearshotd: 0 allocations in 5 threads over ");
+  expect_output("an order was refused: its mark is missing or wrong");
 }
 
 TEST_F(NoAllocationOverLcm, GivenALinkThatGoesDownAndComesBackItIsOpenedAgainWithoutAny) {
@@ -145,47 +146,47 @@ TEST_F(NoAllocationOverLcm, GivenALinkThatGoesDownAndComesBackItIsOpenedAgainWit
   EXPECT_GT(vehicle.health.ports[0].unsent, 0);
   EXPECT_EQ(stop(), 0);
   const std::string port = " UTC: port 1, vehicle, LCM " + std::string(host::kDefaultLcmUrl) + ": its link is ";
-  expect_said(port + "down; tried again once a second\n");
-  expect_said(port + "up again");
-  expect_said("earshotd: vehicle, LCM " + std::string(host::kDefaultLcmUrl) + ": ");
-  expect_said(" messages could not be sent, because their link was down or its buffer full: check ");
-  expect_said("earshotd: warning: no SEARCH was flown, so that of a search nothing is proven");
-  expect_said("\nearshotd: 0 allocations in 5 threads over ");
+  expect_output(port + "down; tried again once a second\n");
+  expect_output(port + "up again");
+  expect_output("earshotd: vehicle, LCM " + std::string(host::kDefaultLcmUrl) + ": ");
+  expect_output(" messages could not be sent, because their link was down or its buffer full: check ");
+  expect_output("earshotd: warning: no SEARCH was flown, so that of a search nothing is proven");
+  expect_output("\nearshotd: 0 allocations in 5 threads over ");
 }
 
 TEST_F(NoAllocationOverLcm, GivenAPortThatAllocatesAsItReadsTheFlightEndsWithOneAndSaysWhere) {
   EXPECT_EQ(stand_by_asking("recvfrom", "malloc"), 1);
-  expect_said("memory was asked for after arming, in 5 threads over ");
-  expect_said("(earshotd): ");
-  expect_said("asks_for_memory");
+  expect_output("memory was asked for after arming, in 5 threads over ");
+  expect_output("(earshotd): ");
+  expect_output("asks_for_memory");
 }
 
 TEST_F(NoAllocationOverLcm, GivenAPortThatAllocatesAsItSendsByAlignedNewTheFlightEndsWithOne) {
   EXPECT_EQ(stand_by_asking("sendmsg", "aligned new"), 1);
-  expect_said("(earshotd): ");
+  expect_output("(earshotd): ");
 }
 
 TEST_F(NoAllocationOverLcm, GivenAnAllocationInTheJournalsThreadTheFlightEndsWithOneAndNamesTheThread) {
   EXPECT_EQ(stand_by_asking("fdatasync", "malloc"), 1);
-  expect_said("(journal): ");
+  expect_output("(journal): ");
   EXPECT_EQ(earshotd_->output().find("(earshotd): "), std::string::npos) << earshotd_->output();
 }
 
 TEST_F(NoAllocationOverLcm, GivenAClockThatMapsMemoryTheFlightEndsWithOne) {
   EXPECT_EQ(stand_by_asking("ppoll", "mmap"), 1);
-  expect_said(": 0 allocations, 0 releases, ");
+  expect_output(": 0 allocations, 0 releases, ");
 }
 
 TEST_F(NoAllocationOverLcm, GivenABareSystemCallThatMapsMemoryTheFlightEndsWithOneBecauseItsAddressSpaceHasGrown) {
   EXPECT_EQ(stand_by_asking("ppoll", "system call"), 1);
-  expect_said("the memory of the process has grown: address space by ");
+  expect_output("the memory of the process has grown: address space by ");
 }
 
 TEST_F(NoAllocation, GivenASimulationItIsRefused) {
   write_mission("search.toml", "3");
   start_proof({"--simulation", "7"});
   EXPECT_EQ(earshotd_->wait(30s), 2);
-  expect_said("--prove-no-alloc: not with --simulation");
+  expect_output("--prove-no-alloc: not with --simulation");
 }
 
 TEST_F(NoAllocation, GivenNavigationAndSetPointsOverCanThereIsNoneInAWholeMission) {
@@ -204,7 +205,7 @@ TEST_F(NoAllocation, GivenNavigationAndSetPointsOverCanThereIsNoneInAWholeMissio
   payload.order(Order::kStart);
   ASSERT_TRUE(payload.sails_until([&] { return payload.state() == MissionState::kDone; })) << earshotd_->output();
   EXPECT_EQ(stop(), 0);
-  expect_said("\nearshotd: 0 allocations in 5 threads over ");
+  expect_output("\nearshotd: 0 allocations in 5 threads over ");
 }
 
 TEST_F(NoAllocation, GivenAMissionOverCanAloneThereIsNoneFromStandbyToItsEnd) {
@@ -231,7 +232,7 @@ TEST_F(NoAllocation, GivenAMissionOverCanAloneThereIsNoneFromStandbyToItsEnd) {
   EXPECT_EQ(payload.acknowledgements[0].outcome, messages::CommandOutcome::kNotInThisState);
   EXPECT_EQ(payload.acknowledgements[1].outcome, messages::CommandOutcome::kObeyed);
   EXPECT_EQ(stop(), 0);
-  expect_said("\nearshotd: 0 allocations in 5 threads over ");
+  expect_output("\nearshotd: 0 allocations in 5 threads over ");
 }
 
 }  // namespace

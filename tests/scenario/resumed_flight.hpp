@@ -81,7 +81,7 @@ class ResumedFlight : public Flight {
       for (host::JournalRecord record; reader.next(record);) {
         if (record.channel == wire::kDecisionChannel && --decisions == 0) return true;
       }
-      reader.look_again();
+      reader.resume_reading();
       std::this_thread::sleep_for(1ms);
     }
     return false;

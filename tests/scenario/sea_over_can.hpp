@@ -44,7 +44,7 @@ struct Voyage {
   std::vector<messages::Setpoint> setpoints;
   std::vector<messages::OperatorCommand> commands;
   std::vector<messages::CommandOutcome> answers;
-  std::size_t looks = 0;  ///< SNR
+  std::size_t measurements = 0;  ///< SNR
 
   explicit Voyage(const std::filesystem::path& journal) {
     host::JournalReader reader(journal);
@@ -63,7 +63,7 @@ struct Voyage {
     } else if (wire::read_input(record.channel, record.time, record.data, 0, input) == Status::kOk) {
       if (const auto* fix = std::get_if<messages::Navigation>(&input.value)) fixes.push_back(*fix);
       if (const auto* command = std::get_if<messages::OperatorCommand>(&input.value)) commands.push_back(*command);
-      if (std::holds_alternative<messages::SnrMeasurement>(input.value)) ++looks;
+      if (std::holds_alternative<messages::SnrMeasurement>(input.value)) ++measurements;
     }
   }
 };
@@ -101,7 +101,7 @@ class SeaOverCan : public testing::Test {
     setup.plane = host::load_mission(folder_ / "mission.toml").plane;
     setup.utc = hil::ScaledClock::utc;
     vehicle_ = std::make_unique<hil::EmulatedVehicle>(setup);
-    vehicle_->autopilot()->tell([this](Time, const messages::Setpoint& setpoint) { taken_.push_back(setpoint); });
+    vehicle_->autopilot()->call_back([this](Time, const messages::Setpoint& setpoint) { taken_.push_back(setpoint); });
     bus_ = std::make_unique<hil::BusConnection>("vcan0", *vehicle_, clock_);
   }
 

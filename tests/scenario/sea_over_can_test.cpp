@@ -208,9 +208,9 @@ TEST_F(SeaOverCan, GivenEverythingOverCanAHiddenSourceIsFoundAndTheJournalGivesE
   expect_surfaced(voyage.fixes);
   EXPECT_EQ(obeyed(ashore), (std::vector{Order::kStart, Order::kComplete}));
   EXPECT_EQ(ashore.decisions(), board::replay(folder_ / "journal.lcmlog").decisions);
-  EXPECT_GT(voyage.looks, 200U);
+  EXPECT_GT(voyage.measurements, 200U);
   std::cout << "found after " << ashore.health()->health.steps_taken << " steps and " << sailed.value << " m; " << voyage.fixes.size()
-            << " fixes, " << voyage.looks << " looks, " << voyage.setpoints.size() << " set-points, " << bus_->sent() << " frames\n";
+            << " fixes, " << voyage.measurements << " looks, " << voyage.setpoints.size() << " set-points, " << bus_->sent() << " frames\n";
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ namespace fs = std::filesystem;
 const fs::path kMissions = fs::path(EARSHOT_SOURCE_DIR) / "firmware/boards/linux/missions";
 const std::string kSoundUrl = "udpm://239.255.76.68:7668?ttl=0";
 const std::string kHydrophone = "[[port]]\nname = \"ears\"\nkind = \"lcm\"\nurl = \"" + kSoundUrl + "\"\nroles = [\"hydrophone\"]\n\n";
-/// Integration times so short that the noise is known and looks come within seconds.
+/// Integration times so short that the noise is known and measurements come within seconds.
 const std::string kHearing =
     "[hydrophone]\npreset = \"fin_whale\"\nsensitivity_db_re_1v_per_upa = -170.0\nfull_scale_v = 1.0\nadc_bits = 24\n"
     "integration_time_s = 0.2\nfloor_window_s = 3.2\n\n";
@@ -130,7 +130,7 @@ class Sound : public testing::Test {
   /// What the hydrophone's port brought, by the journal.
   struct Heard {
     messages::PortReport report;  ///< the last
-    std::uint64_t looks = 0;
+    std::uint64_t measurements = 0;
   };
   [[nodiscard]] Heard heard_by_journal() const {
     host::JournalReader reader(folder_ / "journal.lcmlog");
@@ -141,7 +141,7 @@ class Sound : public testing::Test {
       if (wire::read_input(record.channel, record.time, record.data, 0, input) != Status::kOk) continue;
       const auto* report = std::get_if<messages::PortReport>(&input.value);
       if (report != nullptr && report->port == kSoundPort) heard.report = *report;
-      if (std::holds_alternative<messages::SnrMeasurement>(input.value) && input.port == kSoundPort) ++heard.looks;
+      if (std::holds_alternative<messages::SnrMeasurement>(input.value) && input.port == kSoundPort) ++heard.measurements;
     }
     return heard;
   }
@@ -166,14 +166,15 @@ TEST_F(Sound, GivenEightChannelsAtNinetySixKilohertzEverySampleIsHeardOrCountedA
   earshotd_->signal(SIGTERM);
   ASSERT_EQ(earshotd_->wait(30s), program::kAborted) << earshotd_->output();
 
-  const auto [report, looks] = heard_by_journal();
+  const auto [report, measurements] = heard_by_journal();
   EXPECT_EQ(report.received + report.lost, driver.taken());
   EXPECT_EQ(report.malformed, 0U);
-  EXPECT_GT(looks, 0U) << earshotd_->output();
+  EXPECT_GT(measurements, 0U) << earshotd_->output();
   EXPECT_TRUE(board::replay(folder_ / "journal.lcmlog").is_same());
   EXPECT_LT(fs::file_size(folder_ / "journal.lcmlog"), driver.taken()) << "a byte a sample of one channel of eight, where a sample is four";
   std::cout << sent_for.count() << " s of 96 kHz x 8 channels: " << report.received << " samples of each channel heard, " << report.lost
-            << " lost, " << looks << " looks; earshotd took " << 100.0 * processor_time_of_children() / sent_for << " % of a processor\n";
+            << " lost, " << measurements << " looks; earshotd took " << 100.0 * processor_time_of_children() / sent_for
+            << " % of a processor\n";
 }
 
 TEST_F(Sound, GivenAHydrophoneThatNobodyListensToAndNobodyWhoBringsAnSnrAMissionIsRefused) {

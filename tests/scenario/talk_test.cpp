@@ -77,16 +77,16 @@ TEST_F(Talk, GivenATerminalAndQuietNothingIsShown) {
 }
 
 TEST_F(Talk, GivenNoTerminalThereIsTheSummaryAloneHoweverLongTheFlightTakes) {
-  const std::string told_ = told(kWatched);
-  EXPECT_EQ(told_.find('\r'), std::string::npos) << told_;
-  EXPECT_EQ(told_.find("Source found after "), 0) << told_;
+  const std::string printed_ = told(kWatched);
+  EXPECT_EQ(printed_.find('\r'), std::string::npos) << printed_;
+  EXPECT_EQ(printed_.find("Source found after "), 0) << printed_;
 }
 
 TEST_F(Talk, GivenVerboseItAlsoTellsWhatGoesIntoTheFlight) {
-  const std::string told_ = told({"--verbose"});
-  EXPECT_NE(told_.find("--seed 3\n"), std::string::npos) << told_;
-  EXPECT_NE(told_.find("--speed 0 (default)\n"), std::string::npos) << told_;
-  EXPECT_NE(told_.find("Source found after "), std::string::npos) << told_;
+  const std::string printed_ = told({"--verbose"});
+  EXPECT_NE(printed_.find("--seed 3\n"), std::string::npos) << printed_;
+  EXPECT_NE(printed_.find("--speed 0 (default)\n"), std::string::npos) << printed_;
+  EXPECT_NE(printed_.find("Source found after "), std::string::npos) << printed_;
 }
 
 TEST_F(Talk, GivenAPolicyTrainedForAFixedSourceItWarnsBeforeItLooksForAnother) {

@@ -112,8 +112,8 @@ class VehicleOverLcm {
     fix_.time = utc();
     publish(wire::kNavStateChannel, fix_);
     publish(wire::kSnrEstimateChannel, messages::SnrMeasurement{.time = utc(), .snr = Decibels{3}});
-    tells_of_hull_ = tells_of_hull_ || has_leak_;
-    if (tells_of_hull_) publish(wire::kVehicleStatusChannel, messages::VehicleStatus{.time = utc(), .has_leak = has_leak_});
+    reports_hull_ = reports_hull_ || has_leak_;
+    if (reports_hull_) publish(wire::kVehicleStatusChannel, messages::VehicleStatus{.time = utc(), .has_leak = has_leak_});
   }
 
   [[nodiscard]] Time utc() const { return clock_.utc() + clock_is_ahead; }
@@ -124,7 +124,7 @@ class VehicleOverLcm {
   std::chrono::steady_clock::time_point moved_ = std::chrono::steady_clock::now();
   std::uint32_t orders_ = 0;
   bool has_leak_ = false;
-  bool tells_of_hull_ = false;
+  bool reports_hull_ = false;
   bool is_silent_ = false;
 };
 

@@ -55,7 +55,7 @@ class SignedMission {
   host::SecretKey key_;
 };
 
-/// The text of a mission that ships, for the walking policy in its own folder, which hears the newest look.
+/// The text of a mission that ships, for the walking policy in its own folder, which hears the newest measurement.
 [[nodiscard]] inline std::string mission_of_the_walk(std::string mission) {
   const auto replace = [&mission](std::string_view from, std::string_view to) {
     mission.replace(mission.find(from), from.size(), to);  // throws when it is not there

@@ -73,12 +73,12 @@ void FlightBoard::begin() {
 }
 
 void FlightBoard::take(std::span<const std::uint8_t> bytes) {
-  using Said = wire::CobsReader::Said;
+  using Outcome = wire::CobsReader::Outcome;
   for (const std::uint8_t byte : bytes) {
-    const Said said = reader_.take(byte);
-    if (said == Said::kNothing) continue;
+    const Outcome outcome = reader_.take(byte);
+    if (outcome == Outcome::kNothing) continue;
     wire::FramedRecord record;
-    if (said == Said::kFrame && wire::read_record_frame(reader_.frame(), record) == Status::kOk) {
+    if (outcome == Outcome::kFrame && wire::read_record_frame(reader_.frame(), record) == Status::kOk) {
       take(record);
     } else {
       ++frames_refused_;
@@ -132,28 +132,28 @@ void FlightBoard::hear(std::uint8_t port, const wire::FramedRecord& record) {
   detector_.hear(message.block, samples);
   while (const std::optional<detector::Estimate> estimate = detector_.next()) {
     messages::Input input{.arrival = record.time, .port = port, .sequence = inputs_, .value = {}};
-    tell_deafness(input, estimate->hearing);
+    report_deafness(input, estimate->hearing);
     input.sequence = inputs_;
     input.value = estimate->measurement();
-    if (!estimate->is_look()) continue;
-    say(input);
+    if (!estimate->is_snr_measurement()) continue;
+    transmit(input);
     take(input);
   }
 }
 
-void FlightBoard::tell_deafness(messages::Input input, detector::Hearing hearing) {
+void FlightBoard::report_deafness(messages::Input input, detector::Hearing hearing) {
   const std::optional<bool> is_deaf = detector::is_deaf(hearing);
   if (!is_deaf || *is_deaf == is_deaf_) return;
   is_deaf_ = *is_deaf;
   input.value = messages::HydrophoneStatus{.time = input.arrival, .is_deaf = is_deaf_};
-  say(input);
+  transmit(input);
   take(input);
 }
 
 /// Its messages are gone from the stack when the input is taken.
-__attribute__((noinline)) void FlightBoard::say(const messages::Input& input) {
-  const wire::InputRecord said(input);
-  machine::send(wire::RecordFrame(input.arrival, said.channel(), said.data()).bytes());
+__attribute__((noinline)) void FlightBoard::transmit(const messages::Input& input) {
+  const wire::InputRecord record(input);
+  machine::send(wire::RecordFrame(input.arrival, record.channel(), record.data()).bytes());
 }
 
 void FlightBoard::keep_piece(std::span<const std::uint8_t> piece, std::span<std::uint8_t> place, Incoming& file) {
@@ -204,10 +204,10 @@ void FlightBoard::turn(Time now, std::span<const std::uint8_t> count) {
   const runtime::Outputs outputs = runtime_.step(now);
   turn_us_ = machine::microseconds() - began;
   if (outputs.decision) report(now, BoardEvent::kDecided);
-  say(now, outputs);
+  transmit(now, outputs);
 }
 
-void FlightBoard::say(Time now, const runtime::Outputs& outputs) {
+void FlightBoard::transmit(Time now, const runtime::Outputs& outputs) {
   if (outputs.setpoint) send(now, wire::kJournalledSetpointChannel, *outputs.setpoint);
   if (outputs.decision) send(now, wire::kDecisionChannel, *outputs.decision);
   for (const messages::SafetyEvent& event : outputs.safety_events) send(now, wire::kSafetyEventChannel, event);

@@ -43,13 +43,14 @@ class FlightBoard {
   void arm(Time time, std::span<const std::uint8_t> message);
   [[nodiscard]] Status configure(std::span<const std::uint8_t> message);
   void listen_for(Time time, std::span<const std::uint8_t> message);
-  /// A block of the hydrophone at a port: each look at it is an input, and is said. @param record  lies in frame_, and is written over
+  /// A block of the hydrophone at a port: each SNR measurement of it is an input, and is sent. @param record  lies in frame_, and is
+  /// written over
   void hear(std::uint8_t port, const wire::FramedRecord& record);
-  void tell_deafness(messages::Input input, detector::Hearing hearing);
-  void say(const messages::Input& input);
+  void report_deafness(messages::Input input, detector::Hearing hearing);
+  void transmit(const messages::Input& input);
   void take(const messages::Input& input);
   void turn(Time now, std::span<const std::uint8_t> count);
-  void say(Time now, const runtime::Outputs& outputs);
+  void transmit(Time now, const runtime::Outputs& outputs);
   void report(Time time, messages::BoardEvent event, Status status = Status::kOk);
 
   alignas(float) std::array<std::uint8_t, wire::kFrameBytes> frame_{};

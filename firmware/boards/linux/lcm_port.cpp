@@ -92,11 +92,11 @@ bool LcmPort::take_order(Clock& clock, std::span<const std::uint8_t> data, Input
   const wire::ReadOrder order = wire::read_order(data);
   messages::OperatorCommand command = order.command;
   if (order.form == wire::OrderForm::kUnreadable) {
-    sink.tell_order_trouble(index(), OrderTrouble::kUnreadable);
+    sink.report_order_trouble(index(), OrderTrouble::kUnreadable);
     answer_unreadable(clock, command);
     return false;
   }
-  if (order.form == wire::OrderForm::kAbort) sink.tell_order_trouble(index(), OrderTrouble::kCutAbort);
+  if (order.form == wire::OrderForm::kAbort) sink.report_order_trouble(index(), OrderTrouble::kCutAbort);
   judge_mark(command_proof_, command, sink);
   command.time = clock.mission_time_of(command.time);
   command.expiry = clock.mission_time_of(command.expiry);
@@ -148,7 +148,7 @@ std::uint64_t LcmPort::publish(Time now, const runtime::Outputs& outputs) {
     if (send(wire::kSetpointChannel, *outputs.setpoint, date_of(now))) ++setpoints;
   }
   if (has(host::Role::kOperator)) {
-    if (command_proof_) (void)send(wire::kChallengeChannel, command_proof_->told(date_of(now)));
+    if (command_proof_) (void)send(wire::kChallengeChannel, command_proof_->published(date_of(now)));
     for (const messages::CommandAcknowledgement& acknowledgement : outputs.acknowledgements) {
       if (acknowledgement.port == index()) send_dated(wire::kAcknowledgementChannel, acknowledgement);
     }

@@ -14,7 +14,7 @@ namespace earshot::board {
 
 /// Bytes of the main thread's stack that are there before the first turn; a mission uses some 20 kB of it. Full: the system adds pages.
 inline constexpr std::size_t kMainStackBytes = 262'144;
-/// Bytes of every other thread's stack (the journal's writer, the news'). Full: the process ends.
+/// Bytes of every other thread's stack (the journal's writer, the event log's). Full: the process ends.
 inline constexpr std::size_t kThreadStackBytes = 262'144;
 
 /// Lays out the memory of a flight: the main thread's stack and every page that the process may write are written once, and locked where

@@ -73,9 +73,9 @@ class Stopping {
       : result_(result), turn_(turn), ports_(ports), clock_(clock) {}
 
   /// An ABORT if the mission is not over; then turns until its last set-point has been sent often enough.
-  /// @param said  turns in which it was sent before
-  LoopResult run(Duration period, int said) {
-    turn_.tell_stop();
+  /// @param last_turns  turns in which it was sent before
+  LoopResult run(Duration period, int last_turns) {
+    turn_.note_program_stop();
     const auto deadline = std::chrono::steady_clock::now() + kStopPatience;
     Time next_turn = clock_.now();
     for (bool has_turned = false;;) {
@@ -89,7 +89,8 @@ class Stopping {
         make_turn(turn_, result_);
         has_turned = true;
         next_turn = next_turn + period;
-        if (!clock_.answered(result_.last, ports_.setpoints_sent()) || !result_.last.setpoint || ++said >= kLastSetpoints) return result_;
+        if (!clock_.answered(result_.last, ports_.setpoints_sent()) || !result_.last.setpoint || ++last_turns >= kLastSetpoints)
+          return result_;
       }
       if (is_last_chance) return result_;
     }
@@ -137,7 +138,7 @@ LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, const Pace& pace
     const bool hears = turn.navigation_taken() > navigation_before && turn.snr_taken() > snr_before;
     return result.turns == 0 && !hears && !turn.is_urgent() && clock.now() - result.began < hold.most;
   };
-  int said = 0;  // turns since the mission was over, but for those that arrivals made: so close together a bus may lose all of them
+  int last_turns = 0;  // turns since the mission was over, but for those that arrivals made: so close together a bus may lose all of them
   while (!stop) {
     const Clock::Wake wake = clock.wait(awaited(ports, schedule.next(), turn));
     ports.serve();
@@ -148,14 +149,14 @@ LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, const Pace& pace
     if (stop) break;
     if (wake == Clock::Wake::kNothing) continue;
     collect(ports, clock, result.turns == 0 && hold.meanwhile != nullptr ? static_cast<InputSink&>(*hold.meanwhile) : turn);
-    if (wake == Clock::Wake::kAgain) (void)clock.answered(turn.say_again(), ports.setpoints_sent());
+    if (wake == Clock::Wake::kAgain) (void)clock.answered(turn.send_again(), ports.setpoints_sent());
     const bool is_due = wake == Clock::Wake::kTurn;
     const bool is_called = turn.is_called() && pace.turns == host::Turns::kOnArrival;
     if (is_due) ports.tend();
     const bool is_held = waits_for_sensors();
     if (is_held && is_due) {
       schedule.put_off(clock.now());
-      if (hold.meanwhile != nullptr && clock.now() >= hold.meanwhile_from) hold.meanwhile->say();
+      if (hold.meanwhile != nullptr && clock.now() >= hold.meanwhile_from) hold.meanwhile->publish_state();
     }
     if (is_held || (!is_due && !(is_called && schedule.call(clock.now())))) continue;
     make_turn(turn, result);
@@ -164,7 +165,7 @@ LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, const Pace& pace
       return result;
     }
     if (!is_due) ports.tend();  // what has come is answered first
-    if (!is_called && is_over(result.last.health) && said < kLastSetpoints) ++said;
+    if (!is_called && is_over(result.last.health) && last_turns < kLastSetpoints) ++last_turns;
     schedule.note_turn(result.time, clock.now());
     if (!clock.answered(result.last, ports.setpoints_sent())) {
       result.end = LoopEnd::kMissionOver;
@@ -172,7 +173,7 @@ LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, const Pace& pace
     }
   }
   result.found_in = result.last.health.state;
-  return Stopping(result, turn, ports, clock).run(pace.period, said);
+  return Stopping(result, turn, ports, clock).run(pace.period, last_turns);
 }
 
 }  // namespace earshot::board

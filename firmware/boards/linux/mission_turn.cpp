@@ -17,14 +17,14 @@
 namespace earshot::board {
 namespace {
 
-using host::Weight;
+using host::Priority;
 
 /// A report of the journal itself outlives the streams on the full disk that it is about; it claims nothing of the orders' reserve, for
 /// which streams that still wait would be given up.
 /// Nor does an order that was refused: whoever floods the bus with them must not be able to push out those that are obeyed.
-Weight weight_of(std::uint8_t port, const InputSink::Value& value, messages::CommandOutcome outcome) {
-  if (std::holds_alternative<messages::OperatorCommand>(value)) return messages::was_obeyed(outcome) ? Weight::kOrder : Weight::kStream;
-  return port == kOwnPort ? Weight::kSteering : Weight::kStream;
+Priority priority_of(std::uint8_t port, const InputSink::Value& value, messages::CommandOutcome outcome) {
+  if (std::holds_alternative<messages::OperatorCommand>(value)) return messages::was_obeyed(outcome) ? Priority::kOrder : Priority::kStream;
+  return port == kOwnPort ? Priority::kSteering : Priority::kStream;
 }
 
 /// An order that was not acknowledged comes again.
@@ -56,8 +56,8 @@ messages::Build bytes_of(std::string_view build) {
 
 }  // namespace
 
-void MissionTurn::append(Time time, std::string_view channel, std::span<const std::uint8_t> data, Weight weight) {
-  if (journal_ != nullptr) (void)journal_->append(time, channel, data, weight);  // the journal counts what it loses
+void MissionTurn::append(Time time, std::string_view channel, std::span<const std::uint8_t> data, Priority priority) {
+  if (journal_ != nullptr) (void)journal_->append(time, channel, data, priority);  // the journal counts what it loses
 }
 
 std::uint32_t MissionTurn::record_mission(const config::Mission& mission, const FlownWith& with) {
@@ -66,15 +66,15 @@ std::uint32_t MissionTurn::record_mission(const config::Mission& mission, const 
       messages::MissionRecord{
           .mission = mission, .policy_crc32 = crc32(with.policy), .tables_crc32 = crc32(with.tables), .build = bytes_of(with.build)},
       begin);
-  append(begin, wire::kMissionChannel, encoded.bytes(), Weight::kOrder);
-  append(begin, wire::kPolicyChannel, with.policy, Weight::kOrder);
-  append(begin, wire::kTablesChannel, with.tables, Weight::kOrder);
+  append(begin, wire::kMissionChannel, encoded.bytes(), Priority::kOrder);
+  append(begin, wire::kPolicyChannel, with.policy, Priority::kOrder);
+  append(begin, wire::kTablesChannel, with.tables, Priority::kOrder);
   return host::checksum_of_record(0, begin, wire::kMissionChannel, encoded.bytes());
 }
 
-void MissionTurn::tell(FlightNews& news) {
-  news_ = &news;
-  news.tell(Time{}, core_.mission());
+void MissionTurn::report_to(EventLog& event_log) {
+  event_log_ = &event_log;
+  event_log.log(Time{}, core_.mission());
 }
 
 Time MissionTurn::now() {
@@ -100,7 +100,7 @@ void MissionTurn::take(std::uint8_t port, const Value& value) {
 
 void MissionTurn::append(const messages::Input& input, messages::CommandOutcome outcome) {
   const wire::InputRecord record(input);
-  append(input.arrival, record.channel(), record.data(), weight_of(input.port, input.value, outcome));
+  append(input.arrival, record.channel(), record.data(), priority_of(input.port, input.value, outcome));
 }
 
 void MissionTurn::append_held(const runtime::Acknowledgements* acknowledgements) {
@@ -108,27 +108,27 @@ void MissionTurn::append_held(const runtime::Acknowledgements* acknowledgements)
   held_.clear();
 }
 
-void MissionTurn::tell_stop() {
-  if (news_ != nullptr) news_->tell_stop();
+void MissionTurn::note_program_stop() {
+  if (event_log_ != nullptr) event_log_->note_program_stop();
   if (manager_ != nullptr) manager_->note_stop();
 }
 
-void MissionTurn::tell_detection(std::uint8_t port, const messages::SoundDetection& detection) {
+void MissionTurn::report_detection(std::uint8_t port, const messages::SoundDetection& detection) {
   ports_.publish_detection(detection);
-  if (news_ != nullptr) news_->tell(now(), port, detection);
+  if (event_log_ != nullptr) event_log_->log(now(), port, detection);
 }
 
-void MissionTurn::tell_chain(std::uint8_t port, const HeardChain& chain) {
-  if (news_ != nullptr) news_->tell(port, chain);
+void MissionTurn::report_chain(std::uint8_t port, const HeardChain& chain) {
+  if (event_log_ != nullptr) event_log_->log(port, chain);
 }
 
-void MissionTurn::tell_trouble(std::uint8_t port, BusTrouble trouble, bool is_there) {
+void MissionTurn::report_trouble(std::uint8_t port, BusTrouble trouble, bool is_there) {
   record_trouble(port, trouble, is_there);
-  if (news_ != nullptr) news_->tell(port, trouble, is_there);
+  if (event_log_ != nullptr) event_log_->log(port, trouble, is_there);
 }
 
-void MissionTurn::tell_order_trouble(std::uint8_t port, OrderTrouble trouble) {
-  if (news_ != nullptr) news_->tell(port, trouble);
+void MissionTurn::report_order_trouble(std::uint8_t port, OrderTrouble trouble) {
+  if (event_log_ != nullptr) event_log_->log(port, trouble);
 }
 
 /// Of the controller alone: that is what the kernel says. The rest goes by how long something is missing on the host's clock, by which a
@@ -141,15 +141,15 @@ void MissionTurn::record_trouble(std::uint8_t port, BusTrouble trouble, bool is_
       .port = port,
       .trouble = trouble == BusTrouble::kBusOff ? ControllerState::kBusOff : ControllerState::kErrorPassive,
       .is_there = is_there};
-  append(memory_.last, wire::kControllerTroubleChannel, wire::Encoded(record).bytes(), Weight::kSteering);
+  append(memory_.last, wire::kControllerTroubleChannel, wire::Encoded(record).bytes(), Priority::kSteering);
 }
 
 void MissionTurn::go_on_after(const Resumption& before, std::string_view build) {
   memory_ = before.memory;
   outputs_ = before.last;
-  for (const Playback::Unwritten& record : before.unwritten) append(memory_.last, record.channel, record.message.bytes(), record.weight);
+  for (const Playback::Unwritten& record : before.unwritten) append(memory_.last, record.channel, record.message.bytes(), record.priority);
   const messages::JournalResumed resumed{.time = now(), .cut_bytes = before.cut_bytes, .build = bytes_of(build)};
-  append(memory_.last, wire::kJournalResumedChannel, wire::Encoded(resumed).bytes(), Weight::kOrder);
+  append(memory_.last, wire::kJournalResumedChannel, wire::Encoded(resumed).bytes(), Priority::kOrder);
 }
 
 runtime::Outputs MissionTurn::operator()() {
@@ -168,14 +168,14 @@ runtime::Outputs MissionTurn::operator()() {
   ports_.note_speed(is_finite(memory_.speed.value) ? memory_.speed : memory_.commanded_speed);
   if (is_overtaken()) return outputs_;
   const std::uint64_t sent = ports_.setpoints_sent();
-  ports_.publish(turn, as_told(is_durable));
+  ports_.publish(turn, as_published(is_durable));
   is_mute_ = outputs_.setpoint && ports_.carries_setpoints() && ports_.setpoints_sent() == sent;
   if (manager_ != nullptr) manager_->note_turn(outputs_.health);
-  if (news_ == nullptr) return outputs_;
-  news_->tell(turn, core_.mission());
-  news_->tell_durable(turn, is_durable);
-  for (const messages::SafetyEvent& event : outputs_.safety_events) news_->tell(event);
-  news_->tell(turn, outputs_.health);
+  if (event_log_ == nullptr) return outputs_;
+  event_log_->log(turn, core_.mission());
+  event_log_->report_durable(turn, is_durable);
+  for (const messages::SafetyEvent& event : outputs_.safety_events) event_log_->log(event);
+  event_log_->log(turn, outputs_.health);
   return outputs_;
 }
 
@@ -187,7 +187,7 @@ void MissionTurn::end() {
   append_held(nullptr);
 }
 
-runtime::Outputs MissionTurn::say_again() {
+runtime::Outputs MissionTurn::send_again() {
   ports_.publish(memory_.last, outputs_);
   return outputs_;
 }
@@ -198,8 +198,8 @@ void MissionTurn::write_ahead_of(const runtime::Outputs& outputs, bool is_new_st
   });
   using Reach = host::Journal::Reach;
   if (journal_ == nullptr) return;
-  const bool is_weighty = has_obeyed || (is_ahead_always_ && (is_new_state || !outputs.safety_events.empty()));
-  if (is_weighty || is_ahead_always_) (void)journal_->flush(patience_, is_weighty ? Reach::kDisk : Reach::kFile);
+  const bool is_urgent = has_obeyed || (is_ahead_always_ && (is_new_state || !outputs.safety_events.empty()));
+  if (is_urgent || is_ahead_always_) (void)journal_->flush(patience_, is_urgent ? Reach::kDisk : Reach::kFile);
 }
 
 void MissionTurn::report_journal(Time now) {
@@ -216,19 +216,19 @@ void MissionTurn::report_mute() {
   if (is_mute_) take(kOwnPort, messages::UnsentSetpoints{.count = memory_.unsent_setpoints + 1});
 }
 
-const runtime::Outputs& MissionTurn::as_told(bool is_durable) {
+const runtime::Outputs& MissionTurn::as_published(bool is_durable) {
   if (is_durable || outputs_.acknowledgements.empty()) return outputs_;
-  told_ = outputs_;
-  for (messages::CommandAcknowledgement& acknowledgement : told_.acknowledgements) {
+  published_ = outputs_;
+  for (messages::CommandAcknowledgement& acknowledgement : published_.acknowledgements) {
     if (acknowledgement.outcome == messages::CommandOutcome::kObeyed) acknowledgement.outcome = messages::CommandOutcome::kObeyedNotDurable;
   }
-  return told_;
+  return published_;
 }
 
 bool MissionTurn::record(Time now, const runtime::Outputs& outputs) {
   const bool is_new_state = memory_.recorded_state != outputs.health.state;
-  for_each_record(outputs, is_new_state, [&](std::string_view channel, const auto& message, Weight weight) {
-    append(now, channel, wire::Encoded(message, now).bytes(), weight);
+  for_each_record(outputs, is_new_state, [&](std::string_view channel, const auto& message, Priority priority) {
+    append(now, channel, wire::Encoded(message, now).bytes(), priority);
   });
   return is_new_state;
 }

@@ -10,7 +10,7 @@
 #include "firmware/boards/linux/clock/clock.hpp"
 #include "firmware/boards/linux/core/core.hpp"
 #include "firmware/boards/linux/core/order_gate.hpp"
-#include "firmware/boards/linux/news/flight_news.hpp"
+#include "firmware/boards/linux/event_log/event_log.hpp"
 #include "firmware/boards/linux/outage/safety_log.hpp"
 #include "firmware/boards/linux/port/port.hpp"
 #include "firmware/boards/linux/port/port_set.hpp"
@@ -40,7 +40,7 @@ struct FlownWith {
 /// health, always, with the turn's time. With the mission, the policy and its tables at its beginning the journal thus holds all that the
 /// runtime was ever given: whoever takes the same inputs and steps at every health record gets every output again, bit for bit. A journal
 /// that its disk does not take is reported as Earshot's own port (kOwnPort): its link is down. Commands and what steered the vehicle weigh
-/// more than streams: on a full disk they are lost last (host::Weight).
+/// more than streams: on a full disk they are lost last (host::Priority).
 class MissionTurn final : public InputSink {
  public:
   /// All four must outlive it.
@@ -72,24 +72,24 @@ class MissionTurn final : public InputSink {
   /// it
   void keep_safe(SafetyLog& safety) { safety_ = &safety; }
 
-  /// From now on every turn is told to a person, too. @param news  must outlive it
-  void tell(FlightNews& news);
+  /// From now on every turn is told to a person, too. @param event_log  must outlive it
+  void report_to(EventLog& event_log);
   /// From now on the service manager hears of every turn. It must outlive this.
   void report_to(ServiceManager& manager) { manager_ = &manager; }
   /// From now on a turn that finds this set clears it, and begins a new part of the journal. It must outlive this.
   void begin_parts_when(std::atomic<bool>& is_asked_for) { is_part_asked_for_ = &is_asked_for; }
   /// This program is told to stop: an abort from now on is its own.
-  void tell_stop();
+  void note_program_stop();
 
   void take(std::uint8_t port, const Value& value) override;
-  void tell_detection(std::uint8_t port, const messages::SoundDetection& detection) override;
-  void tell_chain(std::uint8_t port, const HeardChain& chain) override;
-  void tell_trouble(std::uint8_t port, BusTrouble trouble, bool is_there) override;
-  void tell_order_trouble(std::uint8_t port, OrderTrouble trouble) override;
+  void report_detection(std::uint8_t port, const messages::SoundDetection& detection) override;
+  void report_chain(std::uint8_t port, const HeardChain& chain) override;
+  void report_trouble(std::uint8_t port, BusTrouble trouble, bool is_there) override;
+  void report_order_trouble(std::uint8_t port, OrderTrouble trouble) override;
 
   runtime::Outputs operator()();
   /// Sends what the last turn said: the process that made it may not have come to it.
-  runtime::Outputs say_again();
+  runtime::Outputs send_again();
   /// No turn follows, or the last one failed: what has come since then stands in the journal, too.
   void end();
 
@@ -123,9 +123,9 @@ class MissionTurn final : public InputSink {
   /// The inputs of a core that says at its step what became of orders: in the journal they stand before what that step says.
   /// @param acknowledgements  of that step; null: there was none
   void append_held(const runtime::Acknowledgements* acknowledgements);
-  void append(Time time, std::string_view channel, std::span<const std::uint8_t> data, host::Weight weight);
+  void append(Time time, std::string_view channel, std::span<const std::uint8_t> data, host::Priority priority);
   /// What the ports are told of a turn that no disk has: the journal, and who plays it back, know what the runtime said.
-  [[nodiscard]] const runtime::Outputs& as_told(bool is_durable);
+  [[nodiscard]] const runtime::Outputs& as_published(bool is_durable);
 
   static constexpr std::size_t kMostHeld = 256;  ///< inputs of a turn; full: journalled as if their orders were obeyed
 
@@ -139,14 +139,14 @@ class MissionTurn final : public InputSink {
   bool is_mute_ = false;                          ///< the last turn's set-point could not be sent
   Time journal_up_due_;                           ///< not before is it told that the disk takes the journal again
   runtime::Outputs outputs_;                      ///< of the last turn
-  runtime::Outputs told_;                         ///< likewise, where it was told otherwise
+  runtime::Outputs published_;                    ///< likewise, where it was told otherwise
   bool is_called_ = false;
   bool is_ahead_always_ = false;
   std::chrono::milliseconds patience_{100};
   std::atomic<bool>* is_part_asked_for_ = nullptr;
   SafetyLog* safety_ = nullptr;
   ServiceManager* manager_ = nullptr;
-  FlightNews* news_ = nullptr;
+  EventLog* event_log_ = nullptr;
 };
 
 }  // namespace earshot::board

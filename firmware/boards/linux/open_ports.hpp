@@ -1,7 +1,7 @@
 #pragma once
 
 #include "firmware/boards/linux/clock/host_clock.hpp"
-#include "firmware/boards/linux/hydrophone/ear.hpp"
+#include "firmware/boards/linux/hydrophone/hydrophone_processor.hpp"
 #include "firmware/boards/linux/port/port_set.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/transport/if_missing.hpp"

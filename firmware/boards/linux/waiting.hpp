@@ -25,7 +25,7 @@ inline Waited wait_for(const std::string& program, const std::string& whom, std:
   using std::chrono::steady_clock;
   const auto began = steady_clock::now();
   const std::string seconds = std::to_string(limit.count()) + " s";
-  bool is_said = notice == Notice::kNone || program::talk() == program::Talk::kQuiet;
+  bool is_printed = notice == Notice::kNone || program::talk() == program::Talk::kQuiet;
   while (!has_come(std::chrono::milliseconds(100))) {
     if (program::stop_requested) return Waited::kStopped;
     const auto waited = steady_clock::now() - began;
@@ -33,9 +33,9 @@ inline Waited wait_for(const std::string& program, const std::string& whom, std:
       std::cerr << program << ": " << whom << " did not come within " << seconds << "\n";
       return Waited::kInVain;
     }
-    if (is_said || waited < std::chrono::seconds(1)) continue;
+    if (is_printed || waited < std::chrono::seconds(1)) continue;
     std::cerr << program << ": waiting for " << whom << ", " << seconds << " at most\n";
-    is_said = true;
+    is_printed = true;
   }
   return Waited::kCame;
 }

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "firmware/host/mission/mission_file.hpp"
-#include "firmware/host/mission/mission_judge.hpp"
+#include "firmware/host/mission/mission_verifier.hpp"
 
 namespace earshot::board {
 

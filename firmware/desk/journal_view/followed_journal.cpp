@@ -63,9 +63,9 @@ std::optional<fs::path> journal_under_way(const fs::path& folder_or_journal) {
 
 std::optional<fs::path> wait_for_journal(const fs::path& folder_or_journal, std::chrono::seconds most) {
   using std::chrono::steady_clock;
-  constexpr std::chrono::milliseconds kLook{100};
+  constexpr std::chrono::milliseconds kPollInterval{100};
   const auto began = steady_clock::now();
-  for (bool is_said = program::talk() == program::Talk::kQuiet;;) {
+  for (bool is_printed = program::talk() == program::Talk::kQuiet;;) {
     if (std::optional<fs::path> found = journal_under_way(folder_or_journal)) return found;
     if (program::stop_requested) return std::nullopt;
     const fs::path journal = host::newest_journal_in(folder_or_journal);
@@ -74,12 +74,12 @@ std::optional<fs::path> wait_for_journal(const fs::path& folder_or_journal, std:
       throw host::BadInput(host::printable(journal.string()) +
                            (is_there ? ": is of a flight that is over, and no other began there; without --follow it is read"
                                      : ": no such file; no mission began there"));
-    if (!is_said) {
+    if (!is_printed) {
       std::cerr << "earshot journal: waiting for a mission that writes " << host::printable(journal.string())
                 << (is_there ? " anew (what stands there is of a flight that is over), " : ", ") << most.count() << " s at most\n";
-      is_said = true;
+      is_printed = true;
     }
-    std::this_thread::sleep_for(kLook);
+    std::this_thread::sleep_for(kPollInterval);
   }
 }
 

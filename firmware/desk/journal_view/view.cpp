@@ -35,7 +35,7 @@ namespace {
 
 using std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kLook{200};  ///< how often who follows looks for more
+constexpr std::chrono::milliseconds kPollInterval{200};  ///< how often who follows looks for more
 /// A file system that cannot mark a file as being written has nobody writing it: a program that flies writes a record a second.
 constexpr std::chrono::seconds kLongSilence{3};
 
@@ -44,20 +44,20 @@ class Lacks {
  public:
   explicit Lacks(std::string name) : name_(std::move(name)) {}
   void note(std::span<const Event> events) {
-    constexpr std::uint64_t kMostTold = 10;
+    constexpr std::uint64_t kMostReported = 10;
     for (const Event& event : events)
-      if (event.is_lack && ++count_ <= kMostTold) told_.push_back(event.text);
+      if (event.is_lack && ++count_ <= kMostReported) reported_.push_back(event.text);
   }
-  [[nodiscard]] int tell() const {
-    for (const std::string& lack : told_) std::cerr << name_ << ": " << lack << "\n";
-    if (count_ > told_.size()) std::cerr << name_ << ": and " << count_ - told_.size() << " more like these\n";
+  [[nodiscard]] int report() const {
+    for (const std::string& lack : reported_) std::cerr << name_ << ": " << lack << "\n";
+    if (count_ > reported_.size()) std::cerr << name_ << ": and " << count_ - reported_.size() << " more like these\n";
     return count_ == 0 ? program::kDone : program::kIncomplete;
   }
 
  private:
   std::string name_;
   std::uint64_t count_ = 0;
-  std::vector<std::string> told_;
+  std::vector<std::string> reported_;
 };
 
 /// What goes wrong when there is nothing to show.
@@ -88,7 +88,7 @@ class Exports {
   void finish(std::span<const Event> events) {
     for (const File& file : files_) {
       file.content->finish(events);
-      program::say() << host::printable(file.path.string()) << ": " << file.content->what() << "\n";
+      program::print() << host::printable(file.path.string()) << ": " << file.content->what() << "\n";
     }
   }
 
@@ -133,7 +133,7 @@ class Viewer {
   void note(std::span<const Event> events) {
     lacks_.note(events);
     if (!prints_) return;
-    for (const Event& event : events) program::say() << to_line(event, timeline_.began()) << "\n";
+    for (const Event& event : events) program::print() << to_line(event, timeline_.began()) << "\n";
   }
 
   int end() {
@@ -141,11 +141,11 @@ class Viewer {
     const std::vector<Event> events = timeline_.finish(source_.torn_end());
     note(events);
     if (const std::optional<std::string> record = prints_ ? host::safety_record_beside(options_.journal) : std::nullopt)
-      program::say() << *record << "\n";
+      program::print() << *record << "\n";
     bar_.reset();
     exports_.finish(events);
-    program::say().flush();
-    return lacks_.tell();
+    program::print().flush();
+    return lacks_.report();
   }
 
   int follow() {
@@ -154,13 +154,13 @@ class Viewer {
     steady_clock::time_point last_growth = steady_clock::now();
     for (std::uint64_t before = 0;; before = source_.records()) {
       read_to_the_end();
-      if (!program::say().flush().good() && program::talk() != program::Talk::kQuiet) return program::kLost;
+      if (!program::print().flush().good() && program::talk() != program::Talk::kQuiet) return program::kLost;
       if (timeline_.is_closed()) return end();
       if (program::stop_requested) return program::kStopped;
       if (source_.records() > before) last_growth = steady_clock::now();
       if (steady_clock::now() - last_growth > kLongSilence && !is_being_written(options_.journal)) return end();
-      std::this_thread::sleep_for(kLook);
-      source_.look_again();
+      std::this_thread::sleep_for(kPollInterval);
+      source_.resume_reading();
     }
   }
 
@@ -174,7 +174,7 @@ class Viewer {
 };
 
 /// What is read of a folder that holds several.
-void tell_others(const std::filesystem::path& journal) {
+void report_others(const std::filesystem::path& journal) {
   const auto is_first_part = [](const host::JournalName& name) { return name.part == 1; };
   const auto journals = std::ranges::count_if(host::journals_beside(journal.parent_path() / host::kFirstJournal), is_first_part);
   if (journals > 1 && program::talk() != program::Talk::kQuiet)
@@ -183,11 +183,11 @@ void tell_others(const std::filesystem::path& journal) {
 }
 
 /// A journal that is gone leaves the record that a vehicle is brought up by.
-bool tells_record_alone(const ViewOptions& options) {
+bool prints_record_alone(const ViewOptions& options) {
   std::error_code error;
   if (options.csv || options.jsonl || options.mcap || std::filesystem::exists(options.journal, error)) return false;
   const std::optional<std::string> record = host::safety_record_beside(options.journal);
-  if (record) program::say() << *record << "\n" << std::flush;
+  if (record) program::print() << *record << "\n" << std::flush;
   return record.has_value();
 }
 
@@ -196,12 +196,12 @@ bool tells_record_alone(const ViewOptions& options) {
 int view(const ViewOptions& asked) {
   ViewOptions options = asked;
   options.journal = host::newest_journal_in(asked.journal);  // flights at sea may share a folder, and whoever names it means the last one
-  if (!options.follow && tells_record_alone(options)) {
+  if (!options.follow && prints_record_alone(options)) {
     std::cerr << host::printable(options.journal.string()) << ": no such file; what is left is the safety record beside it\n";
     return program::kIncomplete;
   }
   if (!options.follow) {
-    if (options.journal != asked.journal) tell_others(options.journal);
+    if (options.journal != asked.journal) report_others(options.journal);
     return Viewer(options).run();
   }
   program::stop_on_signals();

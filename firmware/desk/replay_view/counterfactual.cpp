@@ -18,9 +18,8 @@ namespace earshot::replay_view {
 namespace {
 
 void note(const messages::Health& health, Time time, Standing& standing) {
-  const bool is_news =
-      standing.health.turn == 0 || health.state != standing.health.state || health.end_reason != standing.health.end_reason;
-  if (is_news) standing.since = time;
+  const bool is_new = standing.health.turn == 0 || health.state != standing.health.state || health.end_reason != standing.health.end_reason;
+  if (is_new) standing.since = time;
   standing.health = health;
 }
 
@@ -44,28 +43,28 @@ class Flight {
     } else if (record.channel == wire::kJournalledSetpointChannel) {
       setpoint_ = record.data;
     } else if (const auto* const decision = std::get_if<messages::Decision>(&content)) {
-      told_.then.push_back(*decision);
+      result_.then.push_back(*decision);
     } else if (const auto* const event = std::get_if<messages::SafetyEvent>(&content)) {
-      note(*event, told_.then_ended);
+      note(*event, result_.then_ended);
     } else if (record.channel == wire::kHealthChannel) {
       end_turn(std::get_if<messages::Health>(&content), record.time);
     }
   }
 
-  [[nodiscard]] Counterfactual told(std::optional<std::uint32_t> gap) && {
-    told_.track = track_.places();
-    told_.gap = gap;
-    return std::move(told_);
+  [[nodiscard]] Counterfactual result(std::optional<std::uint32_t> gap) && {
+    result_.track = track_.places();
+    result_.gap = gap;
+    return std::move(result_);
   }
 
  private:
   /// Its health ends every turn. @param then  null: it cannot be read
   void end_turn(const messages::Health* then, Time time) {
     const runtime::Outputs outputs = runtime_->step(time);
-    if (then != nullptr) note(*then, time, told_.then_ended);
-    note(outputs.health, time, told_.now_ended);
-    for (const messages::SafetyEvent& event : outputs.safety_events) note(event, told_.now_ended);
-    if (outputs.decision) told_.now.push_back(*outputs.decision);
+    if (then != nullptr) note(*then, time, result_.then_ended);
+    note(outputs.health, time, result_.now_ended);
+    for (const messages::SafetyEvent& event : outputs.safety_events) note(event, result_.now_ended);
+    if (outputs.decision) result_.now.push_back(*outputs.decision);
     compare_steering(outputs, time);
     const bool is_believed = outputs.health.counters.navigation_refused == refused_;
     if (fix_ && is_believed) track_.add(*fix_);
@@ -75,24 +74,24 @@ class Flight {
   }
 
   void compare_steering(const runtime::Outputs& outputs, Time time) {
-    if (told_.steering) return;
+    if (result_.steering) return;
     if (outputs.setpoint.has_value() != setpoint_.has_value()) {
       const auto words = [](bool is_steered) { return is_steered ? "given" : "not given"; };
-      told_.steering = {
+      result_.steering = {
           .time = time,
           .fields = {{.field = "a set-point", .then = words(setpoint_.has_value()), .now = words(outputs.setpoint.has_value())}}};
     } else if (setpoint_) {
       std::vector<FieldDifference> fields =
           field_differences(wire::kJournalledSetpointChannel, *setpoint_, wire::Encoded(*outputs.setpoint, time).bytes());
-      if (!fields.empty()) told_.steering = {.time = time, .fields = std::move(fields)};
+      if (!fields.empty()) result_.steering = {.time = time, .fields = std::move(fields)};
     }
-    if (!told_.steering) return;
+    if (!result_.steering) return;
     for (const messages::SafetyEvent& event : outputs.safety_events)
-      if (event.begins && event.response > config::Response::kWarn) told_.steering->rules.push_back(event);
+      if (event.begins && event.response > config::Response::kWarn) result_.steering->rules.push_back(event);
   }
 
   std::unique_ptr<runtime::Runtime> runtime_ = std::make_unique<runtime::Runtime>();
-  Counterfactual told_;
+  Counterfactual result_;
   ThinnedTrack track_;
   std::optional<NorthEast> fix_;                       ///< the newest of this turn
   std::optional<std::vector<std::uint8_t>> setpoint_;  ///< of this turn, in the journal
@@ -126,9 +125,9 @@ Counterfactual fly_again(const std::filesystem::path& journal, const Plan& plan,
     if (progress && number % kBetweenUpdates == 0)
       progress(static_cast<double>(reader.offset()) / static_cast<double>(reader.file_size() + 1));
   }
-  Counterfactual told = std::move(flight).told(gap);
-  told.began = began.value_or(Time{});
-  return told;
+  Counterfactual result = std::move(flight).result(gap);
+  result.began = began.value_or(Time{});
+  return result;
 }
 
 }  // namespace earshot::replay_view

@@ -40,8 +40,8 @@ std::string one_way(const std::optional<messages::Decision>& d, Time began) {
 std::string to_string(const Standing& standing, Time began) {
   const bool is_by_rule = standing.rule && standing.health.end_reason == messages::EndReason::kSafetyRule;
   const std::string rule = is_by_rule ? ", " + journal::to_string(*standing.rule) : "";
-  const bool was_surprised = standing.health.surprise_bits >= messages::kSurprising_bits;
-  return journal::to_string(standing.health, was_surprised) + host::formatted(" (since %.1f s", seconds_since(began, standing.since)) +
+  const bool was_mismatched = standing.health.mismatch_bits >= messages::kMismatchThreshold_bits;
+  return journal::to_string(standing.health, was_mismatched) + host::formatted(" (since %.1f s", seconds_since(began, standing.since)) +
          rule + ")";
 }
 
@@ -75,17 +75,19 @@ std::string where_they_part(std::span<const StepPair> pairs, std::uint32_t from_
          ": then " + one_way(parts->then, began) + "; now " + one_way(parts->now, began);
 }
 
-std::string what_it_means(const Counterfactual& told, std::span<const StepPair> pairs) {
+std::string what_it_means(const Counterfactual& counterfactual, std::span<const StepPair> pairs) {
   std::string text;
-  if (told.steering)
-    text += host::formatted("set-points differ from %.1f s on: ", seconds_since(told.began, told.steering->time)) +
-            to_string(told.steering->fields) + "\n";
-  if (told.steering) {
-    for (const messages::SafetyEvent& rule : told.steering->rules) text += "now steers there: " + journal::to_string(rule) + "\n";
+  if (counterfactual.steering)
+    text += host::formatted("set-points differ from %.1f s on: ", seconds_since(counterfactual.began, counterfactual.steering->time)) +
+            to_string(counterfactual.steering->fields) + "\n";
+  if (counterfactual.steering) {
+    for (const messages::SafetyEvent& rule : counterfactual.steering->rules) text += "now steers there: " + journal::to_string(rule) + "\n";
   }
-  const std::string where = told.gap ? "where record " + std::to_string(*told.gap) + " is missing" : "at the journal's end";
-  text += where + ", then: " + to_string(told.then_ended, told.began) + "; now: " + to_string(told.now_ended, told.began) + "\n";
-  if (told.steering || parting(pairs) != nullptr)
+  const std::string where =
+      counterfactual.gap ? "where record " + std::to_string(*counterfactual.gap) + " is missing" : "at the journal's end";
+  text += where + ", then: " + to_string(counterfactual.then_ended, counterfactual.began) +
+          "; now: " + to_string(counterfactual.now_ended, counterfactual.began) + "\n";
+  if (counterfactual.steering || parting(pairs) != nullptr)
     text +=
         "What stands behind the first difference is no forecast: the fixes and SNRs are those of the vehicle that followed the journal. "
         "One that had followed the other decisions would have been elsewhere, and would have heard something else.\n";

@@ -18,6 +18,6 @@ namespace earshot::replay_view {
 [[nodiscard]] std::string where_they_part(std::span<const StepPair> pairs, std::uint32_t from_step, Time began);
 
 /// From when on the set-points differ, how both missions stood at the end of what was given again, and what all of it is worth; lines.
-[[nodiscard]] std::string what_it_means(const Counterfactual& told, std::span<const StepPair> pairs);
+[[nodiscard]] std::string what_it_means(const Counterfactual& counterfactual, std::span<const StepPair> pairs);
 
 }  // namespace earshot::replay_view

@@ -50,11 +50,11 @@ std::vector<FieldDifference> field_differences(std::string_view channel, std::sp
 }
 
 std::string to_string(std::span<const FieldDifference> differences) {
-  constexpr std::size_t kMostTold = 4;
+  constexpr std::size_t kMostReported = 4;
   std::string text;
-  for (const FieldDifference& d : differences.first(std::min(kMostTold, differences.size())))
+  for (const FieldDifference& d : differences.first(std::min(kMostReported, differences.size())))
     text += (text.empty() ? "" : "; ") + d.field + " is " + d.then + " in the journal, " + d.now + " now";
-  if (differences.size() > kMostTold) text += "; and " + host::counted(differences.size() - kMostTold, "field") + " more";
+  if (differences.size() > kMostReported) text += "; and " + host::counted(differences.size() - kMostReported, "field") + " more";
   return text;
 }
 

@@ -22,8 +22,8 @@ constexpr SvgMap::Dot kNowHere{"white", "#d55e00", 3, 2};
 constexpr SvgMap::Dot kParting{"none", "#b3261e", 12, 3};
 
 /// A map of the flight, not of the area, of which a search may see little; a kilometre about everything.
-std::vector<NorthEast> places_of(const Counterfactual& told, std::span<const StepPair> pairs, const Rectangle& area) {
-  std::vector<NorthEast> places = told.track;
+std::vector<NorthEast> places_of(const Counterfactual& counterfactual, std::span<const StepPair> pairs, const Rectangle& area) {
+  std::vector<NorthEast> places = counterfactual.track;
   for (const StepPair& pair : pairs) {
     for (const auto* decision : {&pair.then, &pair.now}) {
       if (*decision) places.insert(places.end(), {(*decision)->position, (*decision)->waypoint});
@@ -43,12 +43,12 @@ Rectangle common(const Rectangle& a, const Rectangle& b) {
 
 }  // namespace
 
-std::string parting_map(const Counterfactual& told, std::span<const StepPair> pairs, std::uint32_t from_step, const Rectangle& area,
-                        const std::string& title) {
+std::string parting_map(const Counterfactual& counterfactual, std::span<const StepPair> pairs, std::uint32_t from_step,
+                        const Rectangle& area, const std::string& title) {
   const std::span<const StepPair> drawn = from(from_step, pairs);
-  SvgMap map(places_of(told, pairs, area), title);
+  SvgMap map(places_of(counterfactual, pairs, area), title);
   if (const Rectangle seen = common(area, map.shown()); seen.contains(seen.south_west)) map.polygon(board::corners_of(seen), kArea);
-  map.line(told.track, kTrack);
+  map.line(counterfactual.track, kTrack);
   const auto draw = [&](std::optional<messages::Decision> StepPair::*decision, const SvgMap::Style& way, const SvgMap::Dot& end) {
     for (const StepPair& pair : drawn) {
       if (const auto& d = pair.*decision) map.line(std::array{d->position, d->waypoint}, way);

@@ -15,7 +15,7 @@ namespace earshot::replay_view {
 /// @param from_step  the decisions before it are not drawn, though they may part there
 /// @param area   of the mission that is asked about
 /// @param title  above it, in UTF-8
-[[nodiscard]] std::string parting_map(const Counterfactual& told, std::span<const StepPair> pairs, std::uint32_t from_step,
+[[nodiscard]] std::string parting_map(const Counterfactual& counterfactual, std::span<const StepPair> pairs, std::uint32_t from_step,
                                       const Rectangle& area, const std::string& title);
 
 }  // namespace earshot::replay_view

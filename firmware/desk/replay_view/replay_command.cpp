@@ -100,38 +100,38 @@ Timed replay_once(const ReplayCommand& c) {
 }
 
 /// @return exit status
-int tell(const ReplayCommand& c, const Timed& timed) {
+int report(const ReplayCommand& c, const Timed& timed) {
   const board::ReplayResult& result = timed.result;
   if (!result.was_compared && result.is_same())
     throw host::BadInput("--from " + std::to_string(c.from_step) + ": no such step is decided; there are " +
                          std::to_string(result.decisions) + ", the first is step 0");
-  program::say() << shown(c.journal) << ": " << figures(result, timed.took_s) << "\n";
+  program::print() << shown(c.journal) << ": " << figures(result, timed.took_s) << "\n";
   const std::vector<std::string> wrong = findings(result);
-  if (!result.difference && result.was_compared) program::say() << praise(result, c.from_step) << "\n";
-  program::say().flush();
+  if (!result.difference && result.was_compared) program::print() << praise(result, c.from_step) << "\n";
+  program::print().flush();
   for (const std::string& line : wrong) std::cerr << shown(c.journal) << ": " << line << "\n";
   return wrong.empty() ? program::kDone : program::kIncomplete;
 }
 
-Json tell_what_if(const ReplayCommand& c, const Question& question) {
-  Counterfactual told;
+Json report_what_if(const ReplayCommand& c, const Question& question) {
+  Counterfactual counterfactual;
   {
     program::ProgressBar bar("what if");
-    told = fly_again(c.journal, question.plan, [&bar](double done) { bar.update(done); });
+    counterfactual = fly_again(c.journal, question.plan, [&bar](double done) { bar.update(done); });
   }
-  const std::vector<StepPair> pairs = paired(told.then, told.now);
-  program::say() << "\nthe same inputs, with " << question.words << ":\n"
-                 << program::wrapped_lines(where_they_part(pairs, c.from_step, told.began)) << "\n"
-                 << decision_table(pairs, c.from_step, told.began) << "\n"
-                 << program::wrapped_lines(what_it_means(told, pairs));
+  const std::vector<StepPair> pairs = paired(counterfactual.then, counterfactual.now);
+  program::print() << "\nthe same inputs, with " << question.words << ":\n"
+                   << program::wrapped_lines(where_they_part(pairs, c.from_step, counterfactual.began)) << "\n"
+                   << decision_table(pairs, c.from_step, counterfactual.began) << "\n"
+                   << program::wrapped_lines(what_it_means(counterfactual, pairs));
   if (c.map) {
     const std::string title = shown(c.journal.filename()) + ": decided then, and now";
-    host::write_whole(*c.map, parting_map(told, pairs, c.from_step, question.plan.mission.operating_area, title));
+    host::write_whole(*c.map, parting_map(counterfactual, pairs, c.from_step, question.plan.mission.operating_area, title));
   }
   Json json{{"policy", c.policy ? Json(c.policy->string()) : Json()},
             {"tables", c.tables ? Json(c.tables->string()) : Json()},
             {"mission", c.mission ? Json(c.mission->string()) : Json()}};
-  json.update(what_if_json(told, pairs, c.from_step));
+  json.update(what_if_json(counterfactual, pairs, c.from_step));
   return json;
 }
 
@@ -143,12 +143,12 @@ int replay(const ReplayCommand& c) {
   judge_outputs(c, mission);
   const std::optional<Question> question = question_of(c, mission);
   const Timed timed = replay_once(c);
-  const int status = tell(c, timed);
+  const int status = report(c, timed);
   Json what_if;
-  if (question) what_if = tell_what_if(c, *question);
+  if (question) what_if = report_what_if(c, *question);
   if (c.json) host::write_whole(*c.json, replay_text(replay_json(timed.result, timed.took_s, c.from_step), std::move(what_if)));
   for (const auto* written : {&c.map, &c.json}) {
-    if (*written) program::say() << shown(**written) << " written\n";
+    if (*written) program::print() << shown(**written) << " written\n";
   }
   return status;
 }

@@ -75,23 +75,24 @@ Json replay_json(const board::ReplayResult& result, double took_s, std::uint32_t
           {"damages", std::move(damages)}};
 }
 
-Json what_if_json(const Counterfactual& told, std::span<const StepPair> pairs, std::uint32_t from_step) {
+Json what_if_json(const Counterfactual& counterfactual, std::span<const StepPair> pairs, std::uint32_t from_step) {
   Json steps = Json::array();
   for (const StepPair& pair : from(from_step, pairs))
     steps.push_back({{"step", pair.step},
                      {"same", pair.is_same()},
-                     {"then", decision_json(pair.then, told.began)},
-                     {"now", decision_json(pair.now, told.began)}});
+                     {"then", decision_json(pair.then, counterfactual.began)},
+                     {"now", decision_json(pair.now, counterfactual.began)}});
   const StepPair* const parts = parting(pairs);
   Json steering;
-  if (told.steering)
-    steering = {{"time_s", seconds_since(told.began, told.steering->time)}, {"fields", fields_json(told.steering->fields)}};
+  if (counterfactual.steering)
+    steering = {{"time_s", seconds_since(counterfactual.began, counterfactual.steering->time)},
+                {"fields", fields_json(counterfactual.steering->fields)}};
   return {{"parting_step", parts == nullptr ? Json() : Json(parts->step)},
           {"setpoints_differ", std::move(steering)},
           {"inputs_are", "those of the vehicle that followed the journal, behind the parting too"},
-          {"then_ended", standing_json(told.then_ended, told.began)},
-          {"now_ended", standing_json(told.now_ended, told.began)},
-          {"first_missing_record", or_null(told.gap)},
+          {"then_ended", standing_json(counterfactual.then_ended, counterfactual.began)},
+          {"now_ended", standing_json(counterfactual.now_ended, counterfactual.began)},
+          {"first_missing_record", or_null(counterfactual.gap)},
           {"steps", std::move(steps)}};
 }
 

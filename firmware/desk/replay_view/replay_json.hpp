@@ -18,7 +18,8 @@ inline constexpr host::OutputKind kReplayOutput{"a file of earshot replay", {"{\
 [[nodiscard]] nlohmann::ordered_json replay_json(const board::ReplayResult& result, double took_s, std::uint32_t from_step);
 
 /// What another policy or mission decides, from this step on; each decision with the fields of earshot journal --jsonl.
-[[nodiscard]] nlohmann::ordered_json what_if_json(const Counterfactual& told, std::span<const StepPair> pairs, std::uint32_t from_step);
+[[nodiscard]] nlohmann::ordered_json what_if_json(const Counterfactual& counterfactual, std::span<const StepPair> pairs,
+                                                  std::uint32_t from_step);
 
 /// @param what_if  null: nothing else was asked
 [[nodiscard]] std::string replay_text(nlohmann::ordered_json replay, nlohmann::ordered_json what_if);

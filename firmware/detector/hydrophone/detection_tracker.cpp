@@ -75,7 +75,7 @@ std::optional<Detection> DetectionTracker::take(const Estimate& estimate, const 
   if (detection_ && estimate.time - last_held_ > longest_pause_ + quarter_) {
     ended = finish();
   }
-  const bool is_told = estimate.hearing == Hearing::kHears || estimate.hearing == Hearing::kClipped;
+  const bool is_measured = estimate.hearing == Hearing::kHears || estimate.hearing == Hearing::kClipped;
   double ratio = 0.0;
   for (const double quarter_ratio : quarter_ratios) ratio = ratio + quarter_ratio / static_cast<double>(kQuarters);
   is_enough_ = is_enough(estimate.reaches_threshold) || (detection_ && is_enough_);
@@ -87,7 +87,7 @@ std::optional<Detection> DetectionTracker::take(const Estimate& estimate, const 
       extent_.take({estimate.time.us - static_cast<std::int64_t>(kQuarters - 1 - i) * quarter_.us}, quarter_ratios[i]);
   }
   if (estimate.reaches_threshold) extend(estimate);
-  if (detection_ && is_told && is_held(ratio)) last_held_ = estimate.time;
+  if (detection_ && is_measured && is_held(ratio)) last_held_ = estimate.time;
   return ended;
 }
 

@@ -77,9 +77,9 @@ struct Estimate {
 
   /// Whether it hears, and knows the noise.
   [[nodiscard]] constexpr bool is_measured() const { return hearing == Hearing::kHears; }
-  /// Whether it is a look that a policy may take. Belief and training take looks as independent: the four estimates of an integration time
-  /// would count the same noise four times.
-  [[nodiscard]] constexpr bool is_look() const { return is_measured() && is_independent; }
+  /// Whether it is an SNR measurement that a policy may take. Belief and training take measurements as independent: the four estimates of
+  /// an integration time would count the same noise four times.
+  [[nodiscard]] constexpr bool is_snr_measurement() const { return is_measured() && is_independent; }
   /// @pre is_measured()
   [[nodiscard]] constexpr messages::SnrMeasurement measurement() const { return {.time = time, .snr = snr, .too_faint = too_faint}; }
 };

@@ -35,6 +35,6 @@ struct Described<detector::SoundSettings> {
   };
 };
 
-static_assert(tells_all_members<detector::SoundSettings>());
+static_assert(covers_all_members<detector::SoundSettings>());
 
 }  // namespace earshot::messages

@@ -9,7 +9,7 @@
 namespace earshot::detector {
 namespace {
 
-constexpr Decibels kNotTold{std::numeric_limits<double>::quiet_NaN()};
+constexpr Decibels kUnknownLevel{std::numeric_limits<double>::quiet_NaN()};
 /// Nothing but the ADC: a band that has no more than twice the power of the ADC's own noise.
 constexpr double kOpenOverNoise = 2.0;
 /// A floor so far above the ambient that is expected is something else's: 20 dB.
@@ -26,7 +26,7 @@ Estimate nothing_heard(Time time) {
   Estimate estimate;
   estimate.time = time;
   estimate.hearing = Hearing::kImpossible;
-  estimate.snr = estimate.level = estimate.floor = kNotTold;
+  estimate.snr = estimate.level = estimate.floor = kUnknownLevel;
   return estimate;
 }
 
@@ -165,13 +165,13 @@ Estimate SoundDetector::end_quarter() {
     estimate.hearing = std::min(estimate.hearing, powers[c].hearing);
   }
   std::array<double, kQuarters> quarter_ratios{};
-  if (estimate.hearing == Hearing::kHears || estimate.hearing == Hearing::kClipped) quarter_ratios = tell_snr(powers, estimate);
+  if (estimate.hearing == Hearing::kHears || estimate.hearing == Hearing::kClipped) quarter_ratios = estimate_snr(powers, estimate);
   estimate.ended = tracker_.take(estimate, quarter_ratios);
   return estimate;
 }
 
 /// The mean over the channels that hear best. @return P / N of the four quarters
-std::array<double, kQuarters> SoundDetector::tell_snr(const AllPowers& powers, Estimate& estimate) const {
+std::array<double, kQuarters> SoundDetector::estimate_snr(const AllPowers& powers, Estimate& estimate) const {
   double power = 0.0;
   double noise = 0.0;
   double ratio = 0.0;

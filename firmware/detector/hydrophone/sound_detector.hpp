@@ -62,7 +62,7 @@ class SoundDetector {
   void plan_for(const messages::HydrophoneBlock& block);
   void restart(Hearing reason);
   [[nodiscard]] Estimate end_quarter();
-  [[nodiscard]] std::array<double, kQuarters> tell_snr(const AllPowers& powers, Estimate& estimate) const;
+  [[nodiscard]] std::array<double, kQuarters> estimate_snr(const AllPowers& powers, Estimate& estimate) const;
   [[nodiscard]] bool is_listened_to(std::size_t channel) const;
   [[nodiscard]] Time time_of(std::size_t consumed) const;
 

@@ -15,8 +15,8 @@ namespace earshot::definitions {
 namespace {
 
 using messages::Described;
+using messages::FieldFormat;
 using messages::NumberField;
-using messages::Told;
 
 std::string in_capitals(std::string_view key) {
   std::string text(key);
@@ -82,7 +82,7 @@ class Definition {
   void note_taken(const Line& line) {
     if constexpr (requires { typename Line::Value; }) {
       if constexpr (messages::HasWords<typename Line::Value>) {
-        if (line.told.values != Told::Values::kPlain) return;
+        if (line.format.values != FieldFormat::Values::kPlain) return;
         for (const auto& word : messages::WordsOf<typename Line::Value>::kTable) taken_.insert(word.key);
       }
     }
@@ -92,10 +92,10 @@ class Definition {
   void add_values(const Line& line) {
     if constexpr (requires { typename Line::Value; }) {
       if constexpr (messages::HasWords<typename Line::Value>) {
-        if (line.told.values == Told::Values::kNone) return;
+        if (line.format.values == FieldFormat::Values::kNone) return;
         for (const auto& word : messages::WordsOf<typename Line::Value>::kTable) {
-          const bool is_prefixed = line.told.values == Told::Values::kPrefixed ||
-                                   (line.told.values == Told::Values::kPrefixedIfTaken && taken_.contains(word.key));
+          const bool is_prefixed = line.format.values == FieldFormat::Values::kPrefixed ||
+                                   (line.format.values == FieldFormat::Values::kPrefixedIfTaken && taken_.contains(word.key));
           const std::string name = (is_prefixed ? in_capitals(line.name) + "_" : "") + in_capitals(word.key);
           values_.push_back({"const int8_t " + name + " = " + std::to_string(static_cast<int>(word.value)) + ";",
                              in_capitals(word.words) == in_capitals(word.key) ? std::string_view() : word.words,
@@ -108,15 +108,15 @@ class Definition {
   template <class Line>
   void add(const Line& line) {
     if constexpr (requires { line.numbers(); }) {
-      std::string_view heading = line.told.heading;
+      std::string_view heading = line.format.heading;
       for (const NumberField& number : line.numbers()) {
-        declarations_.push_back({declared(number), line.told.meaning, heading});
+        declarations_.push_back({declared(number), line.format.meaning, heading});
         heading = {};
       }
     } else {
       declarations_.push_back(
           {std::string(Described<typename Line::Element>::kType) + " " + std::string(line.name) + "[" + std::to_string(Line::kSize) + "];",
-           line.told.meaning, line.told.heading});
+           line.format.meaning, line.format.heading});
     }
   }
 

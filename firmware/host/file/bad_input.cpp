@@ -22,7 +22,7 @@ std::string with_short_lines(std::string_view message) {
   return text + shortened(message, kLongestLine_bytes);
 }
 
-std::string told(std::string_view whole) {
+std::string shortened_message(std::string_view whole) {
   const std::string message = with_short_lines(whole);
   const std::string_view kept = std::string_view(message).substr(0, kLongestMessage_bytes);
   std::string text = printable_lines(kept);
@@ -32,6 +32,6 @@ std::string told(std::string_view whole) {
 
 }  // namespace
 
-BadInput::BadInput(const std::string& message) : std::runtime_error(told(message)) {}
+BadInput::BadInput(const std::string& message) : std::runtime_error(shortened_message(message)) {}
 
 }  // namespace earshot::host

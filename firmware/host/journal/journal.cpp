@@ -75,7 +75,7 @@ struct Journal::Writer {
   std::atomic<Clock::time_point> seen = kIdle;  ///< what waits was appended after it
   std::atomic<Clock::duration> longest_wait{};
   std::uint32_t next_number = 0;
-  PerWeight lost{};
+  PerPriority lost{};
   std::uint64_t accepted = 0;                      ///< of the appender
   std::uint64_t refused = 0;                       ///< likewise
   std::optional<messages::ClosingRecord> closing;  ///< likewise
@@ -89,12 +89,12 @@ struct Journal::Writer {
       : file(kept(std::move(opened), chosen)), options(chosen), next_number(number), thread([this] { run(); }) {}
 
   /// Waits, if it may, until `size` bytes fit; not for a disk that takes nothing.
-  bool make_room(std::size_t size, Weight weight) {
+  bool make_room(std::size_t size, Priority priority) {
     std::unique_lock lock(mutex);
-    const auto fits = [&] { return appended.bytes + size - whole.bytes <= RecordRing::limit(weight); };
+    const auto fits = [&] { return appended.bytes + size - whole.bytes <= RecordRing::limit(priority); };
     if (options.when_full == JournalOptions::WhenFull::kWait) less.wait(lock, [&] { return fits() || failing; });
     if (fits()) return true;
-    ++of(lost, weight);
+    ++of(lost, priority);
     return false;
   }
 
@@ -123,13 +123,13 @@ struct Journal::Writer {
       if (appended.bytes == taken || (ending && failing)) return;
       const Place end = appended;
       lock.unlock();
-      const Clock::time_point looked = Clock::now();
+      const Clock::time_point polled = Clock::now();
       if (taken == whole.bytes && (file.is_part_full() || is_part_asked_for)) begin_part();
       const std::size_t done = write_some(ring.piece(taken, end.bytes));
-      const std::optional<PerWeight> given_up = done == 0 ? write_orders_into_reserve(end) : std::nullopt;
+      const std::optional<PerPriority> given_up = done == 0 ? write_orders_into_reserve(end) : std::nullopt;
       // A failing disk lets records wait for longer; its trouble is told in its own words.
       if (done > 0 && !failing) longest_wait = std::max(longest_wait.load(), Clock::now() - seen.load());
-      if (taken + done == end.bytes) seen = looked;
+      if (taken + done == end.bytes) seen = polled;
       lock.lock();
       failing = done == 0;
       if (failing) ++write_errors;
@@ -158,13 +158,13 @@ struct Journal::Writer {
     const std::size_t count = file.write_some(bytes, kJournalReserveBytes);
     deleted = file.deleted();
     last_deleted = file.last_deleted();
-    if (options.survives == JournalOptions::Survives::kPowerCut) tell_of_file(count);
+    if (options.survives == JournalOptions::Survives::kPowerCut) note_in_file(count);
     if (count > 0) bring_to_disk();
     return count;
   }
 
   /// Before the disk has it.
-  void tell_of_file(std::size_t bytes) {
+  void note_in_file(std::size_t bytes) {
     const std::lock_guard lock(mutex);
     in_file = taken + bytes;
     less.notify_all();
@@ -187,12 +187,12 @@ struct Journal::Writer {
 
   /// Once an order waits that fits into the reserve: brings it and what steered before it into the file.
   /// @return how many of the records that waited it gave up instead; nothing: all of them still wait
-  std::optional<PerWeight> write_orders_into_reserve(const Place& end) {
-    const PerWeight waiting = sizes_until(end);
+  std::optional<PerPriority> write_orders_into_reserve(const Place& end) {
+    const PerPriority waiting = sizes_until(end);
     const std::uint64_t begin = end_of_whole_records();
     const std::uint64_t room = file.room(begin, kClosingBytes);
-    if (of(waiting, Weight::kOrder) == 0 || of(waiting, Weight::kOrder) > room || !file.go_back(begin)) return std::nullopt;
-    const PerWeight given_up = write_by_weight(end, shares_of({0, file.room(begin, kReserveForOrders), room}, waiting));
+    if (of(waiting, Priority::kOrder) == 0 || of(waiting, Priority::kOrder) > room || !file.go_back(begin)) return std::nullopt;
+    const PerPriority given_up = write_by_priority(end, shares_of({0, file.room(begin, kReserveForOrders), room}, waiting));
     bring_to_disk();
     return given_up;
   }
@@ -200,42 +200,42 @@ struct Journal::Writer {
   /// In the file.
   [[nodiscard]] std::uint64_t end_of_whole_records() const { return file.size() - (taken - whole.bytes); }
 
-  void note_lost(const PerWeight& records) {
-    for (std::size_t i = 0; i < kWeights; ++i) lost[i] += records[i];
+  void note_lost(const PerPriority& records) {
+    for (std::size_t i = 0; i < kPriorities; ++i) lost[i] += records[i];
   }
 
   /// Bytes of the records that wait.
-  PerWeight sizes_until(const Place& end) {
-    PerWeight sizes{};
+  PerPriority sizes_until(const Place& end) {
+    PerPriority sizes{};
     for (std::uint64_t index = whole.records; index < end.records; ++index) {
       const RecordRing::Record record = ring.record(index);
-      of(sizes, record.weight()) += record.size();
+      of(sizes, record.priority()) += record.size();
     }
     return sizes;
   }
 
-  /// Gives the room to the weights, the heaviest first.
-  /// @param room  how many bytes a weight and those above it may take together
-  static PerWeight shares_of(const PerWeight& room, const PerWeight& waiting) {
-    PerWeight shares{};
+  /// Gives the room to the priorities, the highest first.
+  /// @param room  how many bytes a priority and those above it may take together
+  static PerPriority shares_of(const PerPriority& room, const PerPriority& waiting) {
+    PerPriority shares{};
     std::uint64_t given = 0;
-    for (std::size_t i = kWeights; i-- > 0; given += shares[i]) shares[i] = std::min(waiting[i], room[i] > given ? room[i] - given : 0);
+    for (std::size_t i = kPriorities; i-- > 0; given += shares[i]) shares[i] = std::min(waiting[i], room[i] > given ? room[i] - given : 0);
     return shares;
   }
 
-  /// Writes every record for which its weight's share has room, the older before the newer, whole ones only.
+  /// Writes every record for which its priority's share has room, the older before the newer, whole ones only.
   /// @return how many it left out
-  PerWeight write_by_weight(const Place& end, PerWeight shares) {
-    PerWeight left_out{};
+  PerPriority write_by_priority(const Place& end, PerPriority shares) {
+    PerPriority left_out{};
     std::uint64_t at = whole.bytes;
     for (std::uint64_t index = whole.records; index < end.records; ++index) {
       const RecordRing::Record record = ring.record(index);
-      std::uint64_t& share = of(shares, record.weight());
+      std::uint64_t& share = of(shares, record.priority());
       if (record.size() <= share && write_whole(at, at + record.size())) {
         share -= record.size();
       } else {
         share = 0;
-        ++of(left_out, record.weight());
+        ++of(left_out, record.priority());
       }
       at += record.size();
     }
@@ -267,18 +267,18 @@ struct Journal::Writer {
   bool finish() {
     const std::uint64_t begin = end_of_whole_records();
     const bool fits = write_all(taken, appended.bytes) && write_closing_record();
-    const bool is_written = fits || finish_by_weight(begin);
+    const bool is_written = fits || finish_by_priority(begin);
     if (taken < appended.bytes || closing) bring_to_disk();
     return file.close() && is_written;
   }
 
-  bool finish_by_weight(std::uint64_t begin) {
+  bool finish_by_priority(std::uint64_t begin) {
     // What cannot be given up ends in the middle of a record: nothing may follow it.
     const bool goes_on = file.go_back(begin);
     const std::uint64_t room = goes_on ? file.room(begin, closing ? kClosingBytes : 0) : 0;
-    const PerWeight given_up = write_by_weight(appended, shares_of({room, room, room}, sizes_until(appended)));
+    const PerPriority given_up = write_by_priority(appended, shares_of({room, room, room}, sizes_until(appended)));
     note_lost(given_up);
-    return goes_on && write_closing_record() && given_up == PerWeight{};
+    return goes_on && write_closing_record() && given_up == PerPriority{};
   }
 
   /// True: it is in the file, or there is none.
@@ -300,7 +300,7 @@ Journal::~Journal() {
   static_cast<void>(close());
 }
 
-Status Journal::append(Time time, std::string_view channel, std::span<const std::uint8_t> data, Weight weight) {
+Status Journal::append(Time time, std::string_view channel, std::span<const std::uint8_t> data, Priority priority) {
   if (channel.empty() || channel.size() > wire::kMaxChannelLength || data.size() > config::kLcmMessageBytes ||
       !writer_->thread.joinable()) {
     ++writer_->refused;
@@ -308,13 +308,13 @@ Status Journal::append(Time time, std::string_view channel, std::span<const std:
   }
   const std::uint32_t number = writer_->next_number++;
   const std::size_t size = kRecordHeaderSize + channel.size() + data.size();
-  if (!writer_->make_room(size, weight)) return Status::kFull;
+  if (!writer_->make_room(size, priority)) return Status::kFull;
   const auto header = record_header(number, time, channel, data);
   Writer::Place place = writer_->appended;
   writer_->ring.copy_in(place.bytes, header);
   writer_->ring.copy_in(place.bytes, bytes_of(channel));
   writer_->ring.copy_in(place.bytes, data);
-  writer_->ring.record(place.records++) = {size, weight};
+  writer_->ring.record(place.records++) = {size, priority};
   writer_->publish(place);
   ++writer_->accepted;
   return Status::kOk;

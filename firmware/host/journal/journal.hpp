@@ -36,14 +36,14 @@ struct JournalOptions {
 
 inline constexpr OutputKind kJournalOutput{"a journal", {kRecordSyncBytes, {}}};  ///< how a journal begins
 
-[[nodiscard]] constexpr messages::LostRecords lost_records(const PerWeight& lost) {
-  return {.streams = of(lost, Weight::kStream), .steering = of(lost, Weight::kSteering), .orders = of(lost, Weight::kOrder)};
+[[nodiscard]] constexpr messages::LostRecords lost_records(const PerPriority& lost) {
+  return {.streams = of(lost, Priority::kStream), .steering = of(lost, Priority::kSteering), .orders = of(lost, Priority::kOrder)};
 }
 
 /// Counters of a journal; they only grow.
 struct JournalCounters {
   std::uint64_t appended = 0;  ///< records taken into the buffer
-  PerWeight lost{};            ///< records that the buffer had no room for, or that were given up on a full disk
+  PerPriority lost{};          ///< records that the buffer had no room for, or that were given up on a full disk
   std::uint64_t refused = 0;   ///< records larger than the format or the buffer allows
   /// Writes that the disk did not take or that would have taken of the reserve, tried again every 100 ms with the buffer filling meanwhile,
   /// so that the file has no hole; and failed fdatasync(2) (kPowerCut), after which what was written may not survive a power cut.
@@ -93,7 +93,8 @@ class Journal {
 
   /// Takes a copy of one record. One thread at a time. kFull: lost. kOutOfRange: empty or overlong channel, or data over
   /// kLcmMessageBytes.
-  [[nodiscard]] Status append(Time time, std::string_view channel, std::span<const std::uint8_t> data, Weight weight = Weight::kStream);
+  [[nodiscard]] Status append(Time time, std::string_view channel, std::span<const std::uint8_t> data,
+                              Priority priority = Priority::kStream);
 
   /// Waits until nothing of what was appended waits for the disk. kNotReady if the disk takes nothing.
   [[nodiscard]] Status flush();

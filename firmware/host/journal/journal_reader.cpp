@@ -28,7 +28,7 @@ JournalReader::JournalReader(const std::filesystem::path& path, Accepts accepts)
   window_.resize(std::max(kWindow_bytes, largest.value_or(0)));
 }
 
-std::span<const std::uint8_t> JournalReader::look_ahead(std::size_t size) {
+std::span<const std::uint8_t> JournalReader::fill_window(std::size_t size) {
   if (filled_ - at_ < size && !has_all_) {
     std::copy(window_.begin() + static_cast<std::ptrdiff_t>(at_), window_.begin() + static_cast<std::ptrdiff_t>(filled_), window_.begin());
     filled_ -= at_;
@@ -40,8 +40,8 @@ std::span<const std::uint8_t> JournalReader::look_ahead(std::size_t size) {
   return std::span(window_).subspan(at_, std::min(size, filled_ - at_));
 }
 
-JournalReader::Found JournalReader::look(std::size_t& size) {
-  std::span<const std::uint8_t> rest = look_ahead(kRecordHeaderSize);
+JournalReader::Found JournalReader::find_record(std::size_t& size) {
+  std::span<const std::uint8_t> rest = fill_window(kRecordHeaderSize);
   if (rest.empty()) return Found::kNothing;
   if (rest.size() < kRecordHeaderSize) return Found::kBeginning;
   if (load_big_endian(rest.first(4)) != kRecordSync) return Found::kOther;
@@ -50,7 +50,7 @@ JournalReader::Found JournalReader::look(std::size_t& size) {
   const std::uint64_t most_data = is_bus_log_ ? window_.size() - kRecordHeaderSize - channel_size : config::kLcmMessageBytes;
   if (channel_size < 1 || channel_size > wire::kMaxChannelLength || data_size > most_data) return Found::kOther;
   size = kRecordHeaderSize + static_cast<std::size_t>(channel_size + data_size);
-  rest = look_ahead(size);
+  rest = fill_window(size);
   if (rest.size() < size) return Found::kBeginning;
   if (is_bus_log_) return load_big_endian(rest.subspan(4, 4)) == 0 ? Found::kRecord : Found::kOther;
   return load_big_endian(rest.subspan(4, 4)) == checksum_of(rest) ? Found::kRecord : Found::kOther;
@@ -102,7 +102,7 @@ void JournalReader::note_damage(std::uint64_t bytes) {
       {.offset = place.offset - 1, .bytes = bytes, .part = file_.are_several() ? place.file.filename().string() : std::string()});
 }
 
-void JournalReader::look_again() {
+void JournalReader::resume_reading() {
   if (is_end_damaged_) damages_.pop_back();
   is_end_damaged_ = false;
   file_.go_to(offset_);
@@ -126,7 +126,7 @@ bool JournalReader::next_of_parts(JournalRecord& record) {
   bool is_beginning = false;  // of a record that the file's end cuts off
   bool is_empty = true;
   for (;;) {
-    const Found found = look(size);
+    const Found found = find_record(size);
     if (found == Found::kRecord) break;
     if (found == Found::kNothing) return stop(passed == 0 ? End::kWhole : (is_beginning || is_empty ? End::kCut : End::kCorrupt), passed);
     if (passed == 0) is_beginning = found == Found::kBeginning;
@@ -134,7 +134,7 @@ bool JournalReader::next_of_parts(JournalRecord& record) {
     is_empty = pass_over(passed) && is_empty;
   }
   if (passed > 0) note_damage(passed);
-  keep(look_ahead(size), record);
+  keep(fill_window(size), record);
   at_ += size;
   offset_ += passed + size;
   return true;

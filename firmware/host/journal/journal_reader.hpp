@@ -58,7 +58,7 @@ class JournalReader {
 
   /// Behind the last record, once next() has come to the end: whoever follows a journal that is being written asks next() again then. An
   /// end that was damaged may be whole by now. @throws host::BadInput if the disk fails.
-  void look_again();
+  void resume_reading();
 
   [[nodiscard]] End end() const { return end_; }
   /// Behind the last record that was read, bytes from the beginning of the first part.
@@ -76,9 +76,9 @@ class JournalReader {
   enum class Found : std::uint8_t { kRecord, kNothing, kBeginning, kOther };
 
   /// What comes next, `size` bytes of it or all that is left.
-  [[nodiscard]] std::span<const std::uint8_t> look_ahead(std::size_t size);
+  [[nodiscard]] std::span<const std::uint8_t> fill_window(std::size_t size);
   /// What stands where the window is. @param size  of the record
-  [[nodiscard]] Found look(std::size_t& size);
+  [[nodiscard]] Found find_record(std::size_t& size);
   /// Of a record that stands where the window is.
   [[nodiscard]] std::uint32_t checksum_of(std::span<const std::uint8_t> record);
   void forget_sums();

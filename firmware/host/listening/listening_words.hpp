@@ -20,7 +20,7 @@ namespace earshot::host {
 /// kMaxListeningSeconds.
 [[nodiscard]] config::ListeningWindow listening_window(const std::string& word, std::int64_t length_s);
 
-/// The keys `listening` and `listening_window_s` of a table; without them the newest look. What is wrong is noted.
+/// The keys `listening` and `listening_window_s` of a table; without them the newest measurement. What is wrong is noted.
 [[nodiscard]] config::ListeningWindow read_listening(TableReader& table);
 
 /// A window's length as those keys have it.

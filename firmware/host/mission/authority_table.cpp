@@ -33,14 +33,14 @@ void read_key(TableReader& table, const TomlFile& toml, const VehicleTrust* vehi
   if (!has_vehicles)
     table.problem(kCommandKeyFile,
                   "no signature covers that key: this vehicle takes the key of its commands from trust.command_key_file in " +
-                      vehicle->said_in + ", which names none");
+                      vehicle->stated_in + ", which names none");
 }
 
 void take_vehicle_id(TableReader& table, const VehicleTrust* vehicle, std::string& vehicle_id) {
   const std::string named = read_vehicle_id(table);
   if (named.empty()) return;
   if (!vehicle_id.empty() && named != vehicle_id)
-    table.problem("vehicle_id", "is another vehicle: this one is \"" + vehicle_id + "\" (trust.vehicle_id in " + vehicle->said_in + ")");
+    table.problem("vehicle_id", "is another vehicle: this one is \"" + vehicle_id + "\" (trust.vehicle_id in " + vehicle->stated_in + ")");
   vehicle_id = named;
 }
 
@@ -48,7 +48,7 @@ void read_old_marks(TableReader& table, const VehicleTrust* vehicle, MissionFile
   if (!table.has(kAcceptOldMarks)) return;
   file.accepts_old_marks = table.boolean_or(kAcceptOldMarks, false);
   if (file.accepts_old_marks && vehicle != nullptr && vehicle->command_key)
-    table.problem(kAcceptOldMarks, "is the vehicle's to give, whose key it is: trust.accept_old_marks in " + vehicle->said_in);
+    table.problem(kAcceptOldMarks, "is the vehicle's to give, whose key it is: trust.accept_old_marks in " + vehicle->stated_in);
 }
 
 void take_vehicles_key(const VehicleTrust& vehicle, MissionFile& file) {

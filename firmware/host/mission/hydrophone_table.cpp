@@ -133,11 +133,11 @@ bool is_anything_noted(const TableReader& table) {
 }
 
 /// "search.source_frequency_hz = 20 (mission.toml:20)", and that nothing says so where the key is left out.
-std::string said_in(const TableReader& search, const char* key, double value) {
-  const std::string said = std::string("search.") + key + " = " + shortly(value);
-  if (!search.has(key)) return said + ", which counts where it is left out";
+std::string stated_in(const TableReader& search, const char* key, double value) {
+  const std::string setting = std::string("search.") + key + " = " + shortly(value);
+  if (!search.has(key)) return setting + ", which counts where it is left out";
   const std::string place = search.place_of(key);
-  return said + " (" + place.substr(0, place.rfind(": ")) + ")";
+  return setting + " (" + place.substr(0, place.rfind(": ")) + ")";
 }
 
 /// The band is the preset's where no key of its own says so.
@@ -150,14 +150,14 @@ void require_band_of_source(TableReader& hydrophone, const TableReader& search, 
   hydrophone.problem(hydrophone.has(key) ? key : kPreset,
                      must + ": what is searched for lies outside of the band of " + shortly(band.low.value) + " to " +
                          shortly(band.high.value) +
-                         " Hz, and the vehicle would hear nothing of it: " + said_in(search, kFrequency, frequency.value));
+                         " Hz, and the vehicle would hear nothing of it: " + stated_in(search, kFrequency, frequency.value));
 }
 
 void require_open_gate(TableReader& hydrophone, const TableReader& search, MetersPerSecond gate, MetersPerSecond speed) {
   if (speed <= gate) return;
   hydrophone.problem(kSelfNoiseSpeed, "must be at least " + shortly(speed.value) +
                                           ": faster than that the vehicle measures nothing, and it searches at " +
-                                          said_in(search, kSpeed, speed.value));
+                                          stated_in(search, kSpeed, speed.value));
 }
 
 /// What can be known before a block has come with its own gain and sample rate.

@@ -14,8 +14,8 @@ namespace earshot::host {
 /// @param mission  its search as it was read: what counts as heard, at what frequency and speed, is said in one place
 [[nodiscard]] detector::SoundSettings read_hydrophone(TableReader hydrophone, TableReader search, const config::Mission& mission);
 
-/// How old a look may become while nothing is wrong but one lost block: what has been heard before it, the filters' beginning, one
-/// integration time until the next look, and the filters' delay. @pre check(settings) finds no fault
+/// How old a measurement may become while nothing is wrong but one lost block: what has been heard before it, the filters' beginning, one
+/// integration time until the next measurement, and the filters' delay. @pre check(settings) finds no fault
 [[nodiscard]] Duration longest_silence_of(const detector::SoundSettings& settings);
 
 }  // namespace earshot::host

@@ -51,7 +51,7 @@ struct MissionFile {
 
 /// What a vehicle that has a configuration says of every mission, whatever that says itself.
 struct VehicleTrust {
-  std::string said_in;                          ///< the configuration's file
+  std::string stated_in;                        ///< the configuration's file
   std::optional<CommandKey> command_key = {};   ///< of who may command it
   std::filesystem::path command_key_file = {};  ///< that it stands in
   bool reads_own_command_key = false;           ///< of the mission, whose signature covers no other file

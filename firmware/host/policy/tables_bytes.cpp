@@ -33,15 +33,16 @@ std::string complaint_about_version(std::uint32_t version) {
 
 /// The first of their numbers that cannot be, as "prior of "mud" = 0 (1e-06 to 1e+06)".
 std::string number_out_of_range(const policy::OceanTables& t) {
-  std::ostringstream said;
-  const auto is_out = [&said](const std::string& name, double value, double low, double high) {
+  std::ostringstream problem;
+  const auto is_out = [&problem](const std::string& name, double value, double low, double high) {
     if (value >= low && value <= high) return false;
-    said << name << " = " << (std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value) << " (" << low << " to " << high << ")";
+    problem << name << " = " << (std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value) << " (" << low << " to " << high
+            << ")";
     return true;
   };
   const auto is_no_depth = [&](const std::string& name, double depth_m) {
     if (depth_m > 0.0 && depth_m <= policy::kMostDepth_m) return false;
-    said << name << " = " << depth_m << " m (above 0, at most " << policy::kMostDepth_m << ")";
+    problem << name << " = " << depth_m << " m (above 0, at most " << policy::kMostDepth_m << ")";
     return true;
   };
   const auto is_no_range = [&](const std::string& name, const policy::DepthRange& depths) {
@@ -52,14 +53,14 @@ std::string number_out_of_range(const policy::OceanTables& t) {
       is_no_depth("depth of the vehicle", t.receiver_depth.value) || is_no_range("depth of the source", t.source_depth) ||
       is_no_range("depth of the sea floor", t.sea_depth) ||
       is_out("range step in m", t.range_step.value, policy::kLeastLength_m, policy::kMostRangeStep_m))
-    return said.str();
+    return problem.str();
   for (const policy::OceanTable& table : t.tables) {
     const std::string of = " of \"" + std::string(table.name.begin(), table.name.end()) + "\"";
     if (is_out("prior" + of, double{table.prior}, policy::kLeastPrior, policy::kMostPrior) ||
         is_out("depth of the sea floor in m" + of, double{table.sea_depth_m}, t.sea_depth.least.value, t.sea_depth.most.value))
-      return said.str();
+      return problem.str();
   }
-  return said.str();
+  return problem.str();
 }
 
 /// "PATH: section OCNS is missing, or not in its place", in the words of `.tables` files. @param tables  as far as they were read

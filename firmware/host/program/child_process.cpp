@@ -95,17 +95,17 @@ void ChildProcess::poll() {
 
 void ChildProcess::signal(int number) {
   if (!running()) return;
-  is_told_ = is_told_ || (number != SIGSTOP && number != SIGCONT);
+  is_signalled_ = is_signalled_ || (number != SIGSTOP && number != SIGCONT);
   (void)kill(id_, number);
 }
 
 void ChildProcess::stop() {
-  if (!is_told_) signal(SIGTERM);
+  if (!is_signalled_) signal(SIGTERM);
 }
 
 void ChildProcess::report_signal(const std::string& reporter) const {
   const int number = status_ - 128;
-  if (is_told_ || number <= 0 || number == SIGINT) return;
+  if (is_signalled_ || number <= 0 || number == SIGINT) return;
   (void)std::fprintf(stderr, "%s: %s was ended by signal %d (%s)\n", reporter.c_str(), program_.c_str(), number, strsignal(number));
 }
 

@@ -39,7 +39,7 @@ class ChildProcess {
   std::string program_;
   pid_t id_ = 0;
   int status_ = -1;
-  bool is_told_ = false;  ///< by signal() to end
+  bool is_signalled_ = false;  ///< by signal() to end
 };
 
 /// The last line that a child said: often why it ended as it did.

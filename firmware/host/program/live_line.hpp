@@ -16,7 +16,7 @@ class LiveLine {
   LiveLine(const LiveLine&) = delete;
   LiveLine& operator=(const LiveLine&) = delete;
 
-  /// Whether it is time to draw, a few times a second: so long there is no need to make the text. Costs a look at the clock.
+  /// Whether it is time to draw, a few times a second: so long there is no need to make the text. Costs a reading of the clock.
   [[nodiscard]] bool is_due() const;
   /// @param text  printable ASCII; what the terminal is too narrow for is left out
   void draw(const std::string& text);

@@ -14,21 +14,21 @@ void stop_on_signals(SecondSignal second) {
   }
 }
 
-void outlive_accidents() {
+void ignore_unmeant_signals() {
   for (const int number :
        {SIGHUP, SIGTSTP, SIGTTIN, SIGTTOU, SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGPROF, SIGIO, SIGPWR, SIGSTKFLT, SIGXCPU})
     (void)std::signal(number, SIG_IGN);
   for (int number = SIGRTMIN; number <= SIGRTMAX; ++number) (void)std::signal(number, SIG_IGN);
 }
 
-void stop_on_hang_up() {
+void stop_on_sighup() {
   struct sigaction action {};
   action.sa_handler = [](int) { stop_requested = true; };
   action.sa_flags = SA_RESTART;
   sigaction(SIGHUP, &action, nullptr);
 }
 
-void note_hang_ups() {
+void install_sighup_handler() {
   struct sigaction action {};
   action.sa_handler = [](int) { has_hung_up = true; };
   action.sa_flags = SA_RESTART;

@@ -20,25 +20,25 @@ void open_standard_streams() {
   }
 }
 
-PatientStream::PatientStream(std::ostream& stream, int descriptor)
+NonBlockingStream::NonBlockingStream(std::ostream& stream, int descriptor)
     : stream_(stream), before_(stream.flush().rdbuf(this)), flags_before_(stream.flags()), descriptor_(descriptor) {
   stream_ << std::nounitbuf;  // standard error would be written word by word
 }
 
-PatientStream::~PatientStream() {
+NonBlockingStream::~NonBlockingStream() {
   stream_.flush();
   stream_.rdbuf(before_);
   stream_.flags(flags_before_);
 }
 
-PatientStream::int_type PatientStream::overflow(int_type character) {
+NonBlockingStream::int_type NonBlockingStream::overflow(int_type character) {
   if (size_ == line_.size() && sync() != 0) return traits_type::eof();
   if (traits_type::eq_int_type(character, traits_type::eof())) return traits_type::not_eof(character);
   line_[size_++] = traits_type::to_char_type(character);
   return character == '\n' && sync() != 0 ? traits_type::eof() : character;
 }
 
-int PatientStream::sync() {
+int NonBlockingStream::sync() {
   if (size_ == 0) return 0;
   const std::size_t size = std::exchange(size_, 0);
   if (!is_writable()) {
@@ -55,11 +55,11 @@ int PatientStream::sync() {
   return write_line({line_.data(), size}) ? 0 : -1;
 }
 
-bool PatientStream::write_line(std::string_view line) const {
+bool NonBlockingStream::write_line(std::string_view line) const {
   if (!format_ || !line.ends_with('\n')) return write(line);
   line.remove_suffix(1);
-  std::array<char, kLineBytes> said{};
-  const std::string_view text = format_(line, std::span(said).first(said.size() - 1));
+  std::array<char, kLineBytes> formatted{};
+  const std::string_view text = format_(line, std::span(formatted).first(formatted.size() - 1));
   std::array<char, kLineBytes> whole{};
   const auto end = std::ranges::copy(text.substr(0, whole.size() - 1), whole.begin()).out;
   *end = '\n';
@@ -67,7 +67,7 @@ bool PatientStream::write_line(std::string_view line) const {
 }
 
 /// As much as a line fits into a pipe of which poll(2) says that it can be written to.
-bool PatientStream::is_writable() {
+bool NonBlockingStream::is_writable() {
   using std::chrono::steady_clock;
   const auto began = steady_clock::now();
   const auto deadline = began + patience_;
@@ -82,7 +82,7 @@ bool PatientStream::is_writable() {
   }
 }
 
-bool PatientStream::write(std::string_view text) const {
+bool NonBlockingStream::write(std::string_view text) const {
   while (!text.empty()) {
     const ssize_t count = ::write(descriptor_, text.data(), text.size());
     if (count < 0 && errno == EINTR) continue;
@@ -92,7 +92,7 @@ bool PatientStream::write(std::string_view text) const {
   return true;
 }
 
-PatientStreams::PatientStreams() : output_(std::cout, STDOUT_FILENO), error_(std::cerr, STDERR_FILENO) {
+NonBlockingStdio::NonBlockingStdio() : output_(std::cout, STDOUT_FILENO), error_(std::cerr, STDERR_FILENO) {
   (void)std::signal(SIGPIPE, SIG_IGN);
 }
 

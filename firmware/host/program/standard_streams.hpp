@@ -20,7 +20,7 @@ void open_standard_streams();
 /// While it lives, nobody waits for who reads what a stream says: lines go out whole, when they fit into the pipe or the terminal; those of
 /// a reader who has let it wait for a second in all are left out, and the next line that goes out is preceded by their number. A reader who
 /// is gone makes writing fail.
-class PatientStream : private std::streambuf {
+class NonBlockingStream : private std::streambuf {
  public:
   /// Says a line otherwise. @param line  without its end   @param into  what it may be written into, kLineBytes
   using LineFormat = std::function<std::string_view(std::string_view line, std::span<char> into)>;
@@ -28,13 +28,13 @@ class PatientStream : private std::streambuf {
   static constexpr std::chrono::milliseconds kPatience{1000};
   static constexpr std::size_t kLineBytes = 4096;  ///< PIPE_BUF: what a pipe takes at once; longer: in pieces
 
-  PatientStream(std::ostream& stream, int descriptor);
-  PatientStream(const PatientStream&) = delete;
-  PatientStream& operator=(const PatientStream&) = delete;
-  ~PatientStream() override;
+  NonBlockingStream(std::ostream& stream, int descriptor);
+  NonBlockingStream(const NonBlockingStream&) = delete;
+  NonBlockingStream& operator=(const NonBlockingStream&) = delete;
+  ~NonBlockingStream() override;
 
   /// From the next line on.
-  void say_as(LineFormat format) { format_ = std::move(format); }
+  void set_format(LineFormat format) { format_ = std::move(format); }
 
  private:
   int_type overflow(int_type character) override;
@@ -56,16 +56,16 @@ class PatientStream : private std::streambuf {
 
 /// Standard output and error of a program that outlives who reads them. A reader who is gone makes writing fail and does not end it
 /// (SIGPIPE).
-class PatientStreams {
+class NonBlockingStdio {
  public:
-  PatientStreams();
+  NonBlockingStdio();
 
   /// Every line of standard error from now on.
-  void say_errors_as(PatientStream::LineFormat format) { error_.say_as(std::move(format)); }
+  void set_error_format(NonBlockingStream::LineFormat format) { error_.set_format(std::move(format)); }
 
  private:
-  PatientStream output_;
-  PatientStream error_;
+  NonBlockingStream output_;
+  NonBlockingStream error_;
 };
 
 }  // namespace earshot::program

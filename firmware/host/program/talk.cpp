@@ -19,7 +19,7 @@ void set_talk(Talk talk) {
   current = talk;
 }
 
-std::ostream& say() {
+std::ostream& print() {
   return talk() == Talk::kQuiet ? nowhere : std::cout;
 }
 

@@ -12,7 +12,7 @@ enum class Talk : std::uint8_t { kQuiet, kNormal, kVerbose };
 void set_talk(Talk talk);
 
 /// Where a program says what it did: standard output; nowhere with --quiet.
-[[nodiscard]] std::ostream& say();
+[[nodiscard]] std::ostream& print();
 
 /// Where a program says what only --verbose shows: standard error; nowhere otherwise.
 [[nodiscard]] std::ostream& detail();

@@ -43,7 +43,7 @@ struct SafetyCopies::Writers {
   std::condition_variable more;     ///< for the writers
   std::condition_variable settled;  ///< for who waits for them
   SafetyRecord record;              ///< to be written
-  std::uint64_t newest_news = 0;    ///< the sequence of the last that was no stamp
+  std::uint64_t newest_change = 0;  ///< the sequence of the last that was no stamp
   bool makes_files = false;         ///< `kept` is known
   bool is_given = false;            ///< any record was
   bool is_damaged = false;          ///< a file was found that holds no whole record, or cannot be read
@@ -102,8 +102,8 @@ struct SafetyCopies::Writers {
   void note_unread(const RecordFile& file, const std::string& path) {
     if (!file.is_unreadable()) return;
     left_out.push_back(path + (file.is_anybodys() ? ": others than root and this program's user may change it" : ": it cannot be read"));
-    const bool is_anothers = file.unbelieved() && !may_be_same(file.unbelieved()->owner, owner);
-    is_damaged = is_damaged || !is_anothers;
+    const bool is_of_another_vehicle = file.unbelieved() && !may_be_same(file.unbelieved()->owner, owner);
+    is_damaged = is_damaged || !is_of_another_vehicle;
   }
 
   [[nodiscard]] std::vector<std::uint8_t> kept_of_found() {
@@ -167,10 +167,10 @@ struct SafetyCopies::Writers {
   [[nodiscard]] bool is_settled() const {
     const bool is_kept = is_durable();
     return std::ranges::all_of(copies,
-                               [&](const Copy& copy) { return copy.attempted >= newest_news || (is_kept && copy.survives_power_cut); });
+                               [&](const Copy& copy) { return copy.attempted >= newest_change || (is_kept && copy.survives_power_cut); });
   }
   [[nodiscard]] bool is_durable() const {
-    return std::ranges::any_of(copies, [this](const Copy& copy) { return copy.survives_power_cut && copy.written >= newest_news; });
+    return std::ranges::any_of(copies, [this](const Copy& copy) { return copy.survives_power_cut && copy.written >= newest_change; });
   }
 };
 
@@ -229,7 +229,7 @@ bool SafetyCopies::give_up_one() {
 bool SafetyCopies::write(const SafetyRecord& record, std::chrono::milliseconds patience) {
   Writers& writers = *writers_;
   std::unique_lock lock(writers.mutex);
-  writers.newest_news = writers.record.sequence + 1;
+  writers.newest_change = writers.record.sequence + 1;
   writers.give(record, lock);
   (void)writers.settled.wait_for(lock, patience, [&] { return writers.is_settled(); });
   return writers.is_durable();

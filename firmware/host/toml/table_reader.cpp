@@ -52,7 +52,7 @@ struct Problems {
     lines.push_back(text);
   }
 
-  [[nodiscard]] std::string told() const {
+  [[nodiscard]] std::string all_in_one() const {
     std::string all;
     for (const std::string& line : lines) all += (all.empty() ? "" : "\n") + line;
     if (left_out > 0) all += "\n" + host::printable(path.string()) + ": " + std::to_string(left_out) + " more problems";
@@ -377,7 +377,7 @@ std::filesystem::path TomlFile::resolve(const std::filesystem::path& relative) c
 void TomlFile::finish() const {
   root_->note_unknown_keys();
   if (problems_->lines.empty()) return;
-  throw BadInput(problems_->told());
+  throw BadInput(problems_->all_in_one());
 }
 
 }  // namespace earshot::host

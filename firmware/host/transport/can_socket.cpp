@@ -22,7 +22,7 @@ namespace {
   throw std::system_error(errno, std::generic_category(), "CAN interface " + interface + ": " + call);
 }
 
-constexpr Duration kBetweenLooksForCarrier = Duration::seconds(1);
+constexpr Duration kCarrierPollInterval = Duration::seconds(1);
 
 bool means_nothing_yet(int error) {
   return error == EAGAIN || error == EWOULDBLOCK || error == EINTR;
@@ -89,7 +89,7 @@ CanCounters CanSocket::counters() const {
   return counters;
 }
 
-Status CanSocket::hand_over(const n2k::Frame& frame) {
+Status CanSocket::pass_to_kernel(const n2k::Frame& frame) {
   if (socket_.number() < 0 || !is_up() || bus_off_wait_.is_under_way()) return Status::kFull;
   can_frame out{};
   out.can_id = (frame.identifier & CAN_EFF_MASK) | CAN_EFF_FLAG;
@@ -110,7 +110,7 @@ Status CanSocket::hand_over(const n2k::Frame& frame) {
 }
 
 Status CanSocket::send(const n2k::Frame& frame) {
-  const Status status = queue_.next() != nullptr ? Status::kFull : hand_over(frame);
+  const Status status = queue_.next() != nullptr ? Status::kFull : pass_to_kernel(frame);
   if (status != Status::kOk) ++counters_.send_failed;
   return status;
 }
@@ -126,20 +126,20 @@ Status CanSocket::send_whole(std::span<const n2k::Frame> frames, Time now, const
 void CanSocket::flush(Time now) {
   tend_bus_off(now);
   queue_.expire(now);
-  for (const n2k::Frame* frame = queue_.next(); frame != nullptr && hand_over(*frame) == Status::kOk; frame = queue_.next())
+  for (const n2k::Frame* frame = queue_.next(); frame != nullptr && pass_to_kernel(*frame) == Status::kOk; frame = queue_.next())
     queue_.pop(now);
 }
 
 /// An interface that was bus-off before we came told us nothing, and one whose controller comes back need not have its carrier again.
-void CanSocket::look_for_carrier(Time now) {
+void CanSocket::poll_carrier(Time now) {
   if (socket_.number() < 0 || !is_interface_up_) return;
-  if (looked_for_carrier_ && lies_within(*looked_for_carrier_, now, kBetweenLooksForCarrier)) return;
-  looked_for_carrier_ = now;
+  if (polled_carrier_ && lies_within(*polled_carrier_, now, kCarrierPollInterval)) return;
+  polled_carrier_ = now;
   if (!has_carrier(socket_.number(), interface_)) controller_.note_bus_off();
 }
 
 void CanSocket::tend_bus_off(Time now) {
-  look_for_carrier(now);
+  poll_carrier(now);
   if (controller_.counters().bus_off != bus_offs_seen_) {
     bus_offs_seen_ = controller_.counters().bus_off;
     bus_off_wait_.begin(now);

@@ -85,9 +85,9 @@ class CanSocket {
   [[nodiscard]] CanCounters counters() const;
 
  private:
-  [[nodiscard]] Status hand_over(const n2k::Frame& frame);
+  [[nodiscard]] Status pass_to_kernel(const n2k::Frame& frame);
   void tend_bus_off(Time now);
-  void look_for_carrier(Time now);
+  void poll_carrier(Time now);
   void note_error(int error);
 
   std::string interface_;
@@ -98,7 +98,7 @@ class CanSocket {
   CanController controller_;
   BusOffWait bus_off_wait_;
   std::uint64_t bus_offs_seen_ = 0;
-  std::optional<Time> looked_for_carrier_;
+  std::optional<Time> polled_carrier_;
   CanSendQueue queue_;
   CanCounters counters_;
   SocketDrops drops_;

@@ -20,8 +20,8 @@ constexpr const char* kTitle = "Earshot mission counter 1";
 constexpr const char* kChecksum = "crc32 ";
 
 std::string text_of(const authority::MissionManifest& manifest) {
-  const std::string told = std::string(kTitle) + "\n" + lines_of(manifest);
-  return told + kChecksum + crc32_text(crc32_of(told)) + "\n";
+  const std::string written = std::string(kTitle) + "\n" + lines_of(manifest);
+  return written + kChecksum + crc32_text(crc32_of(written)) + "\n";
 }
 
 FileDescriptor locked_folder_of(const std::filesystem::path& counter_file) {

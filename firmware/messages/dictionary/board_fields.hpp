@@ -26,7 +26,7 @@ struct Described<BoardReport> {
   static constexpr std::string_view kMeaning = "How a microcontroller that flies a mission is doing. On its serial line alone.";
   static constexpr std::tuple kFields{
       field<&BoardReport::time>("utime"),
-      field<&BoardReport::event>("event", {.values = Told::Values::kPlain}),
+      field<&BoardReport::event>("event", {.values = FieldFormat::Values::kPlain}),
       field<&BoardReport::status>("status", {.meaning = "Status of firmware/core/status.hpp; of REFUSED why"}),
       field<&BoardReport::frames_refused>("frames_refused", {.meaning = "torn on the line"}),
       field<&BoardReport::bytes_lost>("bytes_lost", {.meaning = "that arrived when there was no room"}),

@@ -16,7 +16,7 @@ struct MarkWorth : Line {
 
   [[nodiscard]] constexpr std::array<NumberField, 1> numbers() const { return {{{.type = NumberType::kBoolean, .name = name}}}; }
 
-  static constexpr void tell(const OperatorCommand& command, auto& out) {
+  static constexpr void write(const OperatorCommand& command, auto& out) {
     out.number(command.is_verified ? kVerified : command.has_old_mark ? kOldMark : std::int8_t{0});
   }
   static constexpr void hear(auto& in, OperatorCommand& command) {
@@ -47,7 +47,8 @@ struct Described<OperatorCommand> {
                                                  .bus = on_bus::any_number("Issuer", 32)}),
       field<&OperatorCommand::number>("number",
                                       {.meaning = "rises with every new command of this issuer", .bus = on_bus::any_number("Number", 64)}),
-      field<&OperatorCommand::order>("command", {.key = "order", .values = Told::Values::kPlain, .bus = on_bus::number("Order", 24, 8)}),
+      field<&OperatorCommand::order>("command",
+                                     {.key = "order", .values = FieldFormat::Values::kPlain, .bus = on_bus::number("Order", 24, 8)}),
       optional_field<&OperatorCommand::limits, &OperatorLimits::max_depth>(
           "max_depth_m",
           {.meaning = "of a TIGHTEN; NaN: stays as it is",
@@ -80,13 +81,13 @@ struct Described<CommandAcknowledgement> {
       field<&CommandAcknowledgement::issuer>("issuer", {.bus = on_bus::any_number("Issuer", 32)}),
       field<&CommandAcknowledgement::number>("number", {.bus = on_bus::any_number("Number", 64)}),
       field<&CommandAcknowledgement::order>("command", {.key = "order", .bus = on_bus::number("Order", 24, 8)}),
-      field<&CommandAcknowledgement::outcome>("outcome", {.values = Told::Values::kPlain, .bus = on_bus::number("Outcome", 96, 8)}),
-      untold<At<&CommandAcknowledgement::port>>(),
+      field<&CommandAcknowledgement::outcome>("outcome", {.values = FieldFormat::Values::kPlain, .bus = on_bus::number("Outcome", 96, 8)}),
+      unpublished<At<&CommandAcknowledgement::port>>(),
   };
 };
 
 template <>
-struct Described<ToldChallenge> {
+struct Described<PublishedChallenge> {
   static constexpr std::string_view kType = "challenge_t";
   static constexpr std::string_view kChannel = "EARSHOT_CHALLENGE";
   static constexpr std::string_view kMeaning =
@@ -94,20 +95,20 @@ struct Described<ToldChallenge> {
       "this mission.\n"
       "Every turn, of a vehicle whose mission names a key.";
   static constexpr std::tuple kFields{
-      field<&ToldChallenge::time>("utime", {.bus = on_bus::instant("Time", 16)}),
-      bytes<&ToldChallenge::challenge, &Challenge::nonce>(
+      field<&PublishedChallenge::time>("utime", {.bus = on_bus::instant("Time", 16)}),
+      bytes<&PublishedChallenge::challenge, &Challenge::nonce>(
           "nonce", {.meaning = "drawn anew at every start", .bus_words = bus_words(80, "Nonce0", "Nonce1", "Nonce2", "Nonce3")}),
-      bytes<&ToldChallenge::challenge, &Challenge::vehicle>(
+      bytes<&PublishedChallenge::challenge, &Challenge::vehicle>(
           "vehicle",
           {.meaning = "its name in ASCII, zeros behind; nothing but zeros: it has none",
            .bus_words = bus_words(208, "Vehicle0", "Vehicle1", "Vehicle2", "Vehicle3", "Vehicle4", "Vehicle5", "Vehicle6", "Vehicle7")}),
-      bytes<&ToldChallenge::challenge, &Challenge::mission>(
+      bytes<&PublishedChallenge::challenge, &Challenge::mission>(
           "mission",
           {.meaning = "SHA-256 of the mission's file",
            .bus_words = bus_words(464, "Mission0", "Mission1", "Mission2", "Mission3", "Mission4", "Mission5", "Mission6", "Mission7")}),
-      bytes<&ToldChallenge::mark>("mark",
-                                  {.meaning = "of who knows the key, so that nobody else can have orders marked for another vehicle",
-                                   .bus_words = bus_words(720, "ChallengeMark0", "ChallengeMark1", "ChallengeMark2", "ChallengeMark3")}),
+      bytes<&PublishedChallenge::mark>(
+          "mark", {.meaning = "of who knows the key, so that nobody else can have orders marked for another vehicle",
+                   .bus_words = bus_words(720, "ChallengeMark0", "ChallengeMark1", "ChallengeMark2", "ChallengeMark3")}),
   };
 };
 

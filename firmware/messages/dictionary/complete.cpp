@@ -21,7 +21,7 @@ static_assert(kMissionStates == WordsOf<MissionState>::kTable.size());
 /// Nor does a member of a message before it has its line.
 template <class Message>
 struct IsComplete {
-  static_assert(tells_all_members<Message>(), "a member of this message has no line in its list (firmware/messages/dictionary)");
+  static_assert(covers_all_members<Message>(), "a member of this message has no line in its list (firmware/messages/dictionary)");
   static constexpr bool kIs = true;
 };
 template <class... Messages>

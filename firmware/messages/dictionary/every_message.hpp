@@ -10,8 +10,9 @@
 
 namespace earshot::messages {
 
-using EveryMessage = Types<Navigation, SnrMeasurement, BearingMeasurement, VehicleStatus, AutopilotStatus, HydrophoneStatus, PortReport,
-                           UnsentSetpoints, OperatorCommand, CommandAcknowledgement, ToldChallenge, Setpoint, Decision, SafetyEvent, Health,
-                           SoundDetection, MissionRecord, JournalPart, JournalResumed, ControllerTrouble, ClosingRecord, BoardReport>;
+using EveryMessage =
+    Types<Navigation, SnrMeasurement, BearingMeasurement, VehicleStatus, AutopilotStatus, HydrophoneStatus, PortReport, UnsentSetpoints,
+          OperatorCommand, CommandAcknowledgement, PublishedChallenge, Setpoint, Decision, SafetyEvent, Health, SoundDetection,
+          MissionRecord, JournalPart, JournalResumed, ControllerTrouble, ClosingRecord, BoardReport>;
 
 }  // namespace earshot::messages

@@ -35,7 +35,7 @@ consteval BusWords bus_words(unsigned first_bit, Names... names) {
 }
 
 /// How a field is told besides its name.
-struct Told {
+struct FieldFormat {
   std::string_view meaning = {};  ///< for who reads the message's definition or a schema
   std::string_view key = {};      ///< in files; empty: its name
   std::string_view heading = {};  ///< a line of its own before it, in the definition: what begins here
@@ -62,7 +62,7 @@ struct NumberField {
 
 struct Line {
   std::string_view name;
-  Told told;
+  FieldFormat format;
 };
 
 /// One number; zero of what is missing.
@@ -85,7 +85,7 @@ struct Scalar : Line {
 
   [[nodiscard]] constexpr std::array<NumberField, 1> numbers() const { return {{{.type = type_of<Number>(), .name = name}}}; }
 
-  static constexpr void tell(const auto& message, auto& out) {
+  static constexpr void write(const auto& message, auto& out) {
     const Value* const value = value_in(message);
     out.number(value != nullptr ? plain(*value) : Number{});
   }
@@ -109,7 +109,7 @@ struct Presence : Line {
 
   [[nodiscard]] constexpr std::array<NumberField, 1> numbers() const { return {{{.type = NumberType::kBoolean, .name = name}}}; }
 
-  static constexpr void tell(const auto& message, auto& out) {
+  static constexpr void write(const auto& message, auto& out) {
     const auto* const value = Place::in(message);
     out.number(value != nullptr && value->has_value());
   }
@@ -136,7 +136,7 @@ struct OptionalNumber : Line {
 
   [[nodiscard]] constexpr std::array<NumberField, 1> numbers() const { return {{{.type = NumberType::kDouble, .name = name}}}; }
 
-  static constexpr void tell(const auto& message, auto& out) {
+  static constexpr void write(const auto& message, auto& out) {
     const auto* const value = Place::in(message);
     const bool is_there = value != nullptr && value->has_value();
     out.number(is_there ? plain(**value) : std::numeric_limits<double>::quiet_NaN());
@@ -159,7 +159,7 @@ struct Bytes : Line {
     return {{{.type = NumberType::kByte, .name = name, .sizes = {kSize, 0}}}};
   }
 
-  static constexpr void tell(const auto& message, auto& out) {
+  static constexpr void write(const auto& message, auto& out) {
     for (const std::uint8_t byte : *Place::in(message)) out.number(byte);
   }
   static constexpr void hear(auto& in, auto& message) {
@@ -182,7 +182,7 @@ struct Floats : Line {
     return {{{.type = NumberType::kFloat, .name = name, .sizes = {kOutside, 0}}}};
   }
 
-  static constexpr void tell(const auto& message, auto& out) {
+  static constexpr void write(const auto& message, auto& out) {
     const auto& floats = *Place::in(message);
     for (std::size_t i = 0; i < kOutside; ++i) out.number(i < floats.size() ? floats[i] : 0.0F);
   }
@@ -205,7 +205,7 @@ struct Count : Line {
 
   [[nodiscard]] constexpr std::array<NumberField, 1> numbers() const { return {{{.type = NumberType::kInt8, .name = name}}}; }
 
-  static constexpr void tell(const auto& message, auto& out) { out.number(static_cast<std::int8_t>(Place::in(message)->size())); }
+  static constexpr void write(const auto& message, auto& out) { out.number(static_cast<std::int8_t>(Place::in(message)->size())); }
   static constexpr void hear(auto& in, auto& message) {
     auto& elements = *Place::in(message);
     elements.clear();
@@ -221,7 +221,7 @@ struct Nested : Line {
   using Element = typename Count<Place>::Element;
   static constexpr std::size_t kSize = Place::Value::capacity();
 
-  static constexpr void tell(const auto& message, auto& out) {
+  static constexpr void write(const auto& message, auto& out) {
     const auto& elements = *Place::in(message);
     for (const Element& element : elements) out.message(element);
     for (std::size_t i = elements.size(); i < kSize; ++i) out.template zeros<Element>();
@@ -241,57 +241,57 @@ struct SentTime : Line {
 
 /// A member that nobody is told.
 template <class... Places>
-struct Untold : Line {
+struct Unpublished : Line {
   using Reaches = Types<Places...>;
   [[nodiscard]] constexpr std::array<NumberField, 0> numbers() const { return {}; }
-  static constexpr void tell(const auto& /*message*/, auto& /*out*/) {}
+  static constexpr void write(const auto& /*message*/, auto& /*out*/) {}
   static constexpr void hear(auto& /*in*/, auto& /*message*/) {}
 };
 
 // Words to write lists with.
 
 template <auto... kSteps>
-consteval auto field(std::string_view name, Told told = {}) {
-  return Scalar<At<kSteps...>>{{name, told}};
+consteval auto field(std::string_view name, FieldFormat format = {}) {
+  return Scalar<At<kSteps...>>{{name, format}};
 }
 template <auto... kSteps>
-consteval auto byte_field(std::string_view name, Told told = {}) {
-  return ByteScalar<At<kSteps...>>{{{name, told}}};
+consteval auto byte_field(std::string_view name, FieldFormat format = {}) {
+  return ByteScalar<At<kSteps...>>{{{name, format}}};
 }
 template <auto... kSteps>
-consteval auto whether_there(std::string_view name, Told told = {}) {
-  return Presence<At<kSteps...>>{{name, told}};
+consteval auto whether_there(std::string_view name, FieldFormat format = {}) {
+  return Presence<At<kSteps...>>{{name, format}};
 }
 template <auto... kSteps>
-consteval auto optional_field(std::string_view name, Told told = {}) {
-  return OptionalNumber<At<kSteps...>>{{name, told}};
+consteval auto optional_field(std::string_view name, FieldFormat format = {}) {
+  return OptionalNumber<At<kSteps...>>{{name, format}};
 }
 template <auto... kSteps>
-consteval auto bytes(std::string_view name, Told told = {}) {
-  return Bytes<At<kSteps...>>{{name, told}};
+consteval auto bytes(std::string_view name, FieldFormat format = {}) {
+  return Bytes<At<kSteps...>>{{name, format}};
 }
 template <auto... kSteps>
-consteval auto text(std::string_view name, Told told = {}) {
-  return Text<At<kSteps...>>{{{name, told}}};
+consteval auto text(std::string_view name, FieldFormat format = {}) {
+  return Text<At<kSteps...>>{{{name, format}}};
 }
 template <auto kFloats, auto kCount, std::size_t kOutside>
-consteval auto floats(std::string_view name, Told told = {}) {
-  return Floats<At<kFloats>, At<kCount>, kOutside>{{name, told}};
+consteval auto floats(std::string_view name, FieldFormat format = {}) {
+  return Floats<At<kFloats>, At<kCount>, kOutside>{{name, format}};
 }
 template <auto... kSteps>
-consteval auto count_of(std::string_view name, Told told = {}) {
-  return Count<At<kSteps...>>{{name, told}};
+consteval auto count_of(std::string_view name, FieldFormat format = {}) {
+  return Count<At<kSteps...>>{{name, format}};
 }
 template <auto... kSteps>
-consteval auto nested(std::string_view name, Told told = {}) {
-  return Nested<At<kSteps...>>{{name, told}};
+consteval auto nested(std::string_view name, FieldFormat format = {}) {
+  return Nested<At<kSteps...>>{{name, format}};
 }
-consteval auto sent_time(std::string_view name, Told told = {}) {
-  return SentTime{{name, told}};
+consteval auto sent_time(std::string_view name, FieldFormat format = {}) {
+  return SentTime{{name, format}};
 }
 template <class... Places>
-consteval auto untold() {
-  return Untold<Places...>{};
+consteval auto unpublished() {
+  return Unpublished<Places...>{};
 }
 
 }  // namespace earshot::messages

@@ -35,7 +35,7 @@ struct Described<ClosingRecord> {
       "The last record of a journal whose program ended in order: what the journal lacks, and how the flight stood.";
   static constexpr std::tuple kFields{
       field<&ClosingRecord::time>("utime", {.meaning = "of the last turn", .is_in_files = false}),
-      field<&ClosingRecord::ending>("ending", {.meaning = "why the program ended", .values = Told::Values::kPlain}),
+      field<&ClosingRecord::ending>("ending", {.meaning = "why the program ended", .values = FieldFormat::Values::kPlain}),
       field<&ClosingRecord::state>("state", {.meaning = "of the mission: health_t's"}),
       field<&ClosingRecord::end_reason>("end_reason", {.meaning = "health_t's"}),
       field<&ClosingRecord::steps_taken>("steps_taken"),
@@ -83,7 +83,7 @@ struct Described<ControllerTrouble> {
   static constexpr std::tuple kFields{
       field<&ControllerTrouble::time>("utime", {.meaning = "microseconds on the mission clock", .is_in_files = false}),
       field<&ControllerTrouble::port>("port"),
-      field<&ControllerTrouble::trouble>("trouble", {.values = Told::Values::kPlain}),
+      field<&ControllerTrouble::trouble>("trouble", {.values = FieldFormat::Values::kPlain}),
       field<&ControllerTrouble::is_there>("is_there", {.meaning = "false: it is over"}),
   };
 };

@@ -55,7 +55,7 @@ struct ReachesOf<std::tuple<Lines...>> : Joined<Types<>, typename Lines::Reaches
 
 /// Whether the lines of a message reach every member of it: a member that is added has its line, or this does not compile.
 template <IsDescribed Message>
-consteval bool tells_all_members() {
+consteval bool covers_all_members() {
   using Fields = std::remove_const_t<decltype(Described<Message>::kFields)>;
   return reaches_all_members<Message>(typename detail::ReachesOf<Fields>::Type{});
 }

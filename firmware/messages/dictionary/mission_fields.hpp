@@ -35,7 +35,7 @@ struct Polygons : Line {
     return place == 1 ? &safety.fence->save : &safety.fence->halt;
   }
 
-  static constexpr void tell(const MissionRecord& record, auto& out) {
+  static constexpr void write(const MissionRecord& record, auto& out) {
     const config::Safety& safety = *Safety::in(record);
     for (std::size_t place = 0; place < kPlaces; ++place) {
       const config::Polygon* const polygon = polygon_at(safety, place);
@@ -91,14 +91,14 @@ struct RuleColumns : Line {
   using Columns = Types<Scalar<At<&config::Rule::condition>>, Scalar<At<&config::Rule::limit>>, Scalar<At<&config::Rule::persistence>>,
                         Scalar<At<&config::Rule::response>>, Scalar<At<&config::Rule::is_latched>>>;
 
-  static constexpr void tell(const MissionRecord& record, auto& out) {
+  static constexpr void write(const MissionRecord& record, auto& out) {
     const auto& rules = *Rules::in(record);
     out.number(static_cast<std::int8_t>(rules.size()));
-    const auto tell_column = [&]<class Column>(Types<Column>) {
-      for (const config::Rule& rule : rules) Column::tell(rule, out);
+    const auto write_column = [&]<class Column>(Types<Column>) {
+      for (const config::Rule& rule : rules) Column::write(rule, out);
       for (std::size_t i = rules.size(); i < kRules; ++i) out.number(typename Column::Number{});
     };
-    [&]<class... Column>(Types<Column...>) { (tell_column(Types<Column>{}), ...); }(Columns{});
+    [&]<class... Column>(Types<Column...>) { (write_column(Types<Column>{}), ...); }(Columns{});
   }
   static constexpr void hear(auto& in, MissionRecord& record) {
     auto& rules = *Rules::in(record);
@@ -116,8 +116,8 @@ namespace detail {
 
 /// A field of the mission.
 template <auto... kSteps>
-consteval auto of_mission(std::string_view name, Told told = {}) {
-  return field<&MissionRecord::mission, kSteps...>(name, told);
+consteval auto of_mission(std::string_view name, FieldFormat format = {}) {
+  return field<&MissionRecord::mission, kSteps...>(name, format);
 }
 /// Of the vehicle's limits.
 template <auto kMember>

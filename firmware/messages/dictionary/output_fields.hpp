@@ -35,9 +35,9 @@ struct Described<Decision> {
   static constexpr std::string_view kType = "decision_t";
   static constexpr std::string_view kChannel = "EARSHOT_DECISION";
   static constexpr std::string_view kMeaning = "Why the vehicle goes where it goes: one record per action.";
-  static constexpr std::size_t kToldObservation = 64;
-  static constexpr std::size_t kToldLogits = 32;
-  static_assert(config::kMaxObservation <= kToldObservation && config::kMaxActions <= kToldLogits);
+  static constexpr std::size_t kPublishedObservation = 64;
+  static constexpr std::size_t kPublishedLogits = 32;
+  static_assert(config::kMaxObservation <= kPublishedObservation && config::kMaxActions <= kPublishedLogits);
   static constexpr std::tuple kFields{
       field<&Decision::time>("utime", {.is_in_files = false, .bus = on_bus::instant("Time", 16)}),
       field<&Decision::step>("step", {.meaning = "0 for the first action", .bus = on_bus::any_number("Step", 80)}),
@@ -64,8 +64,8 @@ struct Described<Decision> {
       field<&Decision::waypoint, &NorthEast::east>("waypoint_east_m", {.bus = on_bus::metres("WaypointEast", 240)}),
       field<&Decision::observation_size>("observation_size", {.is_in_files = false}),
       field<&Decision::action_count>("action_count", {.is_in_files = false}),
-      floats<&Decision::observation, &Decision::observation_size, kToldObservation>("observation"),
-      floats<&Decision::logits, &Decision::action_count, kToldLogits>("logits"),
+      floats<&Decision::observation, &Decision::observation_size, kPublishedObservation>("observation"),
+      floats<&Decision::logits, &Decision::action_count, kPublishedLogits>("logits"),
       whether_there<&Decision::belief>("believes", {.meaning = "false: the policy holds no belief, and the rest is zero",
                                                     .heading = "What was believed about the source, in the mission's frame."}),
       field<&Decision::belief, &BeliefSummary::likeliest, &NorthEast::north>("likeliest_north_m",
@@ -83,7 +83,7 @@ struct Described<Decision> {
       field<&Decision::belief, &BeliefSummary::effective_cells>(
           "effective_cells", {.meaning = "cells the belief is spread over",
                               .bus = on_bus::number("EffectiveCells", 448, 32, on_bus::kUnsigned, on_bus::kHundredth)}),
-      field<&Decision::belief, &BeliefSummary::surprise_bits>(
+      field<&Decision::belief, &BeliefSummary::mismatch_bits>(
           "surprise_bits", {.meaning = "how unlikely what was heard is under all that is believed possible"}),
       whether_there<&Decision::found>(
           "found", {.meaning = "false: it is not declared, and the rest is zero", .heading = "That the source is found here, and why."}),
@@ -94,13 +94,13 @@ struct Described<Decision> {
       field<&Decision::found, &FoundDeclaration::closest_approach>("closest_approach_m",
                                                                    {.meaning = "from the likeliest place to the vehicle"}),
       // The decision holds these itself, but for the number of near SNR measurements.
-      untold<At<&Decision::found, &FoundDeclaration::snr>, At<&Decision::found, &FoundDeclaration::likeliest>,
-             At<&Decision::found, &FoundDeclaration::look>, At<&Decision::found, &FoundDeclaration::near_looks>>(),
+      unpublished<At<&Decision::found, &FoundDeclaration::snr>, At<&Decision::found, &FoundDeclaration::likeliest>,
+                  At<&Decision::found, &FoundDeclaration::measurement>, At<&Decision::found, &FoundDeclaration::near_measurements>>(),
   };
   static constexpr void derive(Decision& decision) {
     if (!decision.found) return;
     decision.found->snr = decision.snr;
-    decision.found->look = decision.step;
+    decision.found->measurement = decision.step;
     if (decision.belief) decision.found->likeliest = decision.belief->likeliest;
   }
 };
@@ -134,14 +134,15 @@ struct Described<Health> {
       field<&Health::turn>("turn", {.meaning = "counts the turns, from 1", .bus = on_bus::counter("Turn", 328)}),
       field<&Health::decisions>("decisions", {.meaning = "made so far in this search", .bus = on_bus::any_number("Decisions", 376)}),
       field<&Health::authority>("authority", {.meaning = "between Earshot and the autopilot",
-                                              .values = Told::Values::kPrefixedIfTaken,
+                                              .values = FieldFormat::Values::kPrefixedIfTaken,
                                               .bus = on_bus::number("Authority", 408, 4)}),
       field<&Health::is_paused>("paused", {.meaning = "by an operator", .bus = on_bus::number("Paused", 412, 2)}),
-      field<&Health::state>("state", {.values = Told::Values::kPlain, .bus = on_bus::number("State", 80, 8)}),
+      field<&Health::state>("state", {.values = FieldFormat::Values::kPlain, .bus = on_bus::number("State", 80, 8)}),
       field<&Health::end_reason>(
-          "end_reason", {.meaning = "why the mission ended", .values = Told::Values::kPrefixed, .bus = on_bus::number("EndReason", 88, 8)}),
+          "end_reason",
+          {.meaning = "why the mission ended", .values = FieldFormat::Values::kPrefixed, .bus = on_bus::number("EndReason", 88, 8)}),
       field<&Health::steps_taken>("steps_taken", {.bus = on_bus::any_number("StepsTaken", 96)}),
-      field<&Health::surprise_bits>("surprise_bits",
+      field<&Health::mismatch_bits>("surprise_bits",
                                     {.meaning = "how unlikely what was heard is under all that is believed possible; 0 without a belief",
                                      .bus = on_bus::number("ModelMismatch", 472, 16, on_bus::kUnsigned, on_bus::kHundredth, "bit"),
                                      .is_later_on_bus = true,
@@ -160,7 +161,7 @@ struct Described<Health> {
       field<&Health::counters, &Counters::bearings_of_others>("bearings_of_others",
                                                               {.meaning = "by a second sender, while another is listened to"}),
       field<&Health::response>("response", {.meaning = "the strongest that acts; warn: none, or warnings",
-                                            .values = Told::Values::kPrefixed,
+                                            .values = FieldFormat::Values::kPrefixed,
                                             .bus = on_bus::number("Response", 466, 6),
                                             .is_later_on_bus = true}),
       count_of<&Health::ports>("port_count",

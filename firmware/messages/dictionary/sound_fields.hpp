@@ -9,7 +9,7 @@ namespace earshot::messages {
 struct SampleCount : Line {
   using Reaches = Types<At<&HydrophoneBlock::samples_per_channel>>;
   [[nodiscard]] constexpr std::array<NumberField, 1> numbers() const { return {{{.type = NumberType::kInt32, .name = name}}}; }
-  static constexpr void tell(const HydrophoneBlock& block, auto& out) {
+  static constexpr void write(const HydrophoneBlock& block, auto& out) {
     out.number(static_cast<std::int32_t>(block.samples_per_channel * block.channels));
   }
 };
@@ -20,7 +20,7 @@ struct Samples : Line {
   [[nodiscard]] constexpr std::array<NumberField, 1> numbers() const {
     return {{{.type = NumberType::kFloat, .name = name, .counted_by = "sample_count"}}};
   }
-  static constexpr void tell(const HydrophoneBlock& /*block*/, auto& /*out*/) {}
+  static constexpr void write(const HydrophoneBlock& /*block*/, auto& /*out*/) {}
 };
 
 template <>

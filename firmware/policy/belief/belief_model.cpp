@@ -7,8 +7,8 @@ namespace earshot::policy {
 namespace {
 
 constexpr double kMostCost = 1e6;
-/// Other costs are divided by the cost of a reach.
-constexpr double kLeastReach = 1e-3;
+/// Other costs are divided by the worth of a find probability.
+constexpr double kLeastFindWorth = 1e-3;
 /// Next to no step after the first counts.
 constexpr double kLeastLogDiscount = -10.0;
 /// A thousand steps count: with more, one less the discount is no number to divide by.
@@ -16,7 +16,7 @@ constexpr double kMostLogDiscount = -1e-3;
 
 bool has_valid_numbers(const BeliefCosts& costs) {
   return is_within(double{costs.step}, 0.0, kMostCost) && is_within(double{costs.log_step_discount}, kLeastLogDiscount, kMostLogDiscount) &&
-         is_within(double{costs.reach}, kLeastReach, kMostCost) && is_within(double{costs.reach_discount}, 0.0, 1.0) &&
+         is_within(double{costs.find_probability}, kLeastFindWorth, kMostCost) && is_within(double{costs.find_discount}, 0.0, 1.0) &&
          is_within(double{costs.edge}, 0.0, kMostCost) && is_within(double{costs.most_regret}, 0.0, kMostCost);
 }
 

@@ -10,16 +10,16 @@
 
 namespace earshot::policy {
 
-/// What a search costs, for the outlook; a step on which nothing is detected costs one. The defaults are the paper's search.
+/// What a search costs, for the action values; a step on which nothing is detected costs one. The defaults are the paper's search.
 struct BeliefCosts {
   float step = 3.0F;  ///< of a step, the first of many, 0 to 1e6
   /// ln of what each step after it costs of the one before, -10 to -1e-3: a likely source near by is worth more than two half as likely
   /// further away. The default is ln 0.9.
   float log_step_discount = -0.105360516F;
-  float reach = 30.0F;           ///< what a reach of one is worth, 1e-3 to 1e6
-  float reach_discount = 0.85F;  ///< of a reach that is one step further away, 0 to 1
-  float edge = 100.0F;           ///< of the border at the edge itself, 0 to 1e6: -p of the paper's reward
-  float most_regret = 10.0F;     ///< no regret counts for more, 0 to 1e6
+  float find_probability = 30.0F;  ///< what a find probability of one is worth, 1e-3 to 1e6
+  float find_discount = 0.85F;     ///< of a find probability that is one step further away, 0 to 1
+  float edge = 100.0F;             ///< of the border at the edge itself, 0 to 1e6: -p of the paper's reward
+  float most_regret = 10.0F;       ///< no regret counts for more, 0 to 1e6
   friend constexpr bool operator==(const BeliefCosts&, const BeliefCosts&) = default;
 };
 

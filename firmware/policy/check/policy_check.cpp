@@ -103,7 +103,7 @@ double most_raw(Feature feature, const FrozenPolicy& policy) {
       return 2.0 * static_cast<double>(config::kMaxBeliefCells);
     case Feature::kLikeliestShare:
     case Feature::kFound:
-    case Feature::kReach:
+    case Feature::kFindProbability:
     case Feature::kDetected:
     case Feature::kPreference:
       return 2.0;  // a probability, rounded

@@ -25,7 +25,7 @@ enum class PolicyFault : std::uint8_t {
   kUnknownActivation,
   kUnknownFeature,
   kUnknownDraw,
-  kUnknownListening,  ///< no known way to sum up several looks
+  kUnknownListening,  ///< no known way to sum up several measurements
   kNotFinite,         ///< a number is NaN, infinite, or no such thing (a direction not of length one)
   kOutOfRange,        ///< a number of the search or the belief is not within its limits
   kUnbounded,         ///< scales or weights so large that an observation could make an element or a logit that is no number

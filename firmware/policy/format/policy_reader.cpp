@@ -100,7 +100,8 @@ PolicyFault read_belief(ByteReader& reader, FrozenPolicy& policy) {
   model.border_width = Meters{reader.f64()};
   model.outlier_share = reader.f32();
   BeliefCosts& costs = model.costs;
-  for (float* const cost : {&costs.step, &costs.log_step_discount, &costs.reach, &costs.reach_discount, &costs.edge, &costs.most_regret})
+  for (float* const cost :
+       {&costs.step, &costs.log_step_discount, &costs.find_probability, &costs.find_discount, &costs.edge, &costs.most_regret})
     *cost = reader.f32();
   return PolicyFault::kNone;
 }

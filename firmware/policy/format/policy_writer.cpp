@@ -81,7 +81,7 @@ void write_belief(ByteWriter& writer, const FrozenPolicy& policy) {
   writer.f64(model.border_width.value);
   writer.f32(model.outlier_share);
   const BeliefCosts& costs = model.costs;
-  for (const float cost : {costs.step, costs.log_step_discount, costs.reach, costs.reach_discount, costs.edge, costs.most_regret})
+  for (const float cost : {costs.step, costs.log_step_discount, costs.find_probability, costs.find_discount, costs.edge, costs.most_regret})
     writer.f32(cost);
 }
 

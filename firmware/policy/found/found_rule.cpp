@@ -40,9 +40,9 @@ bool FoundRule::is_heard_near(const Reception& reception, Decibels least_snr) {
 
 std::uint32_t FoundRule::judge(const FoundEvidence& evidence) {
   if (!is_heard_near(evidence.reception, evidence.least_snr) || !(evidence.probability >= kNearProbability)) return 0;
-  ++near_looks_;
-  if (!(evidence.probability >= kFoundProbability) && near_looks_ < kNearLooks) return 0;
-  return std::exchange(near_looks_, 0U);
+  ++near_measurements_;
+  if (!(evidence.probability >= kFoundProbability) && near_measurements_ < kNearMeasurements) return 0;
+  return std::exchange(near_measurements_, 0U);
 }
 
 }  // namespace earshot::policy

@@ -46,7 +46,7 @@ consteval NormalTable normal_table() {
 constexpr NormalTable kNormalTable = normal_table();
 
 /// Linear between the entries of a table; beyond its end as at its end. @param x  >= 0
-float looked_up(const std::array<float, NormalTable::kCount>& table, float x) {
+float interpolate_in(const std::array<float, NormalTable::kCount>& table, float x) {
   constexpr float kEnd = static_cast<float>(NormalTable::kCount - 2);
   const float place = x * static_cast<float>(NormalTable::kPerUnit);
   const float held = lesser(place, kEnd);
@@ -57,11 +57,11 @@ float looked_up(const std::array<float, NormalTable::kCount>& table, float x) {
 }  // namespace
 
 EARSHOT_WIDE void to_normal_density(std::span<float> numbers) {
-  for (float& x : numbers) x = looked_up(kNormalTable.density, __builtin_fabsf(x));
+  for (float& x : numbers) x = interpolate_in(kNormalTable.density, __builtin_fabsf(x));
 }
 
 EARSHOT_WIDE void to_normal_cumulative(std::span<float> numbers) {
-  for (float& x : numbers) x = x < 0.0F ? looked_up(kNormalTable.above, -x) : 1.0F - looked_up(kNormalTable.above, x);
+  for (float& x : numbers) x = x < 0.0F ? interpolate_in(kNormalTable.above, -x) : 1.0F - interpolate_in(kNormalTable.above, x);
 }
 
 }  // namespace earshot::policy

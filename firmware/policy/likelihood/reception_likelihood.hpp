@@ -10,7 +10,7 @@ namespace earshot::policy {
 struct ReceptionModel {
   float level_offset_db;  ///< the source is that much louder than expected
   float spread_db;        ///< standard deviation of what is measured, > 0
-  float silence_share;    ///< of the looks that meet a pause in the call, 0 to 1
+  float silence_share;    ///< of the measurements that meet a pause in the call, 0 to 1
   float outlier_share;    ///< of the SNRs that follow no model, 0 to 1
 };
 

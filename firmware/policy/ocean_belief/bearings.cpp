@@ -1,4 +1,4 @@
-// What bearings say to an OceanBelief: of the places of a source that rests all at once, of one that drifts look by look.
+// What bearings say to an OceanBelief: of the places of a source that rests all at once, of one that drifts measurement by measurement.
 
 #include <algorithm>
 #include <span>
@@ -39,38 +39,39 @@ messages::Bearing OceanBelief::PastBearing::bearing() const {
   return {.direction = Radians{double{direction}}, .deviation = Radians{double{deviation}}, .mirror_axis = Radians{double{mirror_axis}}};
 }
 
-/// What the bearing of a look says of every cell, to by_cell_. @return the highest, which is taken off
-int OceanBelief::find_said(const BeliefModel& model, const Look& look) {
-  const BearingLikelihood likelihood = likelihood_of(model, look.bearing.bearing());
+/// What the bearing of a measurement says of every cell, to by_cell_. @return the highest, which is taken off
+int OceanBelief::find_bearing_likelihood(const BeliefModel& model, const Measurement& measurement) {
+  const BearingLikelihood likelihood = likelihood_of(model, measurement.bearing.bearing());
   for (std::size_t i = 0; i < cell_count(model); ++i)
-    by_cell_[i] = static_cast<std::int16_t>(std::max<int>(to_log(likelihood.at(way_to_cell(model, look.position, i))), kForgotten));
+    by_cell_[i] = static_cast<std::int16_t>(std::max<int>(to_log(likelihood.at(way_to_cell(model, measurement.position, i))), kForgotten));
   return take_off_highest(std::span(by_cell_).first(cell_count(model)));
 }
 
 /// The others that are being weighed hear it now, whatever they have heard of the past, where they rest: the order is the same to them.
-void OceanBelief::take_in_bearing(const BeliefModel& model, const Look& look) {
-  const int taken_off = find_said(model, look);
-  const std::span<std::int16_t> said = std::span(by_cell_).first(cell_count(model));
+void OceanBelief::take_in_bearing(const BeliefModel& model, const Measurement& measurement) {
+  const int taken_off = find_bearing_likelihood(model, measurement);
+  const std::span<std::int16_t> by_bearing = std::span(by_cell_).first(cell_count(model));
   const std::span<std::int16_t> sum = std::span(bearings_.log_weights).first(cell_count(model));
-  surprise_.take_in_bearing(taken_off);
-  std::transform(sum.begin(), sum.end(), said.begin(), sum.begin(),
+  model_mismatch_.take_in_bearing(taken_off);
+  std::transform(sum.begin(), sum.end(), by_bearing.begin(), sum.begin(),
                  [](std::int16_t before, std::int16_t now) { return static_cast<std::int16_t>(before + now); });
   bearings_.scale += take_off_highest(sum);
   has_bearings_ = true;
-  for (HypothesisBlock& block : residents_) weigh_bearing(model, look, taken_off, heard_, block);
-  if (has_candidates_ && candidates_.hypothesis(0).drift.is_none()) weigh_bearing(model, look, taken_off, heard_, candidates_);
+  for (HypothesisBlock& block : retained_) weigh_bearing(model, measurement, taken_off, heard_, block);
+  if (has_candidates_ && candidates_.hypothesis(0).drift.is_none()) weigh_bearing(model, measurement, taken_off, heard_, candidates_);
 }
 
-/// Those that drift and are being weighed hear it with its look.
-void OceanBelief::take_in_past_bearing(const BeliefModel& model, const Look& look, std::uint32_t index) {
-  const int taken_off = find_said(model, look);
-  weigh_bearing(model, look, taken_off, index, candidates_);
+/// Those that drift and are being weighed hear it with its measurement.
+void OceanBelief::take_in_past_bearing(const BeliefModel& model, const Measurement& measurement, std::uint32_t index) {
+  const int taken_off = find_bearing_likelihood(model, measurement);
+  weigh_bearing(model, measurement, taken_off, index, candidates_);
 }
 
 /// A cell that has drifted takes what the bearing says (by_cell_) of the cell that it is in; beyond the area what it says of its place.
-/// @param taken_off  of by_cell_   @param index  of the look
-void OceanBelief::weigh_bearing(const BeliefModel& model, const Look& look, int taken_off, std::uint32_t index, HypothesisBlock& block) {
-  const BearingLikelihood likelihood = likelihood_of(model, look.bearing.bearing());
+/// @param taken_off  of by_cell_   @param index  of the measurement
+void OceanBelief::weigh_bearing(const BeliefModel& model, const Measurement& measurement, int taken_off, std::uint32_t index,
+                                HypothesisBlock& block) {
+  const BearingLikelihood likelihood = likelihood_of(model, measurement.bearing.bearing());
   const Rectangle area{.south_west = {}, .north_east = model.area_size};
   CellPlaces places;
   std::array<std::uint16_t, config::kMaxBeliefCells> cells;
@@ -85,7 +86,7 @@ void OceanBelief::weigh_bearing(const BeliefModel& model, const Look& look, int 
       drifted[i] =
           area.contains(place)
               ? by_cell_[cells[i]]
-              : static_cast<std::int16_t>(std::clamp<int>(to_log(likelihood.at(place - look.position)) - taken_off, kForgotten, 0));
+              : static_cast<std::int16_t>(std::clamp<int>(to_log(likelihood.at(place - measurement.position)) - taken_off, kForgotten, 0));
     }
     block.weigh_places(model, lanes, drifted);
   });

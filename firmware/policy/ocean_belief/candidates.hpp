@@ -27,7 +27,7 @@ struct HeldHypotheses {
 /// Which others are weighed next.
 enum class Trial : std::uint8_t {
   kAtRest,
-  kMoving,   ///< whose sources move this way and that between two looks
+  kMoving,   ///< whose sources move this way and that between two measurements
   kDrifting  ///< eight drifts of one hypothesis that is held, or is like one: what is heard tells them from one another by their drift
              ///< alone
 };

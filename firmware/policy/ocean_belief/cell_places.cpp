@@ -28,8 +28,8 @@ std::uint16_t index_of(float place, float size, std::size_t count) {
 
 }  // namespace
 
-void CellPlaces::find(const BeliefModel& model, const Drift& drift, std::uint32_t looks, NorthEast corner) {
-  const NorthEast way = way_of(drift, model, looks);
+void CellPlaces::find(const BeliefModel& model, const Drift& drift, std::uint32_t measurements, NorthEast corner) {
+  const NorthEast way = way_of(drift, model, measurements);
   const auto find_axis = [&drift](std::span<float> places, double cell, Meters drifted, Meters from) {
     const auto width = static_cast<float>(cell * static_cast<double>(places.size()));
     const auto size = static_cast<float>(cell);

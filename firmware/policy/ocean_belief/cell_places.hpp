@@ -18,8 +18,8 @@ class CellPlaces {
   /// No grid that fits has more rows and columns together.
   static constexpr std::size_t kMostAxes = config::kMaxBeliefCells + 1;
 
-  /// After so many looks, from a corner that need not be the area's.
-  void find(const BeliefModel& model, const Drift& drift, std::uint32_t looks, NorthEast corner);
+  /// After so many measurements, from a corner that need not be the area's.
+  void find(const BeliefModel& model, const Drift& drift, std::uint32_t measurements, NorthEast corner);
 
   /// Range from the vehicle to the centre of every cell, in range steps, rounded; at most the last.
   /// @param position  of the vehicle, from the same corner

@@ -56,8 +56,8 @@ Drift draw_neighbour(const Drift& parent, Pcg32& random) {
   return is_possible(drift) ? drift : draw_drift(random);
 }
 
-NorthEast way_of(const Drift& drift, const BeliefModel& model, std::uint32_t looks) {
-  const Meters part = model.step_length * (static_cast<double>(looks) / kDriftParts);
+NorthEast way_of(const Drift& drift, const BeliefModel& model, std::uint32_t measurements) {
+  const Meters part = model.step_length * (static_cast<double>(measurements) / kDriftParts);
   return {part * static_cast<double>(drift.north), part * static_cast<double>(drift.east)};
 }
 

@@ -11,7 +11,7 @@ namespace earshot::policy {
 /// Parts of a step length in which a drift is counted.
 inline constexpr int kDriftParts = 16;
 
-/// How far the source gets from one look to the next as navigation sees it, always the same way.
+/// How far the source gets from one measurement to the next as navigation sees it, always the same way.
 struct Drift {
   std::int8_t north = 0;  ///< in 1 / kDriftParts of a step length
   std::int8_t east = 0;
@@ -22,8 +22,8 @@ struct Drift {
   [[nodiscard]] constexpr bool is_none() const { return north == 0 && east == 0; }
 };
 
-/// The fastest that are believed possible, in 1 / kDriftParts of a step length between two looks: of a vehicle of 2 m/s that takes a look
-/// at every step 0.75 m/s and 1.75 m/s.
+/// The fastest that are believed possible, in 1 / kDriftParts of a step length between two measurements: of a vehicle of 2 m/s that takes a
+/// measurement at every step 0.75 m/s and 1.75 m/s.
 inline constexpr int kMostCurrent = 6;
 inline constexpr int kMostSwum = 14;
 
@@ -36,7 +36,7 @@ inline constexpr int kMostSwum = 14;
 /// Draws one nearly as fast in nearly the same direction, now and then of the other kind.
 [[nodiscard]] Drift draw_neighbour(const Drift& parent, Pcg32& random);
 
-/// How far it has got after so many looks.
-[[nodiscard]] NorthEast way_of(const Drift& drift, const BeliefModel& model, std::uint32_t looks);
+/// How far it has got after so many measurements.
+[[nodiscard]] NorthEast way_of(const Drift& drift, const BeliefModel& model, std::uint32_t measurements);
 
 }  // namespace earshot::policy

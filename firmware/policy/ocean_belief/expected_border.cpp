@@ -16,13 +16,13 @@ float border_depth(const BeliefModel& model, NorthEast place) {
 
 }  // namespace
 
-void expect_border(const BeliefModel& model, std::span<const PossiblePlace> places, std::span<ActionOutlook> outlooks) {
-  for (std::size_t a = 0; a < outlooks.size(); ++a) {
+void expect_border(const BeliefModel& model, std::span<const PossiblePlace> places, std::span<ActionValues> action_values) {
+  for (std::size_t a = 0; a < action_values.size(); ++a) {
     float expected = 0.0F;
     for (const PossiblePlace& place : places)
       expected += place.share * border_depth(model, place.vehicle + model.step_length * model.actions[a]);
-    outlooks[a].regret += model.costs.edge * (expected - outlooks[a].border);
-    outlooks[a].border = expected;
+    action_values[a].regret += model.costs.edge * (expected - action_values[a].border);
+    action_values[a].border = expected;
   }
 }
 

@@ -25,14 +25,14 @@ struct Hypothesis {
 inline constexpr std::array<float, 7> kLevelOffsets_db{-9.0F, -6.0F, -3.0F, 0.0F, 3.0F, 6.0F, 9.0F};
 /// Standard deviation of what is measured about that: fluctuation, and what the table says wrongly.
 inline constexpr std::array<float, 4> kSpreads_db{1.0F, 2.0F, 4.0F, 7.0F};
-/// Share of the looks that meet a pause in the call.
+/// Share of the measurements that meet a pause in the call.
 inline constexpr std::array<float, 4> kSilenceShares{0.0F, 0.25F, 0.5F, 0.75F};
 
 /// Prior probabilities of these levels and shares; those of each kind add up to one.
 inline constexpr std::array<float, kLevelOffsets_db.size()> kLevelPriors{0.07F, 0.13F, 0.19F, 0.22F, 0.19F, 0.13F, 0.07F};
 inline constexpr std::array<float, kSilenceShares.size()> kSilencePriors{0.85F, 0.07F, 0.05F, 0.03F};
 
-/// How the source may move between two looks, besides its drift: this way and that.
+/// How the source may move between two measurements, besides its drift: this way and that.
 struct Mobility {
   std::uint8_t cells;    ///< how far at most, in either direction
   std::int16_t penalty;  ///< of each of them, log weight

@@ -16,7 +16,7 @@ constexpr std::int16_t kNever = 1 - kForgotten;
 
 /// What minus_saturated() is to take off the weights of a word: their highest, and so much more that what is forgotten ends at the least
 /// that sixteen bits hold. They are "lowered" then: max(weight - highest, kForgotten) + kLeastLogLikelihood.
-/// @param highest  at least kLeastLogLikelihood: no look is less likely, where the source is the likeliest to be
+/// @param highest  at least kLeastLogLikelihood: no measurement is less likely, where the source is the likeliest to be
 LogWord to_take_off(const LogWord& highest) {
   static_assert(kForgotten + kLeastLogLikelihood == std::numeric_limits<std::int16_t>::min());
   return highest - every_lane(kLeastLogLikelihood);
@@ -67,7 +67,7 @@ void spread_along(LogWord* cell, std::size_t count, std::size_t apart, const Log
 
 /// Weighs some words of every cell. By itself, or the compiler takes the pointers to pieces for which there are too few registers.
 /// @param cell     the words of the first cell
-/// @param raised   those of a look at the first range, raised as HypothesisBlock::weigh() takes them
+/// @param raised   those of a measurement at the first range, raised as HypothesisBlock::weigh() takes them
 /// @param taken    every bit of the hypotheses that are to be weighed
 /// @param highest  the highest weights before, then the highest of the weights as they are
 [[gnu::noinline]] EARSHOT_WIDE void weigh_words(LogWord* cell, const LogWord* raised, std::span<const std::uint16_t> ranges,

@@ -17,7 +17,7 @@ namespace earshot::policy {
 /// No place gets less likely than the likeliest by more than 2^-26, 4e-5 of all in 2500 cells: a belief that was wrong, or a source that
 /// moved, can come back.
 inline constexpr std::int16_t kForgotten = -26 * kOctave;
-/// The least log weight of a look: sixteen bits hold it together with a place that is all but forgotten.
+/// The least log weight of a measurement: sixteen bits hold it together with a place that is all but forgotten.
 inline constexpr std::int16_t kLeastLogLikelihood = -32'768 - kForgotten;
 
 /// How likely every place is whatever the hypothesis.
@@ -32,7 +32,7 @@ class HypothesisBlock {
   void start(const BeliefModel& model, const std::array<Hypothesis, kLanes>& hypotheses, const PlacePrior& prior);
   /// The same where every place is as likely as another.
   void start(const BeliefModel& model, const std::array<Hypothesis, kLanes>& hypotheses);
-  /// The source may have moved since the last look, where a hypothesis says so.
+  /// The source may have moved since the last measurement, where a hypothesis says so.
   void let_move(const BeliefModel& model);
   /// Multiplies every cell by its likelihood under those hypotheses that have the cells at these ranges.
   /// @param raised_log_likelihoods  [ranges]: of what was heard, were the source at each, kLeastLogLikelihood to 0, and raised by

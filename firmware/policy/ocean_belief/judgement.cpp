@@ -16,7 +16,7 @@ constexpr float kFainter = 2.0F;
 
 }  // namespace
 
-/// The source is not within a step length of the vehicle at that look.
+/// The source is not within a step length of the vehicle at that measurement.
 void OceanBelief::rule_out(const BeliefModel& model, const OceanTables& tables, NorthEast position, std::uint32_t index,
                            HypothesisBlock& block) {
   const std::size_t count = tables.range_count;
@@ -44,8 +44,8 @@ Decibels OceanBelief::least_snr_near(const BeliefModel& model, const OceanTables
   return Decibels{double{sum_db}};
 }
 
-/// By where the source was at the last look. Where it is declared found, what follows is for a search that goes on nevertheless: the source
-/// is elsewhere.
+/// By where the source was at the last measurement. Where it is declared found, what follows is for a search that goes on nevertheless: the
+/// source is elsewhere.
 void OceanBelief::judge(const BeliefModel& model, const OceanTables& tables, NorthEast position, const Reception& reception) {
   declaration_.reset();
   const Decibels least_snr = least_snr_near(model, tables);
@@ -56,8 +56,8 @@ void OceanBelief::judge(const BeliefModel& model, const OceanTables& tables, Nor
   const std::span<const float> probabilities = std::span(marginal_).first(cell_count(model));
   find_marginal(model, corner, index, cells_near(model, from_corner));
   const float probability = probability_within(model, probabilities, from_corner);
-  const std::uint32_t near_looks = found_rule_.judge({.probability = probability, .reception = reception, .least_snr = least_snr});
-  if (near_looks == 0) return;
+  const std::uint32_t near_measurements = found_rule_.judge({.probability = probability, .reception = reception, .least_snr = least_snr});
+  if (near_measurements == 0) return;
   find_marginal(model, corner, index, all_cells(model));
   const auto likeliest = std::max_element(probabilities.begin(), probabilities.end());
   const NorthEast way = way_to_cell(model, from_corner, static_cast<std::size_t>(likeliest - probabilities.begin()));
@@ -66,10 +66,10 @@ void OceanBelief::judge(const BeliefModel& model, const OceanTables& tables, Nor
                                             .least_snr = least_snr,
                                             .likeliest = from_corner + way + corner,
                                             .closest_approach = length_of(way),
-                                            .look = index,
-                                            .near_looks = near_looks};
-  if (is_history_whole_) looks_[looks_.size() - 1].was_declared = true;  // those that have not heard it yet will
-  for (HypothesisBlock& block : residents_) rule_out(model, tables, position, index, block);
+                                            .measurement = index,
+                                            .near_measurements = near_measurements};
+  if (is_history_whole_) measurements_[measurements_.size() - 1].was_declared = true;  // those that have not heard it yet will
+  for (HypothesisBlock& block : retained_) rule_out(model, tables, position, index, block);
   find_posteriors(model, tables);
   find_shares();
 }

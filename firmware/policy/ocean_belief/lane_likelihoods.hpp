@@ -12,11 +12,12 @@
 
 namespace earshot::policy {
 
-/// Of the log likelihood of a look so much counts: two looks near each other err alike where the table is wrong, and would together be too
-/// sure of a wrong place or ocean were they taken for two that know nothing of one another (README.md has what was measured).
+/// Of the log likelihood of a measurement so much counts: two measurements near each other err alike where the table is wrong, and would
+/// together be too sure of a wrong place or ocean were they taken for two that know nothing of one another (README.md has what was
+/// measured).
 inline constexpr int kTrust_256ths = 208;
 
-/// @param log_likelihood  of a look, log weight   @return what of it counts
+/// @param log_likelihood  of a measurement, log weight   @return what of it counts
 [[nodiscard]] constexpr int tempered(int log_likelihood) {
   return log_likelihood * kTrust_256ths / 256;
 }
@@ -24,7 +25,7 @@ inline constexpr int kTrust_256ths = 208;
 /// Likelihoods of what was heard, were the source at each range, under the hypotheses of a block: log weights, tempered.
 class LaneLikelihoods {
  public:
-  /// Of a look. @param count  of the tables' ranges, from the nearest, at least one: what is beyond them is taken to lie at the last
+  /// Of a measurement. @param count  of the tables' ranges, from the nearest, at least one: what is beyond them is taken to lie at the last
   void tabulate(const BeliefModel& model, const OceanTables& tables, const std::array<Hypothesis, kLanes>& hypotheses, Reception reception,
                 std::size_t count);
   /// [count], raised by -kLeastLogLikelihood as HypothesisBlock::weigh() takes them.

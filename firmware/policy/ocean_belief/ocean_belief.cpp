@@ -23,9 +23,9 @@ constexpr float kLeastShare = 1e-4F;
 constexpr float kAnyRegret = 1e9F;
 /// Further than any vehicle gets.
 constexpr double kAnyRange_m = 1e9;
-/// Between two looks of the vehicle so many of blocks of eight others are weighed at most. With 50 fewer sources are found (README.md),
-/// with 400 no more than with 200.
-constexpr std::size_t kLooksOfOthers = 200;
+/// Between two measurements of the vehicle so many of blocks of eight others are weighed at most. With 50 fewer sources are found
+/// (README.md), with 400 no more than with 200.
+constexpr std::size_t kMeasurementsOfOthers = 200;
 /// What it costs to go back to where the vehicle listened before, in steps on which nothing is detected, for each time that it did; ends of
 /// steps within so many step lengths of one another are one place.
 constexpr float kCostOfReturn = 10.0F;
@@ -53,7 +53,7 @@ Drift current_of(const Hypothesis& hypothesis) {
 
 void OceanBelief::start(const BeliefModel& model, const OceanTables& tables) {
   random_ = Pcg32(1);
-  looks_.clear();
+  measurements_.clear();
   is_history_whole_ = true;
   has_candidates_ = false;
   to_weigh_ = 0;
@@ -61,7 +61,7 @@ void OceanBelief::start(const BeliefModel& model, const OceanTables& tables) {
   has_bearings_ = false;
   found_rule_.start();
   declaration_.reset();
-  surprise_.start();
+  model_mismatch_.start();
   silence_.start();
   calls_for_sweep_ = false;
   std::fill_n(bearings_.log_weights.begin(), cell_count(model), std::int16_t{0});
@@ -79,57 +79,57 @@ void OceanBelief::start(const BeliefModel& model, const OceanTables& tables) {
   hypotheses[5].silence = 1;
   hypotheses[6].mobility = 1;
   hypotheses[7].spread = 3;
-  for (HypothesisBlock& block : residents_) block.start(model, hypotheses, bearings_);
+  for (HypothesisBlock& block : retained_) block.start(model, hypotheses, bearings_);
   std::size_t next = 0;
-  for (std::size_t b = 1; b < residents_.size(); ++b) {
+  for (std::size_t b = 1; b < retained_.size(); ++b) {
     for (Hypothesis& h : hypotheses) {
       do h = at_start(tables, next++);
-      while (residents_[0].holds(h));  // one that is held twice would count twice
+      while (retained_[0].holds(h));  // one that is held twice would count twice
     }
-    residents_[b].start(model, hypotheses, bearings_);
+    retained_[b].start(model, hypotheses, bearings_);
   }
   std::fill_n(marginal_.begin(), cell_count(model), 1.0F / static_cast<float>(cell_count(model)));
   find_posteriors(model, tables);
   find_shares();
   summary_ = {};
-  outlooks_ = {};
+  action_values_ = {};
 }
 
 void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, NorthEast position, Reception reception) {
-  while (ponder(model, tables)) {
+  while (refine(model, tables)) {
   }
   silence_.take_in(model, position, reception, expected_detection(model, position));
   listened_at_ = position;
-  const Look look{.position = position,
-                  .snr = reception.snr,
-                  .bearing = to_remember(reception.bearing),
-                  .too_faint = reception.too_faint,
-                  .was_declared = false};
-  is_history_whole_ = looks_.push_back(look) == Status::kOk && is_history_whole_;
-  for (HypothesisBlock& block : residents_) block.let_move(model);  // since the last look: bearing and SNR are of where it is now
-  if (look.bearing.is_there()) take_in_bearing(model, look);
-  for (HypothesisBlock& block : residents_) take_in(model, tables, look, heard_, block);
+  const Measurement measurement{.position = position,
+                                .snr = reception.snr,
+                                .bearing = to_remember(reception.bearing),
+                                .too_faint = reception.too_faint,
+                                .was_declared = false};
+  is_history_whole_ = measurements_.push_back(measurement) == Status::kOk && is_history_whole_;
+  for (HypothesisBlock& block : retained_) block.let_move(model);  // since the last measurement: bearing and SNR are of where it is now
+  if (measurement.bearing.is_there()) take_in_bearing(model, measurement);
+  for (HypothesisBlock& block : retained_) take_in(model, tables, measurement, heard_, block);
   ++heard_;
   find_posteriors(model, tables);
   find_shares();
-  to_weigh_ = is_history_whole_ ? kLooksOfOthers : 0;
-  surprise_.take_in(reception, log_explained(model, tables));
+  to_weigh_ = is_history_whole_ ? kMeasurementsOfOthers : 0;
+  model_mismatch_.take_in(reception, log_explained(model, tables));
   judge(model, tables, position, reception);
-  // Where the source is by the next look, from the corner of the area as the likeliest current has carried it.
+  // Where the source is by the next measurement, from the corner of the area as the likeliest current has carried it.
   const NorthEast corner = way_of(likeliest_current(), model, heard_);
   find_marginal(model, corner, heard_, all_cells(model));
   const std::size_t ranges = foresee(model, tables, position - corner);
   const std::span<const float> probabilities = std::span(marginal_).first(cell_count(model));
   summary_ = summary_of(model, probabilities);
-  summary_.surprise_bits = surprise_.bits();
+  summary_.mismatch_bits = model_mismatch_.bits();
   summary_.likeliest = summary_.likeliest + corner;
   summary_.mean = summary_.mean + corner;
   BeliefModel not_cut_off = model;
   not_cut_off.costs.most_regret = kAnyRegret;
-  find_outlooks(not_cut_off, probabilities, {std::span(foreseen_).first(ranges), tables.range_step}, position - corner,
-                std::span(outlooks_).first(model.actions.size()));
+  find_action_values(not_cut_off, probabilities, {std::span(foreseen_).first(ranges), tables.range_step}, position - corner,
+                     std::span(action_values_).first(model.actions.size()));
   find_regrets(model, position);
-  calls_for_sweep_ = surprise_.calls_for_sweep() || silence_.is_long();
+  calls_for_sweep_ = model_mismatch_.calls_for_sweep() || silence_.is_long();
 }
 
 /// What all of it costs, counted from the least. A vehicle that has been at a place without finding the source gains nothing by going back
@@ -140,52 +140,53 @@ void OceanBelief::find_regrets(const BeliefModel& model, NorthEast position) {
     const Drift current = current_of(hypothesis(i));
     places[i] = {.vehicle = position - way_of(current, model, heard_), .share = share(i)};
   }
-  const std::span<ActionOutlook> outlooks = std::span(outlooks_).first(model.actions.size());
-  expect_border(model, places, outlooks);
+  const std::span<ActionValues> action_values = std::span(action_values_).first(model.actions.size());
+  expect_border(model, places, action_values);
   float least = kAnyRegret;
-  for (std::size_t a = 0; a < outlooks.size(); ++a) {
+  for (std::size_t a = 0; a < action_values.size(); ++a) {
     const NorthEast end = position + model.step_length * model.actions[a];
-    const auto visits = std::count_if(looks_.begin(), looks_.end(),
-                                      [&](const Look& look) { return range_between(look.position, end) < kSamePlace * model.step_length; });
-    outlooks[a].regret += kCostOfReturn * static_cast<float>(visits);
-    least = std::min(least, outlooks[a].regret);
+    const auto visits = std::count_if(measurements_.begin(), measurements_.end(), [&](const Measurement& measurement) {
+      return range_between(measurement.position, end) < kSamePlace * model.step_length;
+    });
+    action_values[a].regret += kCostOfReturn * static_cast<float>(visits);
+    least = std::min(least, action_values[a].regret);
   }
-  for (ActionOutlook& outlook : outlooks) outlook.regret = std::min(outlook.regret - least, model.costs.most_regret);
+  for (ActionValues& values : action_values) values.regret = std::min(values.regret - least, model.costs.most_regret);
 }
 
-/// What a look says of the source where it is now. @param index  of the look, counted from 0
-void OceanBelief::take_in(const BeliefModel& model, const OceanTables& tables, const Look& look, std::uint32_t index,
+/// What a measurement says of the source where it is now. @param index  of the measurement, counted from 0
+void OceanBelief::take_in(const BeliefModel& model, const OceanTables& tables, const Measurement& measurement, std::uint32_t index,
                           HypothesisBlock& block) {
-  weigh_snr(model, tables, look, index, block);
-  if (look.was_declared) rule_out(model, tables, look.position, index, block);
+  weigh_snr(model, tables, measurement, index, block);
+  if (measurement.was_declared) rule_out(model, tables, measurement.position, index, block);
 }
 
 /// By itself, so that its places are gone from the stack when others are found by which to rule out.
-[[gnu::noinline]] void OceanBelief::weigh_snr(const BeliefModel& model, const OceanTables& tables, const Look& look, std::uint32_t index,
-                                              HypothesisBlock& block) {
+[[gnu::noinline]] void OceanBelief::weigh_snr(const BeliefModel& model, const OceanTables& tables, const Measurement& measurement,
+                                              std::uint32_t index, HypothesisBlock& block) {
   Meters drifted{0.0};
   for (const Hypothesis& h : block.hypotheses()) drifted = std::max(drifted, length_of(way_of(current_of(h), model, index)));
-  const std::size_t ranges = ranges_to_all(model, look.position, drifted, tables.range_step, tables.range_count);
-  likelihoods_.tabulate(model, tables, block.hypotheses(), {.snr = look.snr, .too_faint = look.too_faint}, ranges);
+  const std::size_t ranges = ranges_to_all(model, measurement.position, drifted, tables.range_step, tables.range_count);
+  likelihoods_.tabulate(model, tables, block.hypotheses(), {.snr = measurement.snr, .too_faint = measurement.too_faint}, ranges);
   CellPlaces places;
   for_each_drift(block, [&](const Drift& drift, const Lanes& lanes) {
     places.find(model, drift, index, {});
-    places.find_ranges(model, look.position, tables.range_step, ranges - 1, ranges_);
+    places.find_ranges(model, measurement.position, tables.range_step, ranges - 1, ranges_);
     block.weigh(model, lanes, likelihoods_.raised_by_range(), ranges_);
   });
 }
 
 void OceanBelief::find_posteriors(const BeliefModel& model, const OceanTables& tables) {
-  for (std::size_t b = 0; b < residents_.size(); ++b) {
-    posteriors_[b] = residents_[b].log_evidence(model);
-    for (std::size_t l = 0; l < kLanes; ++l) posteriors_[b][l] += log_prior(residents_[b].hypothesis(l), tables);
+  for (std::size_t b = 0; b < retained_.size(); ++b) {
+    posteriors_[b] = retained_[b].log_evidence(model);
+    for (std::size_t l = 0; l < kLanes; ++l) posteriors_[b][l] += log_prior(retained_[b].hypothesis(l), tables);
   }
 }
 
 void OceanBelief::find_shares() {
   const int highest = posterior_of_likeliest();
   float sum = 0.0F;
-  for (std::size_t b = 0; b < residents_.size(); ++b) {
+  for (std::size_t b = 0; b < retained_.size(); ++b) {
     for (std::size_t l = 0; l < kLanes; ++l) {
       shares_[b][l] = from_log(std::max(posteriors_[b][l] - highest, -kMostBelow));
       sum += shares_[b][l];
@@ -196,12 +197,12 @@ void OceanBelief::find_shares() {
   }
 }
 
-/// log2 of the probability of all that was heard, odd explanations counting for less.
+/// log2 of the probability of all that was heard, explanations with a prior penalty counting for less.
 int OceanBelief::log_explained(const BeliefModel& model, const OceanTables& tables) const {
   std::array<int, kHypotheses> explanations;
   for (std::size_t i = 0; i < kHypotheses; ++i)
     explanations[i] = posteriors_[i / kLanes][i % kLanes] - log_prior_of_ocean(hypothesis(i), tables) - log_prior(hypothesis(i).drift) -
-                      oddity(hypothesis(i));
+                      prior_penalty(hypothesis(i));
   return log_of_sum(explanations) - to_log(static_cast<float>(cell_count(model)));
 }
 
@@ -222,8 +223,8 @@ Drift OceanBelief::likeliest_current() const {
   return likeliest;
 }
 
-/// Sums up where the source is after so many looks, from a corner that has drifted; nothing outside the window.
-void OceanBelief::find_marginal(const BeliefModel& model, NorthEast corner, std::uint32_t looks, const CellWindow& window) {
+/// Sums up where the source is after so many measurements, from a corner that has drifted; nothing outside the window.
+void OceanBelief::find_marginal(const BeliefModel& model, NorthEast corner, std::uint32_t measurements, const CellWindow& window) {
   const std::span<float> marginal = std::span(marginal_).first(cell_count(model));
   bool is_first = true;
   const auto clear = [&] {
@@ -233,23 +234,23 @@ void OceanBelief::find_marginal(const BeliefModel& model, NorthEast corner, std:
   if (window != all_cells(model)) clear();
   CellPlaces places;
   std::array<std::uint16_t, CellPlaces::kMostAxes> axes;
-  for (std::size_t b = 0; b < residents_.size(); ++b) {
+  for (std::size_t b = 0; b < retained_.size(); ++b) {
     FloatLanes at_rest{};
     float most_at_rest = 0.0F;
     for (std::size_t l = 0; l < kLanes; ++l) {
-      const Drift& drift = residents_[b].hypothesis(l).drift;
+      const Drift& drift = retained_[b].hypothesis(l).drift;
       if (drift.is_none() && corner == NorthEast{}) {
         at_rest[l] = shares_[b][l];
         most_at_rest = std::max(most_at_rest, at_rest[l]);
       } else if (shares_[b][l] >= kLeastShare) {
-        places.find(model, drift, looks, corner);
+        places.find(model, drift, measurements, corner);
         places.find_axes(model, axes);
         clear();
-        residents_[b].add_to(model, l, shares_[b][l], axes, window, marginal);
+        retained_[b].add_to(model, l, shares_[b][l], axes, window, marginal);
       }
     }
     if (most_at_rest < kLeastShare) continue;
-    residents_[b].add_to(model, at_rest, window, is_first, marginal);
+    retained_[b].add_to(model, at_rest, window, is_first, marginal);
     is_first = false;
   }
   clear();
@@ -284,13 +285,13 @@ EARSHOT_WIDE std::size_t OceanBelief::foresee(const BeliefModel& model, const Oc
   return ranges;
 }
 
-/// Of a look there, by what was expected of the action whose end is next to it.
+/// Of a measurement there, by what was expected of the action whose end is next to it.
 float OceanBelief::expected_detection(const BeliefModel& model, NorthEast position) const {
   float expected = 0.0F;
   Meters nearest{kAnyRange_m};
   for (std::size_t a = 0; heard_ > 0 && a < model.actions.size(); ++a) {
     const Meters range = range_between(listened_at_ + model.step_length * model.actions[a], position);
-    if (range < nearest) expected = outlooks_[a].detected;
+    if (range < nearest) expected = action_values_[a].detected;
     nearest = std::min(nearest, range);
   }
   return expected;
@@ -301,7 +302,7 @@ void OceanBelief::add_joint(const BeliefModel& model, std::size_t index, std::sp
   std::array<std::uint16_t, CellPlaces::kMostAxes> axes;
   places.find(model, hypothesis(index).drift, heard_, {});
   places.find_axes(model, axes);
-  residents_[index / kLanes].add_to(model, index % kLanes, share(index), axes, all_cells(model), joint);
+  retained_[index / kLanes].add_to(model, index % kLanes, share(index), axes, all_cells(model), joint);
 }
 
 std::uint32_t OceanBelief::fingerprint(const BeliefModel& model) const {
@@ -310,8 +311,8 @@ std::uint32_t OceanBelief::fingerprint(const BeliefModel& model) const {
     return std::span(reinterpret_cast<const std::uint8_t*>(first), count * sizeof(*first));
   };
   std::uint32_t crc = crc32(bytes_of(marginal_.data(), cell_count(model)));
-  for (const HypothesisBlock& block : residents_) crc = block.fingerprint(model, crc);
-  return crc32(bytes_of(outlooks_.data(), model.actions.size()), crc);
+  for (const HypothesisBlock& block : retained_) crc = block.fingerprint(model, crc);
+  return crc32(bytes_of(action_values_.data(), model.actions.size()), crc);
 }
 
 }  // namespace earshot::policy

@@ -12,15 +12,15 @@
 #include "firmware/core/random.hpp"
 #include "firmware/messages/belief_summary.hpp"
 #include "firmware/messages/found_declaration.hpp"
-#include "firmware/policy/action_values/belief_outlook.hpp"
+#include "firmware/policy/action_values/action_values.hpp"
 #include "firmware/policy/belief/belief_model.hpp"
 #include "firmware/policy/belief/reception.hpp"
 #include "firmware/policy/found/found_rule.hpp"
 #include "firmware/policy/ocean_belief/candidates.hpp"
 #include "firmware/policy/ocean_belief/hypothesis_block.hpp"
 #include "firmware/policy/ocean_belief/lane_likelihoods.hpp"
+#include "firmware/policy/ocean_belief/model_mismatch.hpp"
 #include "firmware/policy/ocean_belief/silence.hpp"
-#include "firmware/policy/ocean_belief/surprise.hpp"
 #include "firmware/policy/tables/ocean_tables.hpp"
 
 namespace earshot::policy {
@@ -29,7 +29,7 @@ namespace earshot::policy {
 /// memory.
 ///
 /// There are thousands of hypotheses, each with a grid of its own; only the likeliest are held. The others are drawn, a few between every
-/// two looks, weighed by all that was heard since the start, and take the place of one that is less likely.
+/// two measurements, weighed by all that was heard since the start, and take the place of one that is less likely.
 class OceanBelief {
  public:
   /// Forgets everything: every place is as likely as any other.
@@ -40,16 +40,16 @@ class OceanBelief {
   void update(const BeliefModel& model, const OceanTables& tables, NorthEast position, Reception reception);
 
   /// Weighs others for a slice of time (README.md), as a vehicle does between two decisions whenever it can. What is left of it the next
-  /// update() does first: what is believed after that does not depend on who pondered when, or in which slices. Nothing that the last
-  /// update() said of place, surprise and outlook changes. @return whether anything is left
-  bool ponder(const BeliefModel& model, const OceanTables& tables);
+  /// update() does first: what is believed after that does not depend on who refined them when, or in which slices. Nothing that the last
+  /// update() said of place, mismatch and action values changes. @return whether anything is left
+  bool refine(const BeliefModel& model, const OceanTables& tables);
 
-  /// That the source is found (firmware/policy/found), by all that was heard up to the last look; nothing where it is not.
+  /// That the source is found (firmware/policy/found), by all that was heard up to the last measurement; nothing where it is not.
   [[nodiscard]] const std::optional<messages::FoundDeclaration>& declaration() const { return declaration_; }
   /// Places are relative to the area's south-west corner.
   [[nodiscard]] const messages::BeliefSummary& summary() const { return summary_; }
   /// @param action  below the number of the model's actions
-  [[nodiscard]] const ActionOutlook& outlook(std::size_t action) const { return outlooks_[action]; }
+  [[nodiscard]] const ActionValues& action_values(std::size_t action) const { return action_values_[action]; }
   /// Probability that the source lies in a cell, counted from the south and from the west.
   [[nodiscard]] float probability(const BeliefModel& model, std::size_t north, std::size_t east) const {
     return marginal_[north * model.cells_east + east];
@@ -57,15 +57,15 @@ class OceanBelief {
 
   static constexpr std::size_t kHypotheses = kHeldHypotheses;
   /// @param index  below kHypotheses
-  [[nodiscard]] const Hypothesis& hypothesis(std::size_t index) const { return residents_[index / kLanes].hypothesis(index % kLanes); }
+  [[nodiscard]] const Hypothesis& hypothesis(std::size_t index) const { return retained_[index / kLanes].hypothesis(index % kLanes); }
   /// Probability of one of the hypotheses that are held; these add up to one.
   [[nodiscard]] float share(std::size_t index) const { return shares_[index / kLanes][index % kLanes]; }
   /// How unlikely what was heard is under every hypothesis that is held.
-  [[nodiscard]] const Surprise& surprise() const { return surprise_; }
-  /// How unlikely it is that nothing was detected for so long; what the last look says against the tables once it is pondered.
+  [[nodiscard]] const ModelMismatch& model_mismatch() const { return model_mismatch_; }
+  /// How unlikely it is that nothing was detected for so long; what the last measurement says against the tables once it is refined.
   [[nodiscard]] const Silence& silence() const { return silence_; }
   /// Whether, after the last update(), the vehicle had better sweep the area: what it hears fits no hypothesis, or it has heard nothing for
-  /// long, against the tables up to the look before.
+  /// long, against the tables up to the measurement before.
   [[nodiscard]] bool calls_for_sweep() const { return calls_for_sweep_; }
   /// Adds the probability of every cell together with that of one of the hypotheses that are held.
   /// @param joint  [north x east]
@@ -83,7 +83,7 @@ class OceanBelief {
     /// That which is there.
     [[nodiscard]] messages::Bearing bearing() const;
   };
-  struct Look {
+  struct Measurement {
     NorthEast position;
     Decibels snr;
     PastBearing bearing;
@@ -92,12 +92,14 @@ class OceanBelief {
   };
 
   [[nodiscard]] static PastBearing to_remember(const std::optional<messages::Bearing>& bearing);
-  [[nodiscard]] int find_said(const BeliefModel& model, const Look& look);
-  void take_in_bearing(const BeliefModel& model, const Look& look);
-  void take_in_past_bearing(const BeliefModel& model, const Look& look, std::uint32_t index);
-  void weigh_bearing(const BeliefModel& model, const Look& look, int taken_off, std::uint32_t index, HypothesisBlock& block);
-  void take_in(const BeliefModel& model, const OceanTables& tables, const Look& look, std::uint32_t index, HypothesisBlock& block);
-  void weigh_snr(const BeliefModel& model, const OceanTables& tables, const Look& look, std::uint32_t index, HypothesisBlock& block);
+  [[nodiscard]] int find_bearing_likelihood(const BeliefModel& model, const Measurement& measurement);
+  void take_in_bearing(const BeliefModel& model, const Measurement& measurement);
+  void take_in_past_bearing(const BeliefModel& model, const Measurement& measurement, std::uint32_t index);
+  void weigh_bearing(const BeliefModel& model, const Measurement& measurement, int taken_off, std::uint32_t index, HypothesisBlock& block);
+  void take_in(const BeliefModel& model, const OceanTables& tables, const Measurement& measurement, std::uint32_t index,
+               HypothesisBlock& block);
+  void weigh_snr(const BeliefModel& model, const OceanTables& tables, const Measurement& measurement, std::uint32_t index,
+                 HypothesisBlock& block);
   void rule_out(const BeliefModel& model, const OceanTables& tables, NorthEast position, std::uint32_t index, HypothesisBlock& block);
   [[nodiscard]] Decibels least_snr_near(const BeliefModel& model, const OceanTables& tables) const;
   void judge(const BeliefModel& model, const OceanTables& tables, NorthEast position, const Reception& reception);
@@ -115,28 +117,28 @@ class OceanBelief {
   [[nodiscard]] int most_to_come(const BeliefModel& model, const OceanTables& tables, int to_measure) const;
   void take_the_likelier(const BeliefModel& model, const OceanTables& tables);
   [[nodiscard]] Drift likeliest_current() const;
-  void find_marginal(const BeliefModel& model, NorthEast corner, std::uint32_t looks, const CellWindow& window);
+  void find_marginal(const BeliefModel& model, NorthEast corner, std::uint32_t measurements, const CellWindow& window);
   std::size_t foresee(const BeliefModel& model, const OceanTables& tables, NorthEast position);
   void find_regrets(const BeliefModel& model, NorthEast position);
   [[nodiscard]] float expected_detection(const BeliefModel& model, NorthEast position) const;
 
   using Posteriors = std::array<int, kLanes>;  ///< log2 of what is proportional to the probability of each hypothesis, in 1/512
 
-  std::array<HypothesisBlock, config::kBeliefBlocks> residents_;
+  std::array<HypothesisBlock, config::kBeliefBlocks> retained_;
   std::array<Posteriors, config::kBeliefBlocks> posteriors_;
   std::array<FloatLanes, config::kBeliefBlocks> shares_;
   HypothesisBlock candidates_;
-  std::uint32_t candidates_heard_;  ///< looks that the candidates have taken in
+  std::uint32_t candidates_heard_;  ///< measurements that the candidates have taken in
   bool has_candidates_;
-  std::size_t to_weigh_;  ///< looks of others that are left to be weighed on the last look
-  std::uint32_t heard_;   ///< looks so far
+  std::size_t to_weigh_;  ///< measurements of others that are left to be weighed on the last measurement
+  std::uint32_t heard_;   ///< measurements so far
   bool has_bearings_;     ///< one at least
-  FixedVector<Look, config::kMaxBeliefLooks> looks_;
-  bool is_history_whole_;  ///< every look is in it
+  FixedVector<Measurement, config::kMaxBeliefMeasurements> measurements_;
+  bool is_history_whole_;  ///< every measurement is in it
   Pcg32 random_{0};
-  Surprise surprise_;
+  ModelMismatch model_mismatch_;
   Silence silence_;
-  NorthEast listened_at_;  ///< the last look
+  NorthEast listened_at_;  ///< the last measurement
   bool calls_for_sweep_;
   PlacePrior bearings_;                                        ///< what all bearings say together
   std::array<std::int16_t, config::kMaxBeliefCells> by_cell_;  ///< [north x east], what one says, or a declaration
@@ -147,7 +149,7 @@ class OceanBelief {
   FoundRule found_rule_;
   std::optional<messages::FoundDeclaration> declaration_;
   messages::BeliefSummary summary_;
-  std::array<ActionOutlook, config::kMaxActions> outlooks_;
+  std::array<ActionValues, config::kMaxActions> action_values_;
 };
 
 static_assert(sizeof(OceanBelief) + sizeof(OceanTables) <= config::kOceanBeliefBytes);

@@ -15,16 +15,16 @@ namespace {
 /// From this SNR on a sound is heard, were it no detection.
 constexpr Decibels kHeard{3.0};
 constexpr float kSpread_db = 4.0F;
-/// No look is more certain to be a detection: one alone is no long silence, 4 bits.
+/// No measurement is more certain to be a detection: one alone is no long silence, 4 bits.
 constexpr float kMostExpected = 0.9375F;
-/// A look meets a source, whatever is expected, with no more than that.
+/// A measurement meets a source, whatever is expected, with no more than that.
 constexpr float kLeastMissed = 1.0F / 64.0F;
 /// A silence so long says no more.
 constexpr int kLongest = 1000 * kOctave;
-/// Of what is remembered of a source: a look that hears it with less than 2 % leaves it as it is.
+/// Of what is remembered of a source: a measurement that hears it with less than 2 % leaves it as it is.
 constexpr int kUnit = kOctave / 16;
 constexpr int kMostUnits = 255;
-/// Of the sources so many have their looks worked out at once.
+/// Of the sources so many have their measurements worked out at once.
 constexpr std::size_t kAtOnce = 32;
 static_assert(Silence::kSources % kAtOnce == 0);
 

@@ -29,7 +29,7 @@ inline constexpr std::string_view kSetpointChannel = channel_of<messages::Setpoi
 inline constexpr std::string_view kDecisionChannel = channel_of<messages::Decision>;                       ///< decision_t
 inline constexpr std::string_view kHealthChannel = channel_of<messages::Health>;                           ///< health_t
 inline constexpr std::string_view kAcknowledgementChannel = channel_of<messages::CommandAcknowledgement>;  ///< command_acknowledgement_t
-inline constexpr std::string_view kChallengeChannel = channel_of<messages::ToldChallenge>;                 ///< challenge_t
+inline constexpr std::string_view kChallengeChannel = channel_of<messages::PublishedChallenge>;            ///< challenge_t
 inline constexpr std::string_view kSafetyEventChannel = channel_of<messages::SafetyEvent>;                 ///< safety_event_t
 inline constexpr std::string_view kDetectionChannel = channel_of<messages::SoundDetection>;                ///< detection_t; in no journal
 

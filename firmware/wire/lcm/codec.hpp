@@ -147,7 +147,7 @@ class LcmWriter {
       if constexpr (std::is_same_v<Line, messages::SentTime>) {
         number(sent_.us);
       } else {
-        Line::tell(message, *this);
+        Line::write(message, *this);
       }
     });
   }

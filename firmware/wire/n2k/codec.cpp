@@ -73,15 +73,15 @@ Result<double> MessageReader::decode_of(FieldName signal) const {
 }
 
 std::optional<double> MessageReader::value_if_any(FieldName signal) const {
-  const Result<double> said = decode_of(signal);
-  return said.ok() ? std::optional(said.value()) : std::nullopt;
+  const Result<double> decoded = decode_of(signal);
+  return decoded.ok() ? std::optional(decoded.value()) : std::nullopt;
 }
 
 std::optional<std::int64_t> MessageReader::raw_if_any(FieldName signal) const {
   const Signal* found = find_signal(message_, signal);
   assert(found != nullptr);
-  const Result<std::int64_t> said = decode_raw(*found, bytes_);
-  return said.ok() ? std::optional(said.value()) : std::nullopt;
+  const Result<std::int64_t> decoded = decode_raw(*found, bytes_);
+  return decoded.ok() ? std::optional(decoded.value()) : std::nullopt;
 }
 
 std::int64_t MessageReader::raw(FieldName signal) {

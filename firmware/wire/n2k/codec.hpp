@@ -55,9 +55,9 @@ class MessageReader {
   /// Likewise, but any other failure than "not available" is remembered. Calls `take(value)` if there is one.
   template <class Take>
   void take_if_any(FieldName signal, Take&& take) {
-    const Result<double> said = decode_of(signal);
-    if (said.ok()) take(said.value());
-    if (status_ == Status::kOk && !said.ok() && said.status() != Status::kNotReady) status_ = said.status();
+    const Result<double> decoded = decode_of(signal);
+    if (decoded.ok()) take(decoded.value());
+    if (status_ == Status::kOk && !decoded.ok() && decoded.status() != Status::kNotReady) status_ = decoded.status();
   }
 
   [[nodiscard]] Status status() const { return status_; }

@@ -15,9 +15,9 @@ inline constexpr std::string_view kTablesPieceChannel = "EARSHOT_TABLES.PIECE";
 inline constexpr std::size_t kPieceHeadBytes = 8;
 inline constexpr std::size_t kPieceBytes = 1024;
 /// To the board, before the mission or without any: hearing_t, what it is to listen for in blocks of its hydrophone, which come as
-/// hydrophone_block_t on their own channel with the port behind a dot. Each look at them is an input of that port; it comes back as in a
-/// journal, so that the journal is whole. Blocks bear dates of the turns' clock, and have at most 753 samples: a frame has room for no
-/// more.
+/// hydrophone_block_t on their own channel with the port behind a dot. Each SNR measurement of them is an input of that port; it comes back
+/// as in a journal, so that the journal is whole. Blocks bear dates of the turns' clock, and have at most 753 samples: a frame has room for
+/// no more.
 inline constexpr std::string_view kHearingChannel = "EARSHOT_HEARING";
 /// To the board: a turn at the frame's date, after as many inputs and blocks since the mission as its 8 bytes say (big-endian).
 inline constexpr std::string_view kTurnChannel = "EARSHOT_TURN";

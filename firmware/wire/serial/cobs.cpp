@@ -31,7 +31,7 @@ std::size_t stuff(std::span<const std::uint8_t> from, std::span<std::uint8_t> to
   return size;
 }
 
-CobsReader::Said CobsReader::take(std::uint8_t byte) {
+CobsReader::Outcome CobsReader::take(std::uint8_t byte) {
   if (byte == 0) {
     const bool is_whole = left_ == 0 && !is_too_long_;
     whole_ = is_whole ? size_ : 0;
@@ -39,18 +39,18 @@ CobsReader::Said CobsReader::take(std::uint8_t byte) {
     size_ = 0;
     left_ = 0;
     is_zero_due_ = is_too_long_ = false;
-    if (is_empty) return Said::kNothing;  // a line may be woken with zeros
-    return is_whole ? Said::kFrame : Said::kBroken;
+    if (is_empty) return Outcome::kNothing;  // a line may be woken with zeros
+    return is_whole ? Outcome::kFrame : Outcome::kBroken;
   }
   if (left_ > 0) {
     put(byte);
     --left_;
-    return Said::kNothing;
+    return Outcome::kNothing;
   }
   if (is_zero_due_) put(0);
   left_ = static_cast<std::uint8_t>(byte - 1);
   is_zero_due_ = byte != kLongest;
-  return Said::kNothing;
+  return Outcome::kNothing;
 }
 
 void CobsReader::put(std::uint8_t byte) {

@@ -24,7 +24,7 @@ namespace earshot::wire {
 /// Takes bytes off a line one by one and puts frames together again.
 class CobsReader {
  public:
-  enum class Said : std::uint8_t {
+  enum class Outcome : std::uint8_t {
     kNothing,  ///< yet
     kFrame,    ///< the frame is whole: frame() holds it until the next take()
     kBroken,   ///< what came before this zero was none: too long, or torn
@@ -33,7 +33,7 @@ class CobsReader {
   /// @param room  where frames are put together; what is longer is broken
   explicit CobsReader(std::span<std::uint8_t> room) : room_(room) {}
 
-  [[nodiscard]] Said take(std::uint8_t byte);
+  [[nodiscard]] Outcome take(std::uint8_t byte);
   [[nodiscard]] std::span<const std::uint8_t> frame() const { return room_.first(whole_); }
 
  private:

@@ -113,11 +113,11 @@ std::vector<std::string> verdict(const hil::Case& c, const Flown& f) {
   return wrong;
 }
 
-void tell(const hil::Case& c, const Flown& f, const std::vector<std::string>& wrong) {
-  program::say() << (wrong.empty() ? "passed " : "FAILED ") << c.name << ", " << f.flight.last.us / 1'000'000 << " s at sea in "
-                 << host::decimals(f.flight.wall_s, 1) << " s\n";
-  for (const std::string& what : wrong) program::say() << "       " << what << "\n";
-  program::say() << std::flush;
+void print_result(const hil::Case& c, const Flown& f, const std::vector<std::string>& wrong) {
+  program::print() << (wrong.empty() ? "passed " : "FAILED ") << c.name << ", " << f.flight.last.us / 1'000'000 << " s at sea in "
+                   << host::decimals(f.flight.wall_s, 1) << " s\n";
+  for (const std::string& what : wrong) program::print() << "       " << what << "\n";
+  program::print() << std::flush;
 }
 
 int fly_cases(const Options& o, const std::vector<hil::Case>& cases, const hil::Bench& setup) {
@@ -131,7 +131,7 @@ int fly_cases(const Options& o, const std::vector<hil::Case>& cases, const hil::
     const Flown f = flown(c, setup, o.out / c.name);
     if (program::stop_requested) break;  // it was cut short, and nothing can be said of it
     const std::vector<std::string> wrong = verdict(c, f);
-    tell(c, f, wrong);
+    print_result(c, f, wrong);
     results.add(c, f.mission, f.flight, f.journal, wrong);
     // Ctrl-C kills user-mode Linux, and this program in it: what was flown by then is on the disk.
     const steady_clock::time_point now = steady_clock::now();
@@ -141,7 +141,7 @@ int fly_cases(const Options& o, const std::vector<hil::Case>& cases, const hil::
     next_writing = written + kShare * (written - now);
   }
   host::write_whole(file, results.text());
-  program::say() << results.passed() << " of " << cases.size() << " cases passed\n";
+  program::print() << results.passed() << " of " << cases.size() << " cases passed\n";
   if (program::stop_requested) return program::kStopped;
   return results.passed() == cases.size() ? program::kDone : program::kIncomplete;
 }
@@ -169,11 +169,11 @@ int fly_disarmed(const Options& o, const std::vector<hil::Case>& cases, const hi
     if (std::ranges::none_of(c.expected.rules, hil::can_be_disarmed)) continue;
     const bool is_red = fails_without_its_rules(c, setup, o.out / "disarmed" / c.name);
     if (program::stop_requested) break;  // it was cut short
-    program::say() << (is_red ? "fails as it must " : "BLIND ") << c.name << "\n" << std::flush;
+    program::print() << (is_red ? "fails as it must " : "BLIND ") << c.name << "\n" << std::flush;
     ++flown_count;
     if (!is_red) ++blind;
   }
-  program::say() << flown_count << " cases without their rules, " << blind << " of them do not test them\n";
+  program::print() << flown_count << " cases without their rules, " << blind << " of them do not test them\n";
   if (program::stop_requested) return program::kStopped;
   return blind == 0 ? program::kDone : program::kIncomplete;
 }
@@ -192,17 +192,17 @@ int fly_random(const Options& o, const std::vector<hil::Case>& pool, const hil::
     if (program::stop_requested) break;  // it was cut short
     if (wrong.empty()) continue;
     ++failed;
-    program::say() << "FAILED " << c.name << ": " << c.when << "\n";
-    for (const std::string& what : wrong) program::say() << "       " << what << "\n";
+    program::print() << "FAILED " << c.name << ": " << c.when << "\n";
+    for (const std::string& what : wrong) program::print() << "       " << what << "\n";
     const hil::Case small =
         hil::shrunk(c, [&](const hil::Case& tried) { return !wrong_with(tried, o.out / "shrunk").empty() && !program::stop_requested; });
     const fs::path kept = o.out / (c.name + ".toml");
     host::write_whole(kept, hil::to_toml(small));
-    program::say() << "       " << small.faults.size() << " of its faults are enough, with --seed " << o.seed << ": " << kept.string()
-                   << "\n"
-                   << std::flush;
+    program::print() << "       " << small.faults.size() << " of its faults are enough, with --seed " << o.seed << ": " << kept.string()
+                     << "\n"
+                     << std::flush;
   }
-  program::say() << count << " random cases from seed " << o.seed << " on, " << failed << " broke a promise\n";
+  program::print() << count << " random cases from seed " << o.seed << " on, " << failed << " broke a promise\n";
   if (program::stop_requested) return program::kStopped;
   return failed == 0 ? program::kDone : program::kIncomplete;
 }
@@ -218,7 +218,7 @@ int bench(const Options& o) {
   constexpr Meters kFurthest{40'000.0};
   constexpr Meters kDepth{300.0};
   program::stop_on_signals();
-  program::stop_on_hang_up();  // an interface that a case took down is not left so
+  program::stop_on_sighup();  // an interface that a case took down is not left so
   const hil::Bench setup{
       .earshotd = o.earshotd.value_or("earshotd"),
       .interface = o.interface,

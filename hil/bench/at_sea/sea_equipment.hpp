@@ -13,8 +13,8 @@
 
 namespace earshot::hil {
 
-/// What Earshot's computer has at sea beside the bus, as far as a case lets something befall it: the CAN controller by which it is on the
-/// bus, what the kernel does to the bus's frames, the wall clock, the hydrophone that sends samples.
+/// What Earshot's computer has at sea beside the bus, as far as a case lets a fault be injected into it: the CAN controller by which it is
+/// on the bus, what the kernel does to the bus's frames, the wall clock, the hydrophone that sends samples.
 class SeaEquipment {
  public:
   /// @throws NotFlown where this kernel cannot do what the case wants
@@ -27,7 +27,7 @@ class SeaEquipment {
   [[nodiscard]] std::vector<std::string> options_of_earshotd() const;
   void begin(const TimedFault& fault);
   void end(const TimedFault& fault);
-  /// Faults that the kernel has not counted, in words: they did not befall, or nobody could know.
+  /// Faults that the kernel has not counted, in words: they were not injected, or nobody could know.
   [[nodiscard]] std::vector<std::string> uncounted() const;
 
  private:

@@ -19,7 +19,7 @@
 #include "firmware/host/text/numbers.hpp"
 #include "firmware/host/transport/bus_lock.hpp"
 #include "firmware/messages/operator_command.hpp"
-#include "hil/bench/at_sea/bus_listener.hpp"
+#include "hil/bench/at_sea/bus_reader.hpp"
 #include "hil/bench/at_sea/given_order.hpp"
 #include "hil/bench/at_sea/narrow_queue.hpp"
 #include "hil/bench/at_sea/sea_equipment.hpp"
@@ -37,7 +37,7 @@ using program::ChildProcess;
 using program::ChildSettings;
 
 // By the host's clock.
-constexpr std::chrono::milliseconds kLookUp{5};
+constexpr std::chrono::milliseconds kPollInterval{5};
 constexpr Duration kToBegin = Duration::seconds(60);  ///< until the search has begun, on a busy machine
 constexpr Duration kToEnd = Duration::seconds(20);    ///< until a program that was told to end has ended
 
@@ -50,14 +50,14 @@ std::string written(NorthEast place) {
 }
 
 /// A fault of the case, as far as it has come.
-struct Befalling {
+struct InjectedFault {
   const TimedFault& fault;
   bool has_begun = false;
   bool has_ended = false;
 };
 
-std::vector<Befalling> all_of(const Case& c) {
-  std::vector<Befalling> all;
+std::vector<InjectedFault> all_of(const Case& c) {
+  std::vector<InjectedFault> all;
   for (const TimedFault& fault : c.faults) all.push_back({.fault = fault});
   return all;
 }
@@ -74,7 +74,7 @@ class SeaFlyer {
       : case_(c),
         bench_(bench),
         equipment_(c, bench),
-        listener_(bench.interface),
+        bus_(bench.interface),
         earshotd_("earshotd", [this] { return start_earshotd(); }),
         vehicle_("the vehicle's program", [this] { return start_vehicle(); }),
         faults_(all_of(c)) {
@@ -82,14 +82,14 @@ class SeaFlyer {
   }
 
   BenchFlight fly() {
-    if (case_.expected.refuses_to_fly) befall(Time{});
+    if (case_.expected.refuses_to_fly) inject(Time{});
     earshotd_.start();
     vehicle_.start();
     if (begin()) sail();
     flight_.last = now();
     end();
     flight_.wall_s = (ScaledClock::host_now() - launched_).to_seconds();
-    listener_.report(flight_);
+    bus_.report(flight_);
     take_track();
     return std::move(flight_);
   }
@@ -157,7 +157,7 @@ class SeaFlyer {
   [[nodiscard]] std::filesystem::path words() const { return flight_.folder / "words.txt"; }
   [[nodiscard]] std::filesystem::path vehicle_words() const { return flight_.folder / "vehicle.txt"; }
 
-  /// Whom a fault befalls.
+  /// Whom a fault hits.
   [[nodiscard]] SeaProgram& program_of(const TimedFault& fault) { return fault.device == kVehiclesProgram ? vehicle_ : earshotd_; }
 
   // The flight.
@@ -169,7 +169,7 @@ class SeaFlyer {
       if (ScaledClock::host_now() - launched_ > kToBegin) return fail_false("the search did not begin within a minute");
       turn();
     }
-    listener_.forget();
+    bus_.forget();
     began_ = ScaledClock::host_now();
     flight_.began = launched_utc_ + at_sea(began_ - launched_);
     return true;
@@ -179,24 +179,24 @@ class SeaFlyer {
 
   void sail() {
     while (!is_over() && !bench_.stop && now() - Time{} < case_.at_most && !is_anybody_lost()) {
-      befall(now());
+      inject(now());
       turn();
     }
-    if (is_over() && !std::ranges::all_of(faults_, &Befalling::has_begun)) fail("the search was over before all faults had begun");
+    if (is_over() && !std::ranges::all_of(faults_, &InjectedFault::has_begun)) fail("the search was over before all faults had begun");
   }
 
   void turn() {
-    std::this_thread::sleep_for(kLookUp);
-    listener_.hear(now());
+    std::this_thread::sleep_for(kPollInterval);
+    bus_.hear(now());
   }
 
   [[nodiscard]] Duration at_sea(Duration on_host) const { return Duration{std::llround(static_cast<double>(on_host.us) * *case_.speed)}; }
   [[nodiscard]] Time now() const { return Time{} + at_sea(ScaledClock::host_now() - began_); }
 
-  [[nodiscard]] bool is_in(messages::MissionState state) const { return listener_.health() && listener_.health()->state == state; }
+  [[nodiscard]] bool is_in(messages::MissionState state) const { return bus_.health() && bus_.health()->state == state; }
   [[nodiscard]] bool is_over() {
     if (is_in(messages::MissionState::kDone) || is_in(messages::MissionState::kAbort)) return !case_.expected.comes_up || is_up();
-    const bool comes_back = std::ranges::any_of(faults_, [this](const Befalling& b) {
+    const bool comes_back = std::ranges::any_of(faults_, [this](const InjectedFault& b) {
       return b.fault.fault == Fault::kKill && &program_of(b.fault) == &earshotd_ && b.has_begun && b.fault.until && !b.has_ended;
     });
     return !comes_back && !earshotd_.runs() && !earshotd_.is_lost();
@@ -205,8 +205,8 @@ class SeaFlyer {
   /// By its track, which is read once a second.
   [[nodiscard]] bool is_up() {
     const Time host = ScaledClock::host_now();
-    if (host - looked_ < Duration::seconds(1)) return is_up_;
-    looked_ = host;
+    if (host - polled_ < Duration::seconds(1)) return is_up_;
+    polled_ = host;
     const std::vector<TrackPlace> sailed = read_track(track_file());
     is_up_ = !sailed.empty() && sailed.back().depth <= kAtSurface;
     return is_up_;
@@ -221,14 +221,14 @@ class SeaFlyer {
 
   /// In words; what earshotd said is told with its exit statuses.
   [[nodiscard]] std::string ended(const SeaProgram& which, int status) const {
-    const std::string said = &which == &vehicle_ ? program::last_words(vehicle_words()) : "";
-    return which.name() + " ended with status " + std::to_string(status) + (said.empty() ? "" : ": " + said);
+    const std::string last_words_ = &which == &vehicle_ ? program::last_words(vehicle_words()) : "";
+    return which.name() + " ended with status " + std::to_string(status) + (last_words_.empty() ? "" : ": " + last_words_);
   }
 
   // Faults.
 
-  void befall(Time now) {
-    for (Befalling& one : faults_) {
+  void inject(Time now) {
+    for (InjectedFault& one : faults_) {
       if (!one.has_begun && now >= one.fault.from) {
         one.has_begun = true;
         begin(one.fault);
@@ -299,36 +299,36 @@ class SeaFlyer {
   void switch_bus(bool is_up) {
     is_interface_up_ = is_up;
     switch_interface(bench_.interface, is_up);
-    if (is_up) listener_.come_back();
+    if (is_up) bus_.come_back();
   }
 
   // The end.
 
   /// Earshot first: the vehicle hears to the last what it says.
   void end() {
-    flight_.end = listener_.health() ? listener_.health()->end_reason : messages::EndReason::kNone;
+    flight_.end = bus_.health() ? bus_.health()->end_reason : messages::EndReason::kNone;
     end(earshotd_);
     flight_.exit_statuses = earshotd_.exit_statuses();
     flight_.last_words = program::last_words(words());
     flight_.is_end_heard =
-        std::ranges::none_of(faults_, [](const Befalling& b) { return is_beyond_hearing(b.fault) && b.has_begun && !b.has_ended; });
+        std::ranges::none_of(faults_, [](const InjectedFault& b) { return is_beyond_hearing(b.fault) && b.has_begun && !b.has_ended; });
     flight_.uncounted = equipment_.uncounted();
     end(vehicle_);
     if (!is_interface_up_) switch_bus(true);
     widen_queue();
     for (const int status : vehicle_.exit_statuses()) {
-      const bool is_killed = status == 128 + SIGKILL && std::ranges::any_of(faults_, [this](const Befalling& b) {
+      const bool is_killed = status == 128 + SIGKILL && std::ranges::any_of(faults_, [this](const InjectedFault& b) {
                                return b.fault.fault == Fault::kKill && &program_of(b.fault) == &vehicle_;
                              });
-      const bool is_told_early = status == 128 + SIGTERM;  // before it was ready to end in order
-      if (status != program::kDone && !is_killed && !is_told_early) fail(ended(vehicle_, status));
+      const bool is_stopped_early = status == 128 + SIGTERM;  // before it was ready to end in order
+      if (status != program::kDone && !is_killed && !is_stopped_early) fail(ended(vehicle_, status));
     }
   }
 
   void end(SeaProgram& program) {
     program.stop();
-    const Time told = ScaledClock::host_now();
-    while (program.runs() && ScaledClock::host_now() - told < kToEnd) turn();
+    const Time asked = ScaledClock::host_now();
+    while (program.runs() && ScaledClock::host_now() - asked < kToEnd) turn();
     if (!program.runs()) return;
     fail(program.name() + " did not end");
     program.kill();
@@ -352,17 +352,17 @@ class SeaFlyer {
   const Bench& bench_;
   BenchFlight flight_;
   SeaEquipment equipment_;
-  BusListener listener_;
+  BusReader bus_;
   const Time launched_utc_ = ScaledClock::utc();
   const Time launched_ = ScaledClock::host_now();
   Time began_ = launched_;  ///< the search, on the host's clock
   SeaProgram earshotd_;
   SeaProgram vehicle_;
-  std::vector<Befalling> faults_;
+  std::vector<InjectedFault> faults_;
   bool is_interface_up_ = true;
   std::optional<NarrowQueue> queue_;
   std::optional<host::BusLock> taken_;
-  Time looked_ = launched_;  ///< at the track
+  Time polled_ = launched_;  ///< at the track
   bool is_up_ = false;
 };
 

@@ -11,7 +11,7 @@ namespace earshot::hil {
 inline constexpr const char* kMemory = "memory";
 
 /// Flies a case as at sea, `Case::speed` times as fast: earshotd without a simulator, with --resume, and beside it the vehicle's program
-/// (earshot-emulate), whose operator gives START and COMPLETE. The bench listens on their bus, and faults befall the two programs and the
+/// (earshot-emulate), whose operator gives START and COMPLETE. The bench listens on their bus, and faults hit the two programs and the
 /// computer that they are on. Time 0 is when the search has begun.
 /// @param folder  is there, and holds nothing of an earlier flight
 /// @throws std::system_error when the bench itself cannot work

@@ -36,26 +36,26 @@ CanVehicleBus::CanVehicleBus(const Case& c, const Bench& bench, const host::Miss
     : case_(c),
       interface_(bench.interface),
       vehicle_(setup_of(c, bench, mission)),
-      intruders_(c.faults, vehicle_.state(), mission.plane),
+      rogue_nodes_(c.faults, vehicle_.state(), mission.plane),
       to_earshot_(bench.seed),
       to_vehicle_(bench.seed + 1),
       socket_(bench.interface) {}
 
-void CanVehicleBus::say(Time now) {
+void CanVehicleBus::send_due(Time now) {
   now_ = now;
-  Frames said;
-  vehicle_.step(now, said);
-  for (const n2k::Frame& frame : said) intruders_.accept(frame, now);
+  Frames due;
+  vehicle_.step(now, due);
+  for (const n2k::Frame& frame : due) rogue_nodes_.accept(frame, now);
   Frames intruding;
-  intruders_.step(now, intruding);
+  rogue_nodes_.step(now, intruding);
   for (const n2k::Frame& frame : intruding) vehicle_.accept(frame, now);
-  said.insert(said.end(), intruding.begin(), intruding.end());
-  if (intruders_.fill_bus(now)) std::erase_if(said, [](const n2k::Frame& frame) { return frame.identifier != kFloodIdentifier; });
-  arriving_ = to_earshot_.pass(said, afflictions(false), now);
-  say_again();
+  due.insert(due.end(), intruding.begin(), intruding.end());
+  if (rogue_nodes_.fill_bus(now)) std::erase_if(due, [](const n2k::Frame& frame) { return frame.identifier != kFloodIdentifier; });
+  arriving_ = to_earshot_.pass(due, afflictions(false), now);
+  send_again();
 }
 
-void CanVehicleBus::say_again() {
+void CanVehicleBus::send_again() {
   for (const n2k::Frame& frame : arriving_) send(frame);
 }
 
@@ -64,10 +64,10 @@ void CanVehicleBus::hear(Time now, const std::function<bool()>& is_there) {
   const auto steals = [now](const TimedFault& fault) { return fault.fault == Fault::kAddressThief && fault.is_new_at(now, kTick); };
   if (std::exchange(is_back_, false) || std::ranges::any_of(case_.faults, steals)) wait_for_claim(is_there, heard);
   receive(heard);
-  if (intruders_.fill_bus(now)) heard.clear();
+  if (rogue_nodes_.fill_bus(now)) heard.clear();
   for (const n2k::Frame& frame : to_vehicle_.pass(heard, afflictions(true), now)) {
     vehicle_.accept(frame, now);
-    intruders_.accept(frame, now);
+    rogue_nodes_.accept(frame, now);
   }
 }
 

@@ -10,7 +10,7 @@
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/transport/can_socket.hpp"
 #include "hil/bench/bad_bus.hpp"
-#include "hil/bench/can/intruders.hpp"
+#include "hil/bench/can/rogue_nodes.hpp"
 #include "hil/bench/vehicle_bus.hpp"
 #include "hil/nodes/emulated_vehicle.hpp"
 
@@ -26,8 +26,8 @@ class CanVehicleBus final : public VehicleBus {
   [[nodiscard]] const vehicle::State& state() const override { return vehicle_.state(); }
   [[nodiscard]] Meters range() const override { return vehicle_.range(); }
   void disturb(const Disturbance& disturbance) override { vehicle_.disturb(disturbance); }
-  void say(Time now) override;
-  void say_again() override;
+  void send_due(Time now) override;
+  void send_again() override;
   void hear(Time now, const std::function<bool()>& is_there) override;
   void switch_interface(bool is_up) override;
   void report(BenchFlight& flight) override;
@@ -44,7 +44,7 @@ class CanVehicleBus final : public VehicleBus {
   const Case& case_;
   std::string interface_;
   EmulatedVehicle vehicle_;
-  Intruders intruders_;
+  RogueNodes rogue_nodes_;
   BadBus to_earshot_;
   BadBus to_vehicle_;
   host::CanSocket socket_;

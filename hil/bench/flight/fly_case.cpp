@@ -27,7 +27,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-constexpr milliseconds kLookUp{50};
+constexpr milliseconds kPollInterval{50};
 constexpr milliseconds kPatience{20'000};  ///< for an answer, on a busy machine
 // In the folder of a flight.
 constexpr const char* kJournal = "journal.lcmlog";
@@ -105,7 +105,7 @@ class Flyer {
   /// Whether earshotd is there and answers; one that has ended is not waited for.
   [[nodiscard]] bool has_come() {
     for (const auto deadline = steady_clock::now() + kPatience; steady_clock::now() < deadline && !bench_.stop;) {
-      if (link_.wait_for_runtime(kLookUp)) return true;
+      if (link_.wait_for_runtime(kPollInterval)) return true;
       if (!is_there()) break;
     }
     return false;
@@ -119,11 +119,11 @@ class Flyer {
     if (!is_time_up_) note_faults();
     bus_->disturb(disturbance_at(case_.faults, now_, kTick));
     if (!is_time_up_) disturb_computer();
-    bus_->say(now_);
+    bus_->send_due(now_);
     note_place();
     if (!is_paused_) {
       ++number_;
-      say_tick();
+      send_tick();
       if (!receive_answer()) return;
       bus_->hear(now_, [this] { return is_there(); });
     }
@@ -135,7 +135,7 @@ class Flyer {
       const auto deadline = steady_clock::now() + kPatience;
       while (steady_clock::now() < deadline && !bench_.stop) {
         link::Answer answer;
-        const link::Delivery delivery = link_.receive(answer, kLookUp);
+        const link::Delivery delivery = link_.receive(answer, kPollInterval);
         if (delivery == link::Delivery::kArrived && answer.number == number_) return take(answer);
         if (!is_there() || delivery == link::Delivery::kLost) break;
       }
@@ -149,7 +149,7 @@ class Flyer {
   }
 
   /// No fix has to be waited for: what the devices said is in earshotd's socket before the tick is.
-  void say_tick() {
+  void send_tick() {
     link::Tick tick;
     tick.number = number_;
     tick.time = now_;
@@ -188,8 +188,8 @@ class Flyer {
     if (link_.turns_made() + 1 < number_ || link_.turns_made() > number_)
       return fail_false("earshotd came back with " + std::to_string(link_.turns_made()) + " turns behind it, in turn " +
                         std::to_string(number_));
-    if (link_.turns_made() + 1 == number_) bus_->say_again();
-    say_tick();
+    if (link_.turns_made() + 1 == number_) bus_->send_again();
+    send_tick();
     return true;
   }
 
@@ -248,7 +248,7 @@ class Flyer {
 
   void end() {
     pause(false);
-    if (!is_over_) tell_to_stop();
+    if (!is_over_) request_stop();
     wait_for_end();
     try {
       if (!is_interface_up_) bus_->switch_interface(true);
@@ -258,7 +258,7 @@ class Flyer {
   }
 
   /// It ends in its next turns, for which it would wait in vain without a tick.
-  void tell_to_stop() {
+  void request_stop() {
     constexpr int kTicks = 5;
     const messages::EndReason when_time_was_up = flight_.end;
     is_time_up_ = true;

@@ -83,7 +83,7 @@ std::vector<Datagram> BadMessages::pass(const LcmMessages& messages, const std::
   for (const LcmMessage& message : messages) {
     Fate fate{.message = message, .late = {}, .replays = {}};
     for (const MessageAffliction& affliction : afflictions) {
-      if (befalls(affliction, message)) befall(affliction, fate);
+      if (hits(affliction, message)) inject(affliction, fate);
     }
     if (fate.times == 0) continue;
     const Datagram datagram = datagram_of(fate);
@@ -101,7 +101,7 @@ std::vector<Datagram> BadMessages::pass(const LcmMessages& messages, const std::
   return arriving;
 }
 
-void BadMessages::befall(const MessageAffliction& affliction, Fate& fate) {
+void BadMessages::inject(const MessageAffliction& affliction, Fate& fate) {
   ++afflicted_;
   switch (affliction.fault) {
     case FrameFault::kLoss:
@@ -158,7 +158,7 @@ void BadMessages::shuffle(std::vector<Datagram>& arriving, const std::vector<std
   for (std::size_t i = places.size(); i > 1; --i) std::swap(arriving[places[i - 1]], arriving[places[random_.next() % i]]);
 }
 
-bool BadMessages::befalls(const MessageAffliction& which, const LcmMessage& message) {
+bool BadMessages::hits(const MessageAffliction& which, const LcmMessage& message) {
   if (!which.sender.empty() && sender_on(message.channel) != which.sender) return false;
   return which.share >= 1.0 || random_.uniform_double() < which.share;
 }

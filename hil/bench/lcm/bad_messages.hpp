@@ -35,7 +35,7 @@ class BadMessages {
   /// @param messages  said now, in their order   @param now  never goes back
   /// @return what arrives now, in this order: first what was said before
   [[nodiscard]] std::vector<Datagram> pass(const LcmMessages& messages, const std::vector<MessageAffliction>& afflictions, Time now);
-  /// Messages that a fault befell, so far.
+  /// Messages that a fault hit, so far.
   [[nodiscard]] std::uint64_t afflicted() const { return afflicted_; }
 
  private:
@@ -54,10 +54,10 @@ class BadMessages {
     bool is_shuffled = false;
     std::vector<Duration> replays;
   };
-  void befall(const MessageAffliction& affliction, Fate& fate);
+  void inject(const MessageAffliction& affliction, Fate& fate);
   [[nodiscard]] Datagram datagram_of(const Fate& fate);
   void shuffle(std::vector<Datagram>& arriving, const std::vector<std::size_t>& places);
-  [[nodiscard]] bool befalls(const MessageAffliction& which, const LcmMessage& message);
+  [[nodiscard]] bool hits(const MessageAffliction& which, const LcmMessage& message);
 
   Pcg32 random_;
   std::vector<Late> late_;  ///< in the order in which they were said

@@ -43,21 +43,21 @@ LcmVehicleBus::LcmVehicleBus(const Case& c, const Bench& bench, const host::Miss
     : case_(c),
       url_(std::move(url)),
       vehicle_(setup_of(c, bench, mission)),
-      intruders_(c.faults, vehicle_.state(), bench.seed),
+      rogue_nodes_(c.faults, vehicle_.state(), bench.seed),
       to_earshot_(bench.seed),
       to_vehicle_(bench.seed + 1),
       network_(host::parse_lcm_url(url_)) {}
 
-void LcmVehicleBus::say(Time now) {
+void LcmVehicleBus::send_due(Time now) {
   now_ = now;
-  said_.clear();
-  vehicle_.step(now, said_);
-  intruders_.step(now, said_);
-  arriving_ = to_earshot_.pass(said_, afflictions(false), now);
-  say_again();
+  due_.clear();
+  vehicle_.step(now, due_);
+  rogue_nodes_.step(now, due_);
+  arriving_ = to_earshot_.pass(due_, afflictions(false), now);
+  send_again();
 }
 
-void LcmVehicleBus::say_again() {
+void LcmVehicleBus::send_again() {
   const auto reassembly = std::make_unique<wire::Reassembly>();
   for (const Datagram& datagram : arriving_) {
     if (!network_.send(datagram)) throw BusTrouble("the network does not carry the bench's datagrams");

@@ -8,8 +8,8 @@
 
 #include "firmware/host/mission/mission_file.hpp"
 #include "hil/bench/lcm/bad_messages.hpp"
-#include "hil/bench/lcm/message_intruders.hpp"
 #include "hil/bench/lcm/network.hpp"
+#include "hil/bench/lcm/rogue_senders.hpp"
 #include "hil/bench/vehicle_bus.hpp"
 #include "hil/nodes/lcm/lcm_vehicle.hpp"
 
@@ -25,8 +25,8 @@ class LcmVehicleBus final : public VehicleBus {
   [[nodiscard]] const vehicle::State& state() const override { return vehicle_.state(); }
   [[nodiscard]] Meters range() const override { return vehicle_.range(); }
   void disturb(const Disturbance& disturbance) override { vehicle_.disturb(disturbance); }
-  void say(Time now) override;
-  void say_again() override;
+  void send_due(Time now) override;
+  void send_again() override;
   void hear(Time now, const std::function<bool()>& is_there) override;
   /// Of CAN only: without the loopback interface nobody would hear the simulator's clock.
   void switch_interface(bool /*is_up*/) override {}
@@ -39,12 +39,12 @@ class LcmVehicleBus final : public VehicleBus {
   const Case& case_;
   std::string url_;
   LcmVehicle vehicle_;
-  MessageIntruders intruders_;
+  RogueSenders rogue_nodes_;
   BadMessages to_earshot_;
   BadMessages to_vehicle_;
   Network network_;
   Time now_;
-  LcmMessages said_;                ///< in this tick
+  LcmMessages due_;                 ///< in this tick
   std::vector<Datagram> arriving_;  ///< of it
   std::uint64_t sent_ = 0;
   std::uint64_t received_ = 0;

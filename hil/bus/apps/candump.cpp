@@ -56,18 +56,18 @@ struct Damage {
   std::uint64_t line = 0;  ///< that was read last
   std::uint64_t damaged = 0;
   bool is_of_log = false;
-  std::string untold = {};
+  std::string unprinted = {};
 
   void note(std::string_view why) {
     std::ostringstream text;
     if (++damaged <= kMostComplaints) text << host::printable(file) << ':' << line << ": " << why << "; passed over\n";
     if (damaged == kMostComplaints) text << host::printable(file) << ": of more that is damaged only the number is given\n";
-    untold += text.str();
+    unprinted += text.str();
   }
-  void tell() {
+  void show() {
     if (!is_of_log) return;
-    std::cerr << untold;
-    untold.clear();
+    std::cerr << unprinted;
+    unprinted.clear();
   }
   /// @throws host::BadInput of a file in which there is nothing else
   void require_log() const {
@@ -83,14 +83,14 @@ struct Damage {
       return std::nullopt;
     }
     if (text.text.find_first_not_of(" \t\r") == std::string_view::npos) return std::nullopt;
-    hil::LineOr said = reader.read(text.text);
-    if (const auto* const why = std::get_if<std::string_view>(&said)) {
+    hil::LineOr line_read = reader.read(text.text);
+    if (const auto* const why = std::get_if<std::string_view>(&line_read)) {
       note(*why);
       return std::nullopt;
     }
-    if (auto* const remark = std::get_if<hil::Remark>(&said)) return *remark;
+    if (auto* const remark = std::get_if<hil::Remark>(&line_read)) return *remark;
     is_of_log = true;
-    return std::move(std::get<hil::LogEntry>(said));
+    return std::move(std::get<hil::LogEntry>(line_read));
   }
 };
 
@@ -104,7 +104,7 @@ class Work {
       : settings_(settings),
         printer_(hil::printer_of(format(), times())),
         record_(recording()),
-        dump_(shown(), *printer_, program::say(), record_.get()) {}
+        dump_(shown(), *printer_, program::print(), record_.get()) {}
 
   /// @param piece  what was read already; the rest comes into it
   template <class Read>
@@ -150,11 +150,11 @@ class Work {
   /// Everything heard so far goes out before anything is waited for.
   [[nodiscard]] bool flush() {
     if (record_ == nullptr) {
-      if (program::say().flush().good() || program::talk() == program::Talk::kQuiet) return true;
+      if (program::print().flush().good() || program::talk() == program::Talk::kQuiet) return true;
       std::cerr << "earshot candump: standard output cannot be written\n";
       return false;
     }
-    program::say().flush();
+    program::print().flush();
     try {
       record_->flush();
     } catch (const host::BadInput& e) {
@@ -171,7 +171,7 @@ class Work {
       else if (!dump_.take(std::get<hil::LogEntry>(*read)))
         damage.note("more than 16 interfaces");
     }
-    damage.tell();
+    damage.show();
   }
 
   int end(const std::string& what_is_wrong, bool is_complete) {
@@ -298,7 +298,7 @@ int work(const Settings& settings) {
     throw host::BadInput(settings.input + ": there is no such file, and as an interface: " + e.what());
   }
   // Who reads what is printed may let a recording wait, but not for ever.
-  const program::PatientStreams streams;
+  const program::NonBlockingStdio streams;
   return Work(settings).listen(*socket);
 }
 

@@ -163,7 +163,7 @@ LineOr read_line(std::string_view line) {
   if (line.ends_with('\r')) line.remove_suffix(1);
   line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
   line = line.substr(0, line.find_last_not_of(" \t") + 1);
-  if (const auto said = remark(line)) return *said;
+  if (const auto found = remark(line)) return *found;
   if (line.starts_with("<0x")) return read_in_angles(line);
   LogEntry entry;
   if (line.starts_with('(')) {

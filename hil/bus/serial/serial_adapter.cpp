@@ -70,12 +70,12 @@ SerialAdapter::SerialAdapter(const std::string& bus)
 
 SerialAdapter::~SerialAdapter() {
   thread_.request_stop();
-  bell_.ring();
+  wake_event_.signal();
 }
 
 void SerialAdapter::become(State state) {
   const bool comes_back = state_.exchange(state) == State::kBusOff && state != State::kBusOff;
-  bell_.ring();
+  wake_event_.signal();
   if (!comes_back) return;
   switch_interface(interface_, false);
   switch_interface(interface_, true);
@@ -85,11 +85,11 @@ void SerialAdapter::relay(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     std::array<pollfd, 3> ready{pollfd{.fd = far_end_.number(), .events = POLLIN, .revents = 0},
                                 pollfd{.fd = bus_.file_descriptor(), .events = POLLIN, .revents = 0},
-                                pollfd{.fd = bell_.file_descriptor(), .events = POLLIN, .revents = 0}};
+                                pollfd{.fd = wake_event_.file_descriptor(), .events = POLLIN, .revents = 0}};
     if (!unwritten_.empty()) ready[0].events |= POLLOUT;
     (void)::poll(ready.data(), ready.size(), -1);
-    bell_.answer();
-    tell_state();
+    wake_event_.clear();
+    report_state();
     pass_to_bus();
     pass_to_line();
     write_line();
@@ -97,11 +97,11 @@ void SerialAdapter::relay(const std::stop_token& stop) {
 }
 
 /// The kernel's interface comes back from bus-off as new, and needs no telling.
-void SerialAdapter::tell_state() {
+void SerialAdapter::report_state() {
   const State state = state_;
-  if (state == told_) return;
-  if (told_ != State::kBusOff || state != State::kErrorActive) unwritten_ += to_line(state);
-  told_ = state;
+  if (state == reported_) return;
+  if (reported_ != State::kBusOff || state != State::kErrorActive) unwritten_ += to_line(state);
+  reported_ = state;
 }
 
 void SerialAdapter::pass_to_bus() {
@@ -118,13 +118,13 @@ void SerialAdapter::pass_to_bus() {
 void SerialAdapter::take_line(std::string_view line) {
   const std::optional<n2k::Frame> frame = read_line(line);
   if (!frame) return;
-  const bool is_passed = told_ != State::kBusOff && bus_.send(*frame) == Status::kOk;
+  const bool is_passed = reported_ != State::kBusOff && bus_.send(*frame) == Status::kOk;
   ++(is_passed ? passed_ : refused_);
 }
 
 void SerialAdapter::pass_to_line() {
   for (n2k::Frame frame; bus_.receive(frame) == Status::kOk;) {
-    const bool is_passed = told_ != State::kBusOff && unwritten_.size() < kMostUnwritten;
+    const bool is_passed = reported_ != State::kBusOff && unwritten_.size() < kMostUnwritten;
     if (is_passed) unwritten_ += to_line(frame);
     ++(is_passed ? passed_ : refused_);
   }

@@ -9,7 +9,7 @@
 
 #include "firmware/host/file/file_descriptor.hpp"
 #include "firmware/host/transport/can_socket.hpp"
-#include "firmware/host/transport/doorbell.hpp"
+#include "firmware/host/transport/wake_event.hpp"
 #include "firmware/wire/n2k/node/node.hpp"
 
 namespace earshot::hil {
@@ -45,7 +45,7 @@ class SerialAdapter {
   void relay(const std::stop_token& stop);
   void pass_to_bus();
   void pass_to_line();
-  void tell_state();
+  void report_state();
   void take_line(std::string_view line);
   void write_line();
 
@@ -53,9 +53,9 @@ class SerialAdapter {
   host::FileDescriptor near_end_;  ///< the kernel's, which makes an interface of it as long as it is open
   std::string interface_;
   host::CanSocket bus_;
-  host::Doorbell bell_;
+  host::WakeEvent wake_event_;
   std::atomic<n2k::ControllerState> state_ = n2k::ControllerState::kErrorActive;
-  n2k::ControllerState told_ = n2k::ControllerState::kErrorActive;
+  n2k::ControllerState reported_ = n2k::ControllerState::kErrorActive;
   std::string received_;  ///< of a line that is not whole yet
   std::string unwritten_;
   std::atomic<std::uint64_t> passed_ = 0;

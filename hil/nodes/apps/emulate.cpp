@@ -23,7 +23,7 @@
 #include "hil/nodes/emulated_vehicle.hpp"
 #include "hil/nodes/scaled_clock.hpp"
 #include "hil/nodes/vehicle/track_file.hpp"
-#include "hil/nodes/vehicle_news.hpp"
+#include "hil/nodes/vehicle_events.hpp"
 #include "sim/ocean/file/environment_file.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
@@ -102,9 +102,10 @@ hil::SnrOfRange snr_of(const ocean::Environment& environment, const config::Miss
 /// With the key of the mission that earshotd flies, for that mission and the vehicle that it names.
 hil::MakeMark mark_for(const host::MissionFile& file) {
   if (!file.command_key) return {};
-  return [key = *file.command_key, meant = file.challenge](const messages::OperatorCommand& command, const messages::ToldChallenge& told) {
-    const bool is_meant = told.challenge.vehicle == meant.vehicle && told.challenge.mission == meant.mission;
-    return is_meant && key.verifies(told) ? std::optional(key.mark_of(command, told.challenge)) : std::nullopt;
+  return [key = *file.command_key, meant = file.challenge](const messages::OperatorCommand& command,
+                                                           const messages::PublishedChallenge& published) {
+    const bool is_meant = published.challenge.vehicle == meant.vehicle && published.challenge.mission == meant.mission;
+    return is_meant && key.verifies(published) ? std::optional(key.mark_of(command, published.challenge)) : std::nullopt;
   };
 }
 
@@ -133,7 +134,7 @@ hil::VehicleSetup setup_of(const Options& o, const host::MissionFile& file, cons
 }
 
 void introduce(const std::string& interface, const hil::VehicleSetup& setup, const hil::EmulatedVehicle& vehicle, double speed) {
-  std::ostream& out = program::say();
+  std::ostream& out = program::print();
   out << "a vehicle on " << host::printable(interface) << ", ";
   if (speed == 1.0) {
     out << "in real time:";
@@ -174,18 +175,18 @@ int emulate(const Options& o) {
   program::stop_on_signals();
   introduce(interface, setup, vehicle, o.speed);
   const Time began = clock.now();
-  hil::VehicleNews news(vehicle, began);
+  hil::VehicleEvents events(vehicle, began);
   bool is_up = true;
   while (!program::stop_requested && !(o.duration_s && (clock.now() - began).to_seconds() >= *o.duration_s)) {
     bus.turn();
     if (track) track->note(clock.now(), hil::ScaledClock::host_now(), vehicle.state());
-    if (bus.is_up() != is_up) program::say() << interface << (bus.is_up() ? " is up again\n" : " is down; tried again once a second\n");
+    if (bus.is_up() != is_up) program::print() << interface << (bus.is_up() ? " is up again\n" : " is down; tried again once a second\n");
     is_up = bus.is_up();
-    for (const std::string& line : news.lines(clock.now())) program::say() << line << "\n";
-    program::say() << std::flush;
+    for (const std::string& line : events.lines(clock.now())) program::print() << line << "\n";
+    program::print() << std::flush;
   }
-  program::say() << news.summary(clock.now()) << "; " << bus.sent() << " frames sent, " << bus.received() << " received, " << bus.lost()
-                 << " lost\n";
+  program::print() << events.summary(clock.now()) << "; " << bus.sent() << " frames sent, " << bus.received() << " received, " << bus.lost()
+                   << " lost\n";
   return program::kDone;
 }
 

@@ -7,9 +7,9 @@ namespace earshot::hil {
 namespace {
 
 template <class Value>
-void say(std::string_view channel, const Value& value, LcmMessages& said) {
+void publish(std::string_view channel, const Value& value, LcmMessages& sent) {
   const wire::Encoded encoded(value);
-  said.push_back({.channel = std::string(channel), .data = {encoded.bytes().begin(), encoded.bytes().end()}});
+  sent.push_back({.channel = std::string(channel), .data = {encoded.bytes().begin(), encoded.bytes().end()}});
 }
 
 }  // namespace
@@ -36,33 +36,34 @@ void LcmVehicle::accept(const LcmMessage& message, Time now) {
   helm_.take(setpoint, now);
 }
 
-void LcmVehicle::step(Time now, LcmMessages& said) {
+void LcmVehicle::step(Time now, LcmMessages& sent) {
   moving_.move(now, helm_.command());
   helm_.step(now);
-  const vehicle::State& told = moving_.told();
-  say(wire::kNavStateChannel,
-      messages::Navigation{.time = now, .position = told.position, .depth = told.depth, .heading = told.heading, .speed = told.speed},
-      said);
-  hear(now, said);
-  tell_of_hull(now, said);
-  say(wire::kAutopilotStatusChannel, messages::AutopilotStatus{.time = now, .follows_setpoints = helm_.is_engaged()}, said);
+  const vehicle::State& reported = moving_.reported();
+  publish(wire::kNavStateChannel,
+          messages::Navigation{
+              .time = now, .position = reported.position, .depth = reported.depth, .heading = reported.heading, .speed = reported.speed},
+          sent);
+  hear(now, sent);
+  publish_hull(now, sent);
+  publish(wire::kAutopilotStatusChannel, messages::AutopilotStatus{.time = now, .follows_setpoints = helm_.is_engaged()}, sent);
 }
 
-void LcmVehicle::hear(Time now, LcmMessages& said) const {
+void LcmVehicle::hear(Time now, LcmMessages& sent) const {
   const HydrophoneFault& fault = moving_.disturbance().hydrophone;
-  say(wire::kHydrophoneStatusChannel, messages::HydrophoneStatus{.time = now, .is_deaf = fault.is_deaf}, said);
+  publish(wire::kHydrophoneStatusChannel, messages::HydrophoneStatus{.time = now, .is_deaf = fault.is_deaf}, sent);
   if (fault.is_deaf) return;
-  say(wire::kSnrEstimateChannel, messages::SnrMeasurement{.time = now, .snr = source_.snr(range()) + fault.gain_error}, said);
+  publish(wire::kSnrEstimateChannel, messages::SnrMeasurement{.time = now, .snr = source_.snr(range()) + fault.gain_error}, sent);
 }
 
-void LcmVehicle::tell_of_hull(Time now, LcmMessages& said) const {
+void LcmVehicle::publish_hull(Time now, LcmMessages& sent) const {
   const Meters altitude = sea_floor_.depth - moving_.over_floor().depth;
   messages::VehicleStatus status{.time = now,
                                  .battery_percent = moving_.battery_percent(),
                                  .has_leak = moving_.disturbance().hull.wet.value_or(false),
                                  .has_ground_fault = moving_.disturbance().hull.has_ground_fault.value_or(false)};
   if (altitude <= sea_floor_.reach) status.altitude = altitude;
-  say(wire::kVehicleStatusChannel, status, said);
+  publish(wire::kVehicleStatusChannel, status, sent);
 }
 
 }  // namespace earshot::hil

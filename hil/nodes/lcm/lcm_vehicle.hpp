@@ -29,7 +29,7 @@ class LcmVehicle {
   /// Every message on the bus that is not its own. A set-point that is none, or that no vehicle can follow (Helm::take), is not taken.
   void accept(const LcmMessage& message, Time now);
   /// It moves on, and adds what it says. To be called with a time that never goes back.
-  void step(Time now, LcmMessages& said);
+  void step(Time now, LcmMessages& sent);
   /// From the next step on.
   void disturb(const Disturbance& disturbance);
 
@@ -38,8 +38,8 @@ class LcmVehicle {
   [[nodiscard]] const Helm& helm() const { return helm_; }
 
  private:
-  void hear(Time now, LcmMessages& said) const;
-  void tell_of_hull(Time now, LcmMessages& said) const;
+  void hear(Time now, LcmMessages& sent) const;
+  void publish_hull(Time now, LcmMessages& sent) const;
 
   MovingVehicle moving_;
   Helm helm_;

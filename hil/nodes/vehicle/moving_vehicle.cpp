@@ -16,7 +16,7 @@ constexpr MetersPerSecond kFastest{3.0};
 }  // namespace
 
 MovingVehicle::MovingVehicle(const vehicle::State& start, const vehicle::Limits& limits, Battery battery)
-    : state_(start), told_(start), over_floor_(start), place_(start.position), limits_(limits), battery_(battery) {}
+    : state_(start), reported_(start), over_floor_(start), place_(start.position), limits_(limits), battery_(battery) {}
 
 void MovingVehicle::disturb(const Disturbance& disturbance) {
   disturbance_ = disturbance;
@@ -46,19 +46,19 @@ void MovingVehicle::move(Time now, const vehicle::Command& wanted) {
   state_.position = state_.position + NorthEast{disturbance_.current_mps.north * seconds, disturbance_.current_mps.east * seconds};
   sailed_ += way;
   battery_.sail(way);
-  tell();
+  update_reported();
 }
 
-void MovingVehicle::tell() {
+void MovingVehicle::update_reported() {
   over_floor_ = state_;
   over_floor_.depth += disturbance_.floor_rise;
   if (disturbance_.is_frozen) return;
   if (!disturbance_.is_place_stuck) place_ = state_.position;
-  told_ = state_;
-  told_.position = place_ + disturbance_.position_error;
-  told_.speed = told_.speed + disturbance_.speed_error;
-  told_.heading = wrap_to_pi(told_.heading + disturbance_.heading_error);
-  told_.depth = disturbance_.stuck_depth.value_or(told_.depth + disturbance_.depth_error);
+  reported_ = state_;
+  reported_.position = place_ + disturbance_.position_error;
+  reported_.speed = reported_.speed + disturbance_.speed_error;
+  reported_.heading = wrap_to_pi(reported_.heading + disturbance_.heading_error);
+  reported_.depth = disturbance_.stuck_depth.value_or(reported_.depth + disturbance_.depth_error);
 }
 
 }  // namespace earshot::hil

@@ -25,7 +25,7 @@ class MovingVehicle {
 
   // All of these may be kept by reference.
   [[nodiscard]] const vehicle::State& state() const { return state_; }
-  [[nodiscard]] const vehicle::State& told() const { return told_; }              ///< by compass, log, depth sensor and navigation
+  [[nodiscard]] const vehicle::State& reported() const { return reported_; }      ///< by compass, log, depth sensor and navigation
   [[nodiscard]] const vehicle::State& over_floor() const { return over_floor_; }  ///< by the altimeter
   [[nodiscard]] const Disturbance& disturbance() const { return disturbance_; }
   [[nodiscard]] const double& battery_percent() const { return battery_.percent; }
@@ -34,10 +34,10 @@ class MovingVehicle {
 
  private:
   [[nodiscard]] vehicle::Command possible(vehicle::Command wanted) const;
-  void tell();
+  void update_reported();
 
   vehicle::State state_;
-  vehicle::State told_;
+  vehicle::State reported_;
   vehicle::State over_floor_;
   NorthEast place_;  ///< that its navigation goes by
   vehicle::Limits limits_;

@@ -50,8 +50,8 @@ std::string crc_line(std::string_view json) {
 std::string_view checked(std::string_view text) {
   constexpr std::string_view kBegin = R"({"format":"earshot checkpoint )";
   const std::string_view json = text.substr(0, std::min(text.size(), text.find('\n')));
-  const bool said = json.starts_with(kBegin) && json.find('"', kBegin.size()) != std::string_view::npos;
-  const bool another = said && json.substr(0, json.find('"', kBegin.size())) != R"({"format":")" + std::string(kFormat);
+  const bool has_format = json.starts_with(kBegin) && json.find('"', kBegin.size()) != std::string_view::npos;
+  const bool another = has_format && json.substr(0, json.find('"', kBegin.size())) != R"({"format":")" + std::string(kFormat);
   if (another) throw BadInput("of another version than this program's, which is " + std::string(kFormat));
   if (text.size() == json.size() || text.substr(json.size() + 1) != crc_line(json))
     throw BadInput("not a checkpoint, cut short or damaged");

@@ -56,7 +56,8 @@ std::string belief_rows(const explain::DecisionAccount& account) {
 
 std::string track_rows(const MapFlight& flight) {
   std::ostringstream rows;
-  for (const explain::RecordedDecision& look : flight.track) rows << km(look.position - flight.belief.area.south_west) << '\n';
+  for (const explain::RecordedDecision& measurement : flight.track)
+    rows << km(measurement.position - flight.belief.area.south_west) << '\n';
   return rows.str();
 }
 

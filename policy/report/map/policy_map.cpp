@@ -92,7 +92,7 @@ void draw_for_source(const policy::FrozenPolicy& policy, const PolicyMapOptions&
   const auto reception_at = [&](NorthEast place) { return policy::Reception{.snr = curve.at(range_between(place, source))}; };
   const MapOcean ocean = ocean_of(policy, options, curve, source, source);
   if (explain::sees_place_alone(policy)) {
-    draw_arrows(options.output, ocean, explain::after_a_first_look(policy, *tables, options.arrows, reception_at), "where it goes");
+    draw_arrows(options.output, ocean, explain::after_a_first_measurement(policy, *tables, options.arrows, reception_at), "where it goes");
   } else {
     const auto paths = explain::flown_from_all_over(policy, *tables, source, {.per_side = options.starts}, reception_at);
     draw_paths(options.output, ocean, paths);
@@ -139,7 +139,7 @@ void draw_policy_map(const PolicyMapOptions& options) {
     draw_for_source(*policy, options);
   else
     draw_for_flight(*policy, options);
-  program::say() << "wrote " << options.output.string() << ": " << heard_in(options) << "\n";
+  program::print() << "wrote " << options.output.string() << ": " << heard_in(options) << "\n";
 }
 
 }  // namespace earshot::report

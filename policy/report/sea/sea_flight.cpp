@@ -44,16 +44,16 @@ std::optional<SeaFlight> begun_with(const journal::Record& first) {
 
 void note_account(const messages::Health& health, search::SearchAccount& account) {
   const std::uint32_t step = health.steps_taken;
-  account.surprise_bits = double{health.surprise_bits};
-  if (health.surprise_bits >= messages::kSurprising_bits && !account.surprised_step) account.surprised_step = step;
+  account.mismatch_bits = double{health.mismatch_bits};
+  if (health.mismatch_bits >= messages::kMismatchThreshold_bits && !account.mismatch_step) account.mismatch_step = step;
   if (health.is_sweeping && !account.sweep_step) account.sweep_step = step;
   if (health.is_found && !account.declared_step) account.declared_step = step;
 }
 
 /// Makes a flight of the records of its journal, one after the other.
-class Listener {
+class FlightReader {
  public:
-  explicit Listener(SeaFlight& flight) : flight_(flight) {}
+  explicit FlightReader(SeaFlight& flight) : flight_(flight) {}
 
   void take(const journal::Record& record) {
     time_s_ = (record.time - flight_.began).to_seconds();
@@ -63,7 +63,7 @@ class Listener {
   }
 
  private:
-  void tell(std::string what) { flight_.events.push_back({time_s_, std::move(what)}); }
+  void add_event(std::string what) { flight_.events.push_back({time_s_, std::move(what)}); }
 
   void note(const messages::Input& input) {
     if (const auto* fix = std::get_if<messages::Navigation>(&input.value); fix != nullptr && messages::is_usable(*fix))
@@ -86,7 +86,7 @@ class Listener {
     if (health.state != MissionState::kStandby) note_account(health, flight_.account);
     if (health.state == before) return;
     const bool is_over = health.end_reason != EndReason::kNone;
-    tell(is_over ? journal::to_string(health, false, flight_.aborted_by) : messages::to_string(health.state));
+    add_event(is_over ? journal::to_string(health, false, flight_.aborted_by) : messages::to_string(health.state));
     if (is_new_search) flight_.search_began_s = time_s_;
     if (before == MissionState::kSearch) flight_.search_ended_s = time_s_;
   }
@@ -99,12 +99,12 @@ class Listener {
     }
     const std::string what = journal::to_string(answer);
     last = {.issuer = answer.issuer, .number = answer.number, .outcome = answer.outcome, .what = what, .event = flight_.events.size()};
-    tell(what);
+    add_event(what);
   }
 
   void note(const messages::SafetyEvent& event) {
     const std::string rule = journal::to_string(event);
-    tell(rule);
+    add_event(rule);
     if (flight_.state != MissionState::kSearch || !event.begins) return;
     if (event.response >= config::Response::kAbort)
       flight_.ending_rule = rule;
@@ -114,7 +114,7 @@ class Listener {
   }
 
   void note(const messages::JournalResumed& resumed) {
-    tell(journal::to_string(resumed) + "; " + host::decimals(silence_s_, 0) + " s after the last record");
+    add_event(journal::to_string(resumed) + "; " + host::decimals(silence_s_, 0) + " s after the last record");
   }
 
   void note(const messages::Decision& decision) { flight_.account.believes = decision.belief.has_value(); }
@@ -154,8 +154,8 @@ std::optional<SeaFlight> read_sea_flight(const std::filesystem::path& journal) {
   std::optional<journal::Record> record = source.next_record();
   std::optional<SeaFlight> flight = record ? begun_with(*record) : std::nullopt;
   if (!flight) return std::nullopt;
-  Listener listener(*flight);
-  while ((record = source.next_record())) listener.take(*record);
+  FlightReader reader(*flight);
+  while ((record = source.next_record())) reader.take(*record);
   flight->safety_record = host::safety_record_beside(journal);
   return flight;
 }

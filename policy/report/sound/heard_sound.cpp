@@ -28,7 +28,7 @@ void for_each_line(const std::filesystem::path& path, Take take) {
   for (std::size_t number = 1; std::getline(stream, line); ++number) take(line, number);
 }
 
-std::vector<HeardRow> read_looks(const std::filesystem::path& path) {
+std::vector<HeardRow> read_measurements(const std::filesystem::path& path) {
   std::vector<HeardRow> rows;
   for_each_line(path, [&](const std::string& line, std::size_t number) {
     if (number == 1) return;
@@ -81,7 +81,7 @@ SpectrogramTable read_spectrogram(const std::filesystem::path& path) {
 }  // namespace
 
 HeardSound read_heard_sound(const std::filesystem::path& folder) {
-  return {.looks = read_looks(folder / kHearingName), .spectrogram = read_spectrogram(folder / kSpectrogramName)};
+  return {.measurements = read_measurements(folder / kHearingName), .spectrogram = read_spectrogram(folder / kSpectrogramName)};
 }
 
 }  // namespace earshot::report

@@ -23,9 +23,9 @@ struct SpectrogramTable {
 
 /// What a flight that heard sound left of it; empty for one that was told the SNR.
 struct HeardSound {
-  std::vector<HeardRow> looks;
+  std::vector<HeardRow> measurements;
   SpectrogramTable spectrogram;
-  [[nodiscard]] bool is_there() const { return !looks.empty() && !spectrogram.time_s.empty(); }
+  [[nodiscard]] bool is_there() const { return !measurements.empty() && !spectrogram.time_s.empty(); }
 };
 
 inline constexpr const char* kHearingName = "hearing.csv";

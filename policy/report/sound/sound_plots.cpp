@@ -15,17 +15,17 @@ constexpr std::size_t kMostPoints = 3000;  ///< a picture has no more across
 constexpr double kHour_s = 3600.0;
 
 /// Of each group the loudest when there are more than the picture has points across: a call between two of them is not left out.
-void write_looks(const fs::path& path, const HeardSound& sound, Decibels threshold) {
+void write_measurements_file(const fs::path& path, const HeardSound& sound, Decibels threshold) {
   std::ofstream out(path);
-  const std::size_t group = sound.looks.size() / kMostPoints + 1;
+  const std::size_t group = sound.measurements.size() / kMostPoints + 1;
   const auto is_fainter = [](const HeardRow& a, const HeardRow& b) { return a.snr_db < b.snr_db; };
-  for (std::size_t i = 0; i < sound.looks.size(); i += group) {
-    const auto begin = sound.looks.begin() + static_cast<std::ptrdiff_t>(i);
-    const auto end = sound.looks.begin() + static_cast<std::ptrdiff_t>(std::min(i + group, sound.looks.size()));
-    const HeardRow& look = *std::max_element(begin, end, is_fainter);
-    const bool reaches = !look.too_faint && look.snr_db >= threshold.value;
-    out << look.time_s / kHour_s << ' ' << look.snr_db << ' ' << (look.too_faint ? 1 : 0) << ' ' << look.modelled_snr_db << ' '
-        << (look.modelled_too_faint ? 1 : 0) << ' ' << (reaches ? 1 : 0) << '\n';
+  for (std::size_t i = 0; i < sound.measurements.size(); i += group) {
+    const auto begin = sound.measurements.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto end = sound.measurements.begin() + static_cast<std::ptrdiff_t>(std::min(i + group, sound.measurements.size()));
+    const HeardRow& measurement = *std::max_element(begin, end, is_fainter);
+    const bool reaches = !measurement.too_faint && measurement.snr_db >= threshold.value;
+    out << measurement.time_s / kHour_s << ' ' << measurement.snr_db << ' ' << (measurement.too_faint ? 1 : 0) << ' '
+        << measurement.modelled_snr_db << ' ' << (measurement.modelled_too_faint ? 1 : 0) << ' ' << (reaches ? 1 : 0) << '\n';
   }
 }
 
@@ -85,11 +85,11 @@ std::string strip_plot(const SpectrogramTable& table) {
 
 std::string sound_svg(const HeardSound& sound, Decibels threshold, const std::vector<explain::RecordedDecision>& decisions) {
   const PlotFolder scratch;
-  write_looks(scratch / "measured.dat", sound, threshold);
+  write_measurements_file(scratch / "measured.dat", sound, threshold);
   write_decisions(scratch / "decisions.dat", decisions);
   write_spectrogram(scratch / "spectrogram.dat", sound.spectrogram);
   std::ostringstream range;
-  range << "set xrange [0:" << std::max(sound.spectrogram.time_s.back(), sound.looks.back().time_s) / kHour_s << "]\n";
+  range << "set xrange [0:" << std::max(sound.spectrogram.time_s.back(), sound.measurements.back().time_s) / kHour_s << "]\n";
   return svgs_from(scratch,
                    page_style("600,620") + range.str() + R"(
 set output 'plot.svg'

@@ -68,20 +68,20 @@ def text_of(file: Path) -> str:
     return data.decode()
 
 
-def judge(told: dict[str, Any]) -> None:
+def judge(keys: dict[str, Any]) -> None:
     """Throws ValueError (table and key, value, range) where a number of an environment with one half-space cannot be.
 
     KeyError where it lacks what every environment has.
     """
-    _judge_text(told, "name")
-    seabed, water = _table(told, "seabed"), _table(told, "water")
-    _judge_numbers("source", _table(told, "source"), SOURCE)
-    _judge_numbers("noise", _table(told, "noise"), {}, {"level_db_re_1upa": LEVEL})
+    _judge_text(keys, "name")
+    seabed, water = _table(keys, "seabed"), _table(keys, "water")
+    _judge_numbers("source", _table(keys, "source"), SOURCE)
+    _judge_numbers("noise", _table(keys, "noise"), {}, {"level_db_re_1upa": LEVEL})
     _judge_numbers("seabed", seabed, {"depth_m": BELOW_SURFACE})
     _judge_numbers("seabed.layers", seabed["layers"][0], {"sound_speed_mps": SOUND_SPEED}, SEA_FLOOR)
-    if told["source"]["depth_m"] >= seabed["depth_m"]:
+    if keys["source"]["depth_m"] >= seabed["depth_m"]:
         raise ValueError(
-            f"[source] depth_m: {told['source']['depth_m']!r}: must be above the sea floor, {seabed['depth_m']:g}"
+            f"[source] depth_m: {keys['source']['depth_m']!r}: must be above the sea floor, {seabed['depth_m']:g}"
         )
     profile = water["profile"]
     if profile == "munk":
@@ -92,15 +92,15 @@ def judge(told: dict[str, Any]) -> None:
         raise ValueError(f'[water] profile: {reprlib.repr(profile)}: of "munk" and "table" variants are written')
 
 
-def _table(told: dict[str, Any], name: str) -> dict[str, Any]:
-    if not isinstance(told[name], dict):
-        raise ValueError(f"{name}: {reprlib.repr(told[name])}: must be a table")
-    return dict(told[name])
+def _table(keys: dict[str, Any], name: str) -> dict[str, Any]:
+    if not isinstance(keys[name], dict):
+        raise ValueError(f"{name}: {reprlib.repr(keys[name])}: must be a table")
+    return dict(keys[name])
 
 
-def _judge_text(told: dict[str, Any], key: str) -> None:
-    if not isinstance(told[key], str):
-        raise ValueError(f"{key}: {reprlib.repr(told[key])}: must be text")
+def _judge_text(keys: dict[str, Any], key: str) -> None:
+    if not isinstance(keys[key], str):
+        raise ValueError(f"{key}: {reprlib.repr(keys[key])}: must be text")
 
 
 def _judge_number(where: str, value: object, allowed: Range) -> None:
@@ -112,13 +112,13 @@ def _judge_number(where: str, value: object, allowed: Range) -> None:
 
 
 def _judge_numbers(
-    table: str, told: object, needed: dict[str, Range], optional: dict[str, Range] | None = None
+    table: str, keys: object, needed: dict[str, Range], optional: dict[str, Range] | None = None
 ) -> None:
-    if not isinstance(told, dict):
-        raise ValueError(f"[{table}]: {reprlib.repr(told)}: must be a table")
-    there = {key: within for key, within in (optional or {}).items() if key in told}
+    if not isinstance(keys, dict):
+        raise ValueError(f"[{table}]: {reprlib.repr(keys)}: must be a table")
+    there = {key: within for key, within in (optional or {}).items() if key in keys}
     for key, within in {**needed, **there}.items():
-        _judge_number(f"[{table}] {key}", told[key], within)
+        _judge_number(f"[{table}] {key}", keys[key], within)
 
 
 def _judge_profile(water: dict[str, Any], floor_m: float) -> None:

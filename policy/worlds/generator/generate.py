@@ -80,7 +80,7 @@ def write(folder: Path, files: Files) -> None:
         (folder / name).write_text(text)
 
 
-def say(line: str) -> None:
+def report(line: str) -> None:
     erase = "\r\033[K" if sys.stderr.isatty() else ""
     print(f"{erase}{line}", file=sys.stderr)
 
@@ -99,7 +99,7 @@ def write_world(
         complaint = refuses(folder / next(iter(files)))
         if complaint is None:
             return
-        say(f"{split}_{index:03d}: drawn again: {complaint}")
+        report(f"{split}_{index:03d}: drawn again: {complaint}")
     raise SystemExit(f"{PROGRAM}: {split}_{index:03d}: {MOST_DRAWS} draws, and none is taken")
 
 
@@ -119,7 +119,7 @@ def write_bank(count: int, frequency_hz: float, folder: Path, refuses: Callable[
             show_progress(name, len(rows) - 1, count)
         else:
             (folder / f"{name}.toml").unlink()
-            say(f"{name}: left out: {complaint}")
+            report(f"{name}: left out: {complaint}")
         point += 1
     (folder / BANK_NAME).write_text("\n".join(rows) + "\n")
 
@@ -217,10 +217,10 @@ def main() -> None:
     try:
         make(o)
     except Refusal as refusal:
-        say(f"{PROGRAM}: {refusal}")
+        report(f"{PROGRAM}: {refusal}")
         raise SystemExit(2) from None
     except OSError as error:
-        say(f"{PROGRAM}: {o.output}: {error.strerror}")
+        report(f"{PROGRAM}: {o.output}: {error.strerror}")
         raise SystemExit(1 if error.errno in FAULTS_OF_THE_DISK else 2) from None
 
 

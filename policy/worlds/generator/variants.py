@@ -23,19 +23,19 @@ def variants(environment: str) -> dict[str, str]:
     Each differs from it in one thing. @param environment  the text of its file, with one half-space as sea floor
     Throws ValueError where it has another, or a number that cannot be.
     """
-    told = tomllib.loads(environment)
-    _require_half_space(told)
-    judge(told)
-    at_floor_mps = _speed_at_floor_mps(told)
+    keys = tomllib.loads(environment)
+    _require_half_space(keys)
+    judge(keys)
+    at_floor_mps = _speed_at_floor_mps(keys)
     texts = {f"over_{bed.name.replace(' ', '_')}": _over(environment, bed, at_floor_mps) for bed in SCALE}
     for kind in waters.OF_TEMPERATURE:
-        texts[f"in_{kind}_water"] = _in(environment, Water(kind, (0.5, 0.5, 0.5)), told["seabed"], at_floor_mps)
+        texts[f"in_{kind}_water"] = _in(environment, Water(kind, (0.5, 0.5, 0.5)), keys["seabed"], at_floor_mps)
     for depth_m in SOURCE_DEPTHS_M:
-        if depth_m != told["source"]["depth_m"] and depth_m < told["seabed"]["depth_m"]:
+        if depth_m != keys["source"]["depth_m"] and depth_m < keys["seabed"]["depth_m"]:
             texts[f"source_at_{depth_m:g}m"] = _with(environment, {("source", "depth_m"): f"{depth_m:.1f}"})
     # JSON's texts are TOML's.
     named = {
-        name: _with(text, {("", "name"): json.dumps(f"{told['name']}: {name}", ensure_ascii=False)})
+        name: _with(text, {("", "name"): json.dumps(f"{keys['name']}: {name}", ensure_ascii=False)})
         for name, text in texts.items()
     }
     for name, text in named.items():
@@ -48,11 +48,11 @@ def variants(environment: str) -> dict[str, str]:
     return named
 
 
-def _require_half_space(told: dict[str, Any]) -> None:
-    beyond = [key for key in ("oceans", "family", "field_library") if key in told]
+def _require_half_space(keys: dict[str, Any]) -> None:
+    beyond = [key for key in ("oceans", "family", "field_library") if key in keys]
     if beyond:
         raise ValueError(f"[{beyond[0]}]: has oceans of its own; of one without it variants are written")
-    seabed = told.get("seabed", {})
+    seabed = keys.get("seabed", {})
     layers = seabed.get("layers", []) if isinstance(seabed, dict) else []
     if not isinstance(layers, list):
         raise ValueError(f"[seabed] layers: {layers!r}: must be a list of tables")
@@ -95,9 +95,9 @@ def _header(line: str) -> str | None:
     return text.strip("[]").strip() if text.startswith("[") and text.endswith("]") and "=" not in text else None
 
 
-def _speed_at_floor_mps(told: dict[str, Any]) -> float:
+def _speed_at_floor_mps(keys: dict[str, Any]) -> float:
     """Munk: J. Acoust. Soc. Am. 55 (1974) 220; between two depths of a table linear."""
-    water, floor_m = told["water"], told["seabed"]["depth_m"]
+    water, floor_m = keys["water"], keys["seabed"]["depth_m"]
     if water["profile"] == "munk":
         eta = 2 * (floor_m - water["axis_depth_m"]) / water["scale_m"]
         # At an eta of -700 no sea is meant, and exp would overflow.

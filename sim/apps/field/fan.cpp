@@ -59,16 +59,16 @@ void print_detection(const sonar::Fan& fan, const sonar::Detector& detector) {
     }
     const std::size_t in_water = furthest_m.size();
     std::erase(furthest_m, 0.0);
-    program::say() << "heard:   at " << fan.depth_m[depth] << " m ";
+    program::print() << "heard:   at " << fan.depth_m[depth] << " m ";
     if (in_water == 0)
-      program::say() << "nowhere: there is no water at that depth beside the source\n";
+      program::print() << "nowhere: there is no water at that depth beside the source\n";
     else if (furthest_m.empty())
-      program::say() << "nowhere: the SNR stays below " << detector.detection_threshold.value << " dB at every range\n";
+      program::print() << "nowhere: the SNR stays below " << detector.detection_threshold.value << " dB at every range\n";
     else if (furthest_m.size() < in_water)
-      program::say() << last_heard(fan, furthest_m) << "; on " << in_water - furthest_m.size() << " of " << in_water
-                     << " bearings nowhere\n";
+      program::print() << last_heard(fan, furthest_m) << "; on " << in_water - furthest_m.size() << " of " << in_water
+                       << " bearings nowhere\n";
     else
-      program::say() << last_heard(fan, furthest_m) << '\n';
+      program::print() << last_heard(fan, furthest_m) << '\n';
   }
 }
 
@@ -85,9 +85,9 @@ void print_check(const ocean::Environment& environment, const sonar::RadialPlan&
   }
   int degrees = 0;
   for (const sonar::GridCheck& check : checks) {
-    program::say() << "check:   bearing " << degrees << ": absorber thicker, grid of " << check.depth_step.value << " m x "
-                   << check.range_step.value << " m halved at " << plan.band.high.value << " Hz: loss changes by " << check.mean_db
-                   << " dB in the mean, " << check.max_db << " dB at most (range " << check.range_of_max.value / 1000.0 << " km)\n";
+    program::print() << "check:   bearing " << degrees << ": absorber thicker, grid of " << check.depth_step.value << " m x "
+                     << check.range_step.value << " m halved at " << plan.band.high.value << " Hz: loss changes by " << check.mean_db
+                     << " dB in the mean, " << check.max_db << " dB at most (range " << check.range_of_max.value / 1000.0 << " km)\n";
     degrees += 90;
   }
 }
@@ -129,11 +129,13 @@ void write_fan(const FieldArguments& arguments) {
   sonar::write_fan(arguments.output, fan, map, environment, plan.radial.band, detector, arguments.history);
   if (!arguments.plot.empty()) plot::plot_map(arguments.plot, fan, environment, plan.radial.band, map_side(arguments, fan), detector);
 
-  program::say() << "ocean:   " << ocean_to_string(environment, plan.radial.band) << '\n'
-                 << "fan:     " << fan.bearings << " bearings x " << fan.ranges << " ranges to " << fan.max_range().value / 1000.0 << " km"
-                 << (sonar::differs_with_place(environment) ? "" : ", one march for all: this ocean is the same on every bearing") << '\n';
+  program::print() << "ocean:   " << ocean_to_string(environment, plan.radial.band) << '\n'
+                   << "fan:     " << fan.bearings << " bearings x " << fan.ranges << " ranges to " << fan.max_range().value / 1000.0
+                   << " km"
+                   << (sonar::differs_with_place(environment) ? "" : ", one march for all: this ocean is the same on every bearing")
+                   << '\n';
   print_detection(fan, detector);
-  program::say() << "written: " << arguments.output << (arguments.plot.empty() ? "" : ", " + arguments.plot) << '\n';
+  program::print() << "written: " << arguments.output << (arguments.plot.empty() ? "" : ", " + arguments.plot) << '\n';
   warn(sonar::unmeasured_water(environment, source, plan.bearings, fan.max_range()));
   if (arguments.check) print_check(environment, plan.radial);
 }

@@ -24,7 +24,7 @@ void run(const FieldArguments& arguments, RankSession& session) {
   }
 }
 
-int say(const std::exception& e) {
+int report(const std::exception& e) {
   std::cerr << "earshot field: " << e.what() << '\n';
   return 2;
 }
@@ -35,9 +35,9 @@ int run_in_session(const FieldArguments& arguments) {
     run(arguments, session);
     return 0;
   } catch (const BadStart& e) {
-    return session.ranks().rank() == 0 ? say(e) : 2;
+    return session.ranks().rank() == 0 ? report(e) : 2;
   } catch (const std::exception& e) {
-    const int status = say(e);
+    const int status = report(e);
     if (session.ranks().size() > 1) session.abort();  // the others wait for us
     return status;
   }

@@ -15,14 +15,14 @@ namespace {
 void print_summary(const FieldArguments& arguments, const field_library::LibraryPlan& plan, const field_library::LibrarySummary& summary,
                    std::size_t ranks, std::size_t threads) {
   const sonar::RadialPlan& radial = plan.fan.radial;
-  program::say() << "library: " << plan.name << ": " << plan.positions.size() << " positions x " << plan.fan.bearings << " bearings x "
-                 << radial.ranges << " ranges x " << radial.depth_m.size() << " depths\n"
-                 << "fields:  " << summary.computed << " computed";
-  if (summary.found > 0) program::say() << ", " << summary.found << " found from before";
-  if (summary.without_water > 0) program::say() << ", " << summary.without_water << " on land or too shallow";
-  if (!sonar::differs_with_place(plan.environment)) program::say() << "; one march for all: this ocean is the same everywhere";
-  program::say() << "; " << host::counted(ranks, "process", "processes") << " of " << threads << " threads\n"
-                 << "written: " << arguments.output << '\n';
+  program::print() << "library: " << plan.name << ": " << plan.positions.size() << " positions x " << plan.fan.bearings << " bearings x "
+                   << radial.ranges << " ranges x " << radial.depth_m.size() << " depths\n"
+                   << "fields:  " << summary.computed << " computed";
+  if (summary.found > 0) program::print() << ", " << summary.found << " found from before";
+  if (summary.without_water > 0) program::print() << ", " << summary.without_water << " on land or too shallow";
+  if (!sonar::differs_with_place(plan.environment)) program::print() << "; one march for all: this ocean is the same everywhere";
+  program::print() << "; " << host::counted(ranks, "process", "processes") << " of " << threads << " threads\n"
+                   << "written: " << arguments.output << '\n';
   warn(field_library::unmeasured_water(plan));
 }
 

@@ -23,9 +23,10 @@ void print_check(const ocean::Section& section, const std::string& name, const s
     program::ProgressBar bar("check");
     return sonar::check_grid(section, name, plan, [&bar](double f) { bar.update(f); });
   }();
-  program::say() << "check:   absorber thicker, grid of " << check.depth_step.value << " m x " << check.range_step.value << " m halved at "
-                 << plan.band.high.value << " Hz: loss changes by " << check.mean_db << " dB in the mean, " << check.max_db
-                 << " dB at most (range " << check.range_of_max.value / 1000.0 << " km, depth " << check.depth_of_max.value << " m)\n";
+  program::print() << "check:   absorber thicker, grid of " << check.depth_step.value << " m x " << check.range_step.value
+                   << " m halved at " << plan.band.high.value << " Hz: loss changes by " << check.mean_db << " dB in the mean, "
+                   << check.max_db << " dB at most (range " << check.range_of_max.value / 1000.0 << " km, depth "
+                   << check.depth_of_max.value << " m)\n";
 }
 
 void require_water(const ocean::Section& section, Radians bearing, Meters first_range) {
@@ -100,9 +101,9 @@ void write_radial(const FieldArguments& arguments) {
   if (!arguments.plot.empty())
     plot::plot_field(arguments.plot, field, environment, plan.band, bearing, Decibels{arguments.detection_threshold_db});
 
-  program::say() << "ocean:   " << ocean_to_string(environment, plan.band) << '\n'
-                 << "field:   " << ranges_to_string(field) << ", " << depths_to_string(field) << '\n'
-                 << "written: " << arguments.output << (arguments.plot.empty() ? "" : ", " + arguments.plot) << '\n';
+  program::print() << "ocean:   " << ocean_to_string(environment, plan.band) << '\n'
+                   << "field:   " << ranges_to_string(field) << ", " << depths_to_string(field) << '\n'
+                   << "written: " << arguments.output << (arguments.plot.empty() ? "" : ", " + arguments.plot) << '\n';
   warn(field.unmeasured);
   warn_of_land(section, plan.max_range());
   if (arguments.check) print_check(section, environment.name, plan);

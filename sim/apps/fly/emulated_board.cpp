@@ -49,8 +49,8 @@ EmulatedBoard::EmulatedBoard(const fs::path& program, std::uint64_t run, const f
       "-serial",  "chardev:line", "-kernel",  program.string()};
   emulator_ = std::make_unique<program::ChildProcess>(emulator.string(), arguments);
   constexpr milliseconds kPatience{20'000};
-  constexpr milliseconds kLook{10};
-  for (milliseconds waited{0}; !fs::exists(line_); waited += kLook) {
+  constexpr milliseconds kPollInterval{10};
+  for (milliseconds waited{0}; !fs::exists(line_); waited += kPollInterval) {
     emulator_->poll();
     if (!emulator_->running())
       throw std::runtime_error(emulator.string() + " does not come up: it ended with status " + std::to_string(emulator_->status()) +
@@ -59,7 +59,7 @@ EmulatedBoard::EmulatedBoard(const fs::path& program, std::uint64_t run, const f
       emulator_->signal(SIGKILL);
       throw std::runtime_error(emulator.string() + " does not come up: after 20 s there is no " + line_.string());
     }
-    std::this_thread::sleep_for(kLook);
+    std::this_thread::sleep_for(kPollInterval);
   }
 }
 

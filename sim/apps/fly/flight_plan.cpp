@@ -3,7 +3,7 @@
 #include <sstream>
 #include <string>
 
-#include "firmware/host/mission/mission_judge.hpp"
+#include "firmware/host/mission/mission_verifier.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/host/trust/vehicle_file.hpp"
 #include "sim/ocean/section_along.hpp"
@@ -38,8 +38,9 @@ void require_depth_in_water(const std::filesystem::path& mission, Meters depth, 
 
 FlightPlan load_flight_plan(const std::filesystem::path& mission, const std::filesystem::path& environment,
                             const std::optional<std::filesystem::path>& vehicle) {
-  host::MissionJudge judge = vehicle ? host::MissionJudge(host::load_vehicle(*vehicle), host::Counting::kOnlyRead) : host::MissionJudge();
-  FlightPlan plan{.mission = judge.load_mission(mission), .scenario = search::load_scenario(environment), .search = {}};
+  host::MissionVerifier verifier =
+      vehicle ? host::MissionVerifier(host::load_vehicle(*vehicle), host::Counting::kOnlyRead) : host::MissionVerifier();
+  FlightPlan plan{.mission = verifier.load_mission(mission), .scenario = search::load_scenario(environment), .search = {}};
   if (!ocean::is_range_independent(plan.scenario.environment))
     throw BadInput(environment.string() + ": its ocean changes with range or bearing, and a flight needs one that does not");
   const Meters depth = plan.mission.mission.search_depth;

@@ -59,14 +59,14 @@ void Score::add(const TrackPoint& point) {
   const bool has_begun = !is_searching_ && point.state == messages::MissionState::kSearch;
   const bool has_stepped = point.steps_taken != steps_taken_;
   if (has_stepped) end_step(point);
-  if (has_begun || has_stepped) listener_.begin_leg(point.time);
+  if (has_begun || has_stepped) snr_window_.begin_leg(point.time);
   is_searching_ = is_searching_ || has_begun;
   steps_taken_ = point.steps_taken;
 }
 
 void Score::end_step(const TrackPoint& point) {
   ++steps_;
-  const detector::WindowReception window = listener_.reception(settings_.listening, point.time);
+  const detector::WindowReception window = snr_window_.reception(settings_.listening, point.time);
   const policy::Reception reception{.snr = window.snr, .too_faint = window.too_faint};
   reward_ += search::step_reward(settings_, point.vehicle.position, reception);
   if (search::is_detection(settings_, reception)) ++detections_;

@@ -9,7 +9,7 @@
 
 #include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
-#include "firmware/detector/listener.hpp"
+#include "firmware/detector/snr_window.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/policy/belief/reception.hpp"
 #include "sim/search/settings.hpp"
@@ -48,14 +48,14 @@ class TrackFile {
   std::unique_ptr<std::FILE, Close> file_;
 };
 
-/// The score of a flight, added up tick by tick. The reception of a step is made of the looks on its leg in the way in which the runtime
-/// makes it of them.
+/// The score of a flight, added up tick by tick. The reception of a step is made of the measurements on its leg in the way in which the
+/// runtime makes it of them.
 class Score {
  public:
   explicit Score(const search::SearchSettings& settings) : settings_(settings) {}
 
   /// What the vehicle heard since the last tick, before that tick is added.
-  void hear(const messages::SnrMeasurement& look) { listener_.take(look); }
+  void hear(const messages::SnrMeasurement& measurement) { snr_window_.take(measurement); }
   void add(const TrackPoint& point);
 
   [[nodiscard]] double reward() const { return reward_; }
@@ -69,7 +69,7 @@ class Score {
   search::SearchSettings settings_;
   std::optional<NorthEast> last_position_;
   bool is_searching_ = false;
-  detector::Listener listener_;
+  detector::SnrWindow snr_window_;
   std::uint32_t steps_taken_ = 0;
   double reward_ = 0.0;
   std::uint32_t steps_ = 0;

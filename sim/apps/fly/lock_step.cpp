@@ -23,7 +23,7 @@ using std::chrono::steady_clock;
 /// Of the seed; the start is drawn from stream 0.
 constexpr std::uint64_t kConditionsStream = 1;
 /// How often a waiting simulator looks at `stop`.
-constexpr milliseconds kLookUp{100};
+constexpr milliseconds kPollInterval{100};
 /// For a set-point that was sent before its answer.
 constexpr milliseconds kBusPatience{2000};
 
@@ -90,7 +90,7 @@ class Stepper {
     flight_.bus.publish(now_, believed());
     const link::Tick tick{.number = ++number_,
                           .time = now_,
-                          .navigation_messages = flight_.bus.navigation_messages() - said_again_,
+                          .navigation_messages = flight_.bus.navigation_messages() - sent_again_,
                           .hydrophone_blocks = sound_ ? sound_->blocks() : 0,
                           .snr = sound_ ? std::nullopt : std::optional(reception.snr),
                           .snr_too_faint = !sound_ && reception.too_faint,
@@ -129,9 +129,9 @@ class Stepper {
     const search::Arrivals arrivals = surroundings_.arrivals(world, vehicle_.position);
     const policy::Reception modelled = surroundings_.reception_of(world, arrivals);
     sound_->pass(now_, arrivals, modelled, vehicle_.speed);
-    for (const messages::SnrMeasurement& look : sound_->looks()) {
-      flight_.score.hear(look);
-      heard_ = {.snr = look.snr, .too_faint = look.too_faint};
+    for (const messages::SnrMeasurement& measurement : sound_->measurements()) {
+      flight_.score.hear(measurement);
+      heard_ = {.snr = measurement.snr, .too_faint = measurement.too_faint};
     }
     return modelled;
   }
@@ -158,14 +158,14 @@ class Stepper {
       const char* const lost = wait_for_answer(answer);
       if (lost == nullptr) return true;
       if (!has_returned()) return fail("earshotd_lost", std::string("lost earshotd (") + lost + ")");
-      if (!say_again(tick)) return false;
+      if (!send_again(tick)) return false;
     }
   }
 
   /// @return null, or how the runtime was lost
   [[nodiscard]] const char* wait_for_answer(link::Answer& answer) {
-    for (auto waited = milliseconds{0}; waited < flight_.setup.answer_patience; waited += kLookUp) {
-      const link::Delivery delivery = flight_.link.receive(answer, kLookUp);
+    for (auto waited = milliseconds{0}; waited < flight_.setup.answer_patience; waited += kPollInterval) {
+      const link::Delivery delivery = flight_.link.receive(answer, kPollInterval);
       if (delivery == link::Delivery::kLost) return "it left or died";
       if (delivery == link::Delivery::kArrived && answer.number == number_) return nullptr;
     }
@@ -181,7 +181,7 @@ class Stepper {
   }
 
   /// To a runtime that goes on from its journal: that holds the tick's turn, whose answer may be lost, or all turns before it.
-  [[nodiscard]] bool say_again(const link::Tick& tick) {
+  [[nodiscard]] bool send_again(const link::Tick& tick) {
     const std::uint64_t turns_made = flight_.link.turns_made();
     if (turns_made != number_ && turns_made + 1 != number_)
       return fail("earshotd_lost", "earshotd came back with " + std::to_string(turns_made) + " turns in its journal, and had made " +
@@ -191,7 +191,7 @@ class Stepper {
     if (turns_made + 1 == number_) {
       const std::uint64_t before = flight_.bus.navigation_messages();
       flight_.bus.publish(now_, believed());
-      said_again_ += flight_.bus.navigation_messages() - before;
+      sent_again_ += flight_.bus.navigation_messages() - before;
     }
     flight_.link.send(tick);
     return true;
@@ -202,7 +202,7 @@ class Stepper {
     const auto deadline = steady_clock::now() + kBusPatience;
     while (flight_.bus.setpoint_messages() - setpoints_before_ < answer.setpoint_messages) {
       if (steady_clock::now() >= deadline) return fail("bus_lost", "lost the bus (a set-point that earshotd sent did not arrive)");
-      flight_.bus.wait(Duration::milliseconds(kLookUp.count()));
+      flight_.bus.wait(Duration::milliseconds(kPollInterval.count()));
       flight_.bus.collect(command_);
     }
     return true;
@@ -239,7 +239,7 @@ class Stepper {
     if (flight_.setup.speed <= 0.0) return;
     const auto due = began + std::chrono::duration_cast<steady_clock::duration>(
                                  std::chrono::duration<double>((now_ - Time{}).to_seconds() / flight_.setup.speed));
-    while (!stop_ && steady_clock::now() < due) std::this_thread::sleep_until(std::min(due, steady_clock::now() + kLookUp));
+    while (!stop_ && steady_clock::now() < due) std::this_thread::sleep_until(std::min(due, steady_clock::now() + kPollInterval));
   }
 
   Flight flight_;
@@ -248,12 +248,12 @@ class Stepper {
   NorthEast source_;
   search::Surroundings surroundings_;
   std::unique_ptr<Sound> sound_;
-  policy::Reception heard_;                                          ///< by the vehicle: the newest look
+  policy::Reception heard_;                                          ///< by the vehicle: the newest measurement
   messages::MissionState state_ = messages::MissionState::kStandby;  ///< by the last answer
   const std::atomic<bool>& stop_;
   Time now_;
   std::uint64_t number_ = 0;
-  std::uint64_t said_again_ = 0;        ///< fixes, to a runtime that had lost them
+  std::uint64_t sent_again_ = 0;        ///< fixes, to a runtime that had lost them
   std::uint64_t setpoints_before_ = 0;  ///< of runtimes before this one
   bool over_ = false;
   FlightResult result_;

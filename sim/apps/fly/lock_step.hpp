@@ -33,7 +33,7 @@ struct FlightSetup {
   bool may_be_found = true;    ///< false: fly on to the last step even so (benchmarks)
   vehicle::Limits vehicle;
   std::optional<vehicle::Battery> battery{};  ///< as the flight begins; none: the vehicle tells no status
-  Duration tick = search::kLookInterval;
+  Duration tick = search::kMeasurementInterval;
   std::uint64_t seed = 1;  ///< of what the conditions draw
   std::chrono::milliseconds answer_patience = kAnswerPatience;
   std::chrono::seconds wait_for_runtime{0};  ///< for the return of a runtime that is lost; 0: the flight ends then
@@ -65,10 +65,10 @@ struct Flight {
 };
 
 /// Flies from `start` to the end of the mission. The clock advances only when the runtime has answered a tick and the set-points it
-/// announced have arrived. A vehicle that hears is told to START as soon as its detector knows the noise of the sea and has given a look;
-/// until then it does what `start` says. The source is looked for at every tick, not only at the end of a step: a vehicle that passes
-/// within l of it on its way has found it. Shows on a terminal how far it is. Never throws: whatever goes wrong on the way ends the flight,
-/// and the result says what.
+/// announced have arrived. A vehicle that hears is told to START as soon as its detector knows the noise of the sea and has given a
+/// measurement; until then it does what `start` says. The source is looked for at every tick, not only at the end of a step: a vehicle that
+/// passes within l of it on its way has found it. Shows on a terminal how far it is. Never throws: whatever goes wrong on the way ends the
+/// flight, and the result says what.
 /// @param stop  set by a signal handler: the runtime is told to abort
 [[nodiscard]] FlightResult fly_in_lock_step(Flight flight, const vehicle::State& start, const std::atomic<bool>& stop);
 

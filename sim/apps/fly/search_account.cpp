@@ -31,8 +31,8 @@ std::string hearing_of(const nlohmann::json& hearing) {
 
 void SearchAccount::note(const link::Answer& answer, Meters range) {
   believes_ = believes_ || answer.believed_source.has_value();
-  surprise_bits_ = answer.surprise_bits;
-  if (answer.surprise_bits >= messages::kSurprising_bits && !surprised_step_) surprised_step_ = answer.steps_taken;
+  mismatch_bits_ = answer.mismatch_bits;
+  if (answer.mismatch_bits >= messages::kMismatchThreshold_bits && !mismatch_step_) mismatch_step_ = answer.steps_taken;
   if (answer.is_sweeping && !sweep_step_) sweep_step_ = answer.steps_taken;
   const bool ends_for_good = answer.rule && answer.rule->response >= config::Response::kAbort;
   if (answer.rule && !ends_for_good && !home_by_) {
@@ -44,10 +44,10 @@ void SearchAccount::note(const link::Answer& answer, Meters range) {
 
 nlohmann::ordered_json SearchAccount::to_json() const {
   nlohmann::ordered_json json{{"surprise_bits", nullptr},
-                              {"surprised_from_step", or_null(surprised_step_)},
+                              {"surprised_from_step", or_null(mismatch_step_)},
                               {"swept_from_step", or_null(sweep_step_)},
                               {"declared_found", nullptr}};
-  if (believes_) json["surprise_bits"] = surprise_bits_;
+  if (believes_) json["surprise_bits"] = mismatch_bits_;
   if (declaration_) json["declared_found"] = {{"step", declaration_->step}, {"range_m", declaration_->range.value}};
   if (home_by_) {
     json["went_home"] = {{"step", home_step_}};

@@ -27,8 +27,8 @@ class SearchAccount {
     Meters range;
   };
   bool believes_ = false;
-  float surprise_bits_ = 0.0F;
-  std::optional<std::uint32_t> surprised_step_;
+  float mismatch_bits_ = 0.0F;
+  std::optional<std::uint32_t> mismatch_step_;
   std::optional<std::uint32_t> sweep_step_;
   std::optional<Declaration> declaration_;        ///< the first
   std::optional<messages::SafetyEvent> home_by_;  ///< the first rule that sent the vehicle home or up

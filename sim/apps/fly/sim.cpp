@@ -178,7 +178,7 @@ nlohmann::ordered_json hearing_of(const Options& o, const FlightResult& result) 
   const HearingRecord& record = result.sound->record();
   return {{"sound", *o.hear},
           {"search_began_s", (result.search_began - Time{}).to_seconds()},
-          {"looks", record.looks()},
+          {"looks", record.measurements()},
           {"looks_too_faint", record.too_faint()},
           {"blocks_lost", result.sound->lost_blocks()}};
 }

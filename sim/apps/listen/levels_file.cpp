@@ -27,13 +27,13 @@ void write_floats(Writer& file, const std::string& name, const std::vector<std::
 }
 
 /// Silence has no level.
-std::vector<float> as_told(std::span<const float> levels_db, Decibels correction) {
-  std::vector<float> told;
-  told.reserve(levels_db.size());
+std::vector<float> corrected(std::span<const float> levels_db, Decibels correction) {
+  std::vector<float> corrected_db;
+  corrected_db.reserve(levels_db.size());
   for (const float level : levels_db)
-    told.push_back(level > -std::numeric_limits<float>::infinity() ? level + static_cast<float>(correction.value)
-                                                                   : std::numeric_limits<float>::quiet_NaN());
-  return told;
+    corrected_db.push_back(level > -std::numeric_limits<float>::infinity() ? level + static_cast<float>(correction.value)
+                                                                           : std::numeric_limits<float>::quiet_NaN());
+  return corrected_db;
 }
 
 /// The begins of the intervals, in UTC where every file tells when it began.
@@ -92,10 +92,10 @@ void write_levels(const Result& result, const Arguments& arguments) {
   const std::string unit = chain.unit();
   write_floats(file, "level", {"time", "frequency"},
                {{"long_name", "level of the mean power in the band, " + unit}, {"units", netcdf::kDecibels}},
-               as_told(levels.mean_level_db(), chain.correction()));
+               corrected(levels.mean_level_db(), chain.correction()));
   write_floats(file, "level_percentile", {"time", "percentile", "frequency"},
                {{"long_name", "percentiles of the levels of one second, " + unit}, {"units", netcdf::kDecibels}},
-               as_told(levels.percentile_level_db(), chain.correction()));
+               corrected(levels.percentile_level_db(), chain.correction()));
   file.commit();
 }
 

@@ -43,7 +43,7 @@ int run(Arguments& arguments) {
   listen::Result result{.plan = plan, .heard = heard, .score = {}};
   if (!arguments.truth.empty()) result.score = score_of(heard.rows, plan, arguments.tolerance_s, heard.listened_s);
   write_outputs(result, arguments);
-  program::say() << summary_of(result, arguments);
+  program::print() << summary_of(result, arguments);
   return warn(plan, heard);
 }
 

@@ -92,12 +92,12 @@ Chain chain_for(const Arguments& arguments, const Sequence& sequence, std::vecto
 }
 
 /// Everything that hears at once.
-class Listeners {
+class ChannelDetectors {
  public:
-  Listeners(const Plan& plan, const Arguments& arguments)
+  ChannelDetectors(const Plan& plan, const Arguments& arguments)
       : plan_(plan),
         decimator_(decimation_for(plan.sequence.sample_rate()), full_scale_of(plan.sequence)),
-        ear_(plan.settings, listening_rate(plan.sequence)),
+        channel_detector_(plan.settings, listening_rate(plan.sequence)),
         windows_(plan.sequence.sample_rate(), plan.sequence.duration() < kShort ? 8 : 2) {
     if (!arguments.roc.empty()) {
       for (int threshold_db = kLowestThreshold_db; threshold_db <= kHighestThreshold_db; ++threshold_db) {
@@ -112,25 +112,27 @@ class Listeners {
   }
 
   /// Samples of the recording.
-  [[nodiscard]] std::size_t lead() const { return (ear_.lead() + reach()) * decimator_.factor(); }
-  [[nodiscard]] std::size_t tail() const { return (ear_.tail() + reach()) * decimator_.factor(); }
+  [[nodiscard]] std::size_t lead() const { return (channel_detector_.lead() + reach()) * decimator_.factor(); }
+  [[nodiscard]] std::size_t tail() const { return (channel_detector_.tail() + reach()) * decimator_.factor(); }
 
   void prepare(std::span<const float> before) {
     const std::span<const float> lower = at_listening_rate(before);
-    for_each([lower](Ear& ear) { ear.prepare(lower); });
+    for_each([lower](ChannelDetector& channel_detector) { channel_detector.prepare(lower); });
   }
   void learn_noise(const Piece& piece) {
-    if (const std::optional<Piece> lower = at_listening_rate(piece)) for_each([&lower](Ear& ear) { ear.learn_noise(*lower); });
+    if (const std::optional<Piece> lower = at_listening_rate(piece))
+      for_each([&lower](ChannelDetector& channel_detector) { channel_detector.learn_noise(*lower); });
   }
   void begin_again() {
     decimator_.restart();
     next_lower_ = 0;
     is_broken_ = false;
-    for_each([](Ear& ear) { ear.begin_again(); });
+    for_each([](ChannelDetector& channel_detector) { channel_detector.begin_again(); });
   }
 
   void hear(const Piece& piece) {
-    if (const std::optional<Piece> lower = at_listening_rate(piece)) for_each([&lower](Ear& ear) { ear.hear(*lower); });
+    if (const std::optional<Piece> lower = at_listening_rate(piece))
+      for_each([&lower](ChannelDetector& channel_detector) { channel_detector.hear(*lower); });
     if (!spectrogram_ && !levels_) return;
     if (!piece.follows_on) windows_.restart();
     windows_.take(piece.samples, piece.begin, [this](std::span<const float> psd, std::uint64_t begin) {
@@ -141,12 +143,12 @@ class Listeners {
 
   void finish(std::span<const float> after) {
     const std::span<const float> lower = at_listening_rate(after);
-    for_each([lower](Ear& ear) { ear.finish(lower); });
+    for_each([lower](ChannelDetector& channel_detector) { channel_detector.finish(lower); });
     if (levels_) levels_->finish();
   }
 
-  [[nodiscard]] const Ear& ear() const { return ear_; }
-  [[nodiscard]] const std::vector<Ear>& others() const { return others_; }
+  [[nodiscard]] const ChannelDetector& channel_detector() const { return channel_detector_; }
+  [[nodiscard]] const std::vector<ChannelDetector>& others() const { return others_; }
   [[nodiscard]] std::unique_ptr<spectrum::Spectrogram> spectrogram() { return std::move(spectrogram_); }
   [[nodiscard]] std::unique_ptr<spectrum::BandLevels> levels() { return std::move(levels_); }
 
@@ -181,8 +183,8 @@ class Listeners {
 
   template <typename Do>
   void for_each(Do what) {
-    what(ear_);
-    for (Ear& ear : others_) what(ear);
+    what(channel_detector_);
+    for (ChannelDetector& channel_detector : others_) what(channel_detector);
   }
 
   [[nodiscard]] std::unique_ptr<spectrum::BandLevels> levels_for(double interval_s) const {
@@ -195,8 +197,8 @@ class Listeners {
   Decimator decimator_;
   std::uint64_t next_lower_ = 0;  ///< number of the sample that the decimator gives next
   bool is_broken_ = false;        ///< it does not follow on the last
-  Ear ear_;
-  std::vector<Ear> others_;
+  ChannelDetector channel_detector_;
+  std::vector<ChannelDetector> others_;
   spectrum::ShortTimeSpectrum windows_;
   std::unique_ptr<spectrum::Spectrogram> spectrogram_;
   std::unique_ptr<spectrum::BandLevels> levels_;
@@ -238,30 +240,30 @@ std::vector<float> after_end(std::vector<float> last) {
 }
 
 /// Reads the recording twice: its beginning for the noise, then all of it. @return frames that were promised and not there
-std::uint64_t run(const Plan& plan, Listeners& listeners) {
+std::uint64_t run(const Plan& plan, ChannelDetectors& detectors) {
   program::ProgressBar bar("listening");
   const Time learnt = Time{} + plan.settings.floor_window;
-  const std::vector<float> before = before_beginning(plan, listeners.lead());
-  if (!before.empty()) listeners.prepare(before);
+  const std::vector<float> before = before_beginning(plan, detectors.lead());
+  if (!before.empty()) detectors.prepare(before);
   SequenceReader beginning(plan.sequence, plan.channel, plan.chain.divisor);
   for (std::optional<Piece> piece = beginning.next(); piece && plan.sequence.time_of(piece->begin) < learnt; piece = beginning.next())
-    listeners.learn_noise(*piece);
-  listeners.begin_again();
-  if (!before.empty()) listeners.prepare(before);
+    detectors.learn_noise(*piece);
+  detectors.begin_again();
+  if (!before.empty()) detectors.prepare(before);
   SequenceReader all(plan.sequence, plan.channel, plan.chain.divisor);
   std::vector<float> last;
   while (const std::optional<Piece> piece = all.next()) {
-    listeners.hear(*piece);
-    keep_last(last, piece->samples, listeners.tail() + 1);
+    detectors.hear(*piece);
+    keep_last(last, piece->samples, detectors.tail() + 1);
     bar.update(static_cast<double>(piece->begin) / static_cast<double>(plan.sequence.frames()));
   }
-  listeners.finish(after_end(last));
+  detectors.finish(after_end(last));
   return all.missing_frames();
 }
 
-std::vector<Row> rows_of(const Ear& ear, const Plan& plan, Decibels correction) {
+std::vector<Row> rows_of(const ChannelDetector& channel_detector, const Plan& plan, Decibels correction) {
   std::vector<Row> rows;
-  for (const detector::Detection& detection : ear.detections()) {
+  for (const detector::Detection& detection : channel_detector.detections()) {
     // A call that sounds when the recording begins may be dated a little before it.
     const Time begin = std::max(detection.begin, Time{});
     const Time end = detection.begin + detection.duration;
@@ -279,25 +281,25 @@ std::vector<Row> rows_of(const Ear& ear, const Plan& plan, Decibels correction) 
 /// When it did not hear, and when what it heard was clipped; with what it heard as long as the recording is. To the detector a place where
 /// sound does not go on is one where samples are missing: of a recording none are, its filters begin anew there, and a share of the first
 /// quarter goes with them.
-std::vector<Heard::Obstacle> obstacles_of(const Ear& ear, const Sequence& sequence, std::uint64_t missing_frames) {
+std::vector<Heard::Obstacle> obstacles_of(const ChannelDetector& channel_detector, const Sequence& sequence, std::uint64_t missing_frames) {
   const double unread_s = static_cast<double>(missing_frames) / sequence.sample_rate().value;
-  double rest_s = sequence.duration().to_seconds() - ear.listened().to_seconds() - unread_s;
+  double rest_s = sequence.duration().to_seconds() - channel_detector.listened().to_seconds() - unread_s;
   std::vector<Heard::Obstacle> obstacles;
   for (std::size_t i = 1; i < detector::kHearings; ++i) {
     const auto hearing = static_cast<Hearing>(i);
-    if (hearing == Hearing::kDropout || ear.time_of(hearing).us == 0) continue;
-    obstacles.push_back({detector::to_string(hearing), ear.time_of(hearing).to_seconds()});
+    if (hearing == Hearing::kDropout || channel_detector.time_of(hearing).us == 0) continue;
+    obstacles.push_back({detector::to_string(hearing), channel_detector.time_of(hearing).to_seconds()});
     if (hearing != Hearing::kClipped) rest_s -= obstacles.back().seconds;
   }
   if (missing_frames > 0) obstacles.push_back({"samples could not be read", unread_s});
-  if (ear.time_of(Hearing::kDropout).us > 0 && rest_s > 0.0)
+  if (channel_detector.time_of(Hearing::kDropout).us > 0 && rest_s > 0.0)
     obstacles.push_back({"the filters begin anew where sound does not go on", rest_s});
   return obstacles;
 }
 
-void require_heard(const Ear& ear, const Plan& plan) {
-  if (ear.listened().us > 0) return;
-  const Hearing obstacle = ear.main_obstacle();
+void require_heard(const ChannelDetector& channel_detector, const Plan& plan) {
+  if (channel_detector.listened().us > 0) return;
+  const Hearing obstacle = channel_detector.main_obstacle();
   if (obstacle == Hearing::kHears || obstacle == Hearing::kFillingUp || obstacle == Hearing::kFloorUnsettled) {
     std::ostringstream text;
     text << plan.sequence.duration().to_seconds() << " s of sound are too short to know the noise and measure a call against it: "
@@ -349,21 +351,21 @@ Plan plan_for(const Arguments& arguments) {
 }
 
 Heard listen_to(const Plan& plan, const Arguments& arguments) {
-  Listeners listeners(plan, arguments);
+  ChannelDetectors detectors(plan, arguments);
   Heard heard;
-  heard.missing_frames = run(plan, listeners);
-  const Ear& ear = listeners.ear();
-  require_heard(ear, plan);
+  heard.missing_frames = run(plan, detectors);
+  const ChannelDetector& channel_detector = detectors.channel_detector();
+  require_heard(channel_detector, plan);
   const Decibels correction = plan.chain.correction() - kNominalFullScale;
-  heard.rows = rows_of(ear, plan, correction);
-  heard.listened_s = ear.listened().to_seconds();
-  heard.noise_db = (ear.mean_floor() + correction).value;
-  heard.obstacles = obstacles_of(ear, plan.sequence, heard.missing_frames);
-  for (const Ear& other : listeners.others())
+  heard.rows = rows_of(channel_detector, plan, correction);
+  heard.listened_s = channel_detector.listened().to_seconds();
+  heard.noise_db = (channel_detector.mean_floor() + correction).value;
+  heard.obstacles = obstacles_of(channel_detector, plan.sequence, heard.missing_frames);
+  for (const ChannelDetector& other : detectors.others())
     heard.curve.push_back({.threshold_db = other.settings().detection_threshold.value,
                            .score = score_of(rows_of(other, plan, correction), plan, arguments.tolerance_s, heard.listened_s)});
-  heard.spectrogram = listeners.spectrogram();
-  heard.levels = listeners.levels();
+  heard.spectrogram = detectors.spectrogram();
+  heard.levels = detectors.levels();
   return heard;
 }
 

@@ -7,7 +7,7 @@
 #include "sim/annotation/score.hpp"
 #include "sim/apps/listen/arguments.hpp"
 #include "sim/apps/listen/chain.hpp"
-#include "sim/apps/listen/ear.hpp"
+#include "sim/apps/listen/channel_detector.hpp"
 #include "sim/recording/sequence.hpp"
 #include "sim/spectrum/band_levels.hpp"
 #include "sim/spectrum/spectrogram.hpp"

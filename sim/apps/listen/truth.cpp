@@ -68,7 +68,7 @@ class Placing {
     const std::vector<double> in_sequence = begins(selections, [](const Selection& s) { return s.begin_s; });
     const std::vector<double> in_files = begins(selections, [this](const Selection& s) { return in_file(s, s.begin_s); });
     const std::vector<double> by_offset =
-        begins(selections, [this](const Selection& s) { return s.tells_offset ? in_file(s, s.file_offset_s) : std::nan(""); });
+        begins(selections, [this](const Selection& s) { return s.names_offset ? in_file(s, s.file_offset_s) : std::nan(""); });
     if (names_files && are_placed(by_offset)) return by_offset;
     const bool fits_files = names_files && are_placed(in_files);
     const bool fits_sequence = !is_of_more_files && is_in_named_files(selections);
@@ -145,7 +145,7 @@ Truth truth_of(const annotation::SelectionTable& table, const std::string& name,
   std::size_t outside_of_band = 0;
   for (std::size_t i = 0; i < here.size(); ++i) {
     const Selection& s = here[i];
-    const bool is_of_channel = !s.tells_channel || static_cast<std::size_t>(s.channel) == listened.channel;
+    const bool is_of_channel = !s.names_channel || static_cast<std::size_t>(s.channel) == listened.channel;
     const bool is_in_band = s.high_hz <= 0.0 || (s.high_hz >= listened.band.low.value && s.low_hz <= listened.band.high.value);
     if (!is_of_channel)
       ++of_other_channels;

@@ -75,10 +75,10 @@ std::string loss_to_string(const std::string& reason) {
 }
 
 std::string mismatch_sentence(const SearchAccount& a) {
-  const std::string score = " (model-mismatch score " + host::decimals(a.surprise_bits, 1) + " bits at the end; from " +
-                            host::decimals(static_cast<double>(messages::kSurprising_bits), 2) + " on it is a mismatch).";
-  if (a.surprised_step)
-    return "From " + step_to_string(*a.surprised_step) + " on, the SNR that it measured was unlikely in every ocean of its tables" + score;
+  const std::string score = " (model-mismatch score " + host::decimals(a.mismatch_bits, 1) + " bits at the end; from " +
+                            host::decimals(static_cast<double>(messages::kMismatchThreshold_bits), 2) + " on it is a mismatch).";
+  if (a.mismatch_step)
+    return "From " + step_to_string(*a.mismatch_step) + " on, the SNR that it measured was unlikely in every ocean of its tables" + score;
   if (a.swept_in_silence())
     return "The SNR that it measured fits the oceans of its tables, but there were too few detections: the source may be fainter or silent "
            "for longer than expected, or not there" +
@@ -126,8 +126,8 @@ std::string fault_in_account(const nlohmann::json& summary) {
 SearchAccount account_in(const nlohmann::json& summary) {
   const nlohmann::json mismatch = value_in(summary, "surprise_bits");
   SearchAccount account{.believes = !mismatch.is_null(),
-                        .surprise_bits = mismatch.is_null() ? 0.0 : mismatch.get<double>(),
-                        .surprised_step = known<std::uint32_t>(value_in(summary, "surprised_from_step")),
+                        .mismatch_bits = mismatch.is_null() ? 0.0 : mismatch.get<double>(),
+                        .mismatch_step = known<std::uint32_t>(value_in(summary, "surprised_from_step")),
                         .sweep_step = known<std::uint32_t>(value_in(summary, "swept_from_step")),
                         .max_steps = known<std::uint32_t>(value_in(summary, "max_steps")),
                         .step_length_m = known<double>(value_in(summary, "step_length_m")),

@@ -12,9 +12,9 @@ namespace earshot::search {
 /// the source found, and which rule sent it home; and, of a simulated flight, how that ended.
 struct SearchAccount {
   bool believes = false;  ///< false: the policy holds no belief, and has no model-mismatch score
-  double surprise_bits = 0.0;
-  std::optional<std::uint32_t> surprised_step = std::nullopt;  ///< the first
-  std::optional<std::uint32_t> sweep_step = std::nullopt;      ///< the first
+  double mismatch_bits = 0.0;
+  std::optional<std::uint32_t> mismatch_step = std::nullopt;  ///< the first
+  std::optional<std::uint32_t> sweep_step = std::nullopt;     ///< the first
   std::optional<std::uint32_t> max_steps = std::nullopt;
   std::optional<std::uint32_t> declared_step = std::nullopt;  ///< the first
   std::optional<double> declared_range_m = std::nullopt;      ///< to the source, where a simulator knows it
@@ -32,7 +32,7 @@ struct SearchAccount {
   std::string ending_rule = "";  ///< the safety rule that ended it, in words with its evidence; "": none did
 
   /// Whether it swept because it had detected nothing for long: no measurement was a mismatch by then.
-  [[nodiscard]] bool swept_in_silence() const { return sweep_step && (!surprised_step || *surprised_step > *sweep_step); }
+  [[nodiscard]] bool swept_in_silence() const { return sweep_step && (!mismatch_step || *mismatch_step > *sweep_step); }
   /// Whether it declared the source found further than a step length from it, as far as that is known.
   [[nodiscard]] bool declared_wrongly() const { return declared_range_m && step_length_m && *declared_range_m > *step_length_m; }
 };

@@ -3,7 +3,7 @@
 #include <cassert>
 #include <optional>
 
-#include "firmware/detector/listener.hpp"
+#include "firmware/detector/snr_window.hpp"
 #include "sim/search/reward/step_reward.hpp"
 
 namespace earshot::search {
@@ -31,31 +31,31 @@ void Episode::start_at(const World& world, const policy::ObservationModel& model
   memory_.start(model, tables, in_domain(world), reception_);
 }
 
-/// The whole step at once up to the first look that counts, then look by look.
+/// The whole step at once up to the first measurement that counts, then measurement by measurement.
 void Episode::step_and_listen(const World& world, NorthEast through_water) {
   const SearchSettings& s = world.settings;
   const double leg_s = s.step_length.value / world.conditions.vehicle_speed.value;
-  const std::size_t looks = looks_on_leg(s.listening, leg_s);
-  if (looks == 1) {
+  const std::size_t measurements = measurements_on_leg(s.listening, leg_s);
+  if (measurements == 1) {
     move(world, through_water, leg_s);
     reception_ = surroundings_.listen(world, position_);
     return;
   }
-  const double look_s = kLookInterval.to_seconds();
-  const double rest_s = leg_s - static_cast<double>(looks - 1) * look_s;
-  detector::Listener listener;
-  std::optional<messages::Bearing> bearing;  // of the last look that had one
+  const double measurement_s = kMeasurementInterval.to_seconds();
+  const double rest_s = leg_s - static_cast<double>(measurements - 1) * measurement_s;
+  detector::SnrWindow snr_window;
+  std::optional<messages::Bearing> bearing;  // of the last measurement that had one
   Time now;
-  for (std::size_t i = 0; i < looks; ++i) {
-    const double time_s = i == 0 ? rest_s : look_s;
+  for (std::size_t i = 0; i < measurements; ++i) {
+    const double time_s = i == 0 ? rest_s : measurement_s;
     const double share = time_s / leg_s;
     move(world, {share * through_water.north, share * through_water.east}, time_s);
-    now = now + kLookInterval;
-    const policy::Reception look = surroundings_.listen(world, position_);
-    listener.take({.time = now, .snr = look.snr, .too_faint = look.too_faint});
-    if (look.bearing) bearing = look.bearing;
+    now = now + kMeasurementInterval;
+    const policy::Reception measurement = surroundings_.listen(world, position_);
+    snr_window.take({.time = now, .snr = measurement.snr, .too_faint = measurement.too_faint});
+    if (measurement.bearing) bearing = measurement.bearing;
   }
-  const detector::WindowReception window = listener.reception(s.listening, now);
+  const detector::WindowReception window = snr_window.reception(s.listening, now);
   reception_ = {.snr = window.snr, .too_faint = window.too_faint, .bearing = bearing};
 }
 

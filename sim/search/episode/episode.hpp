@@ -34,7 +34,7 @@ struct EpisodeRecord {
 ///
 /// In a world with conditions, truth and belief part: reward, border and finding go by where the vehicle is, observations by where
 /// navigation believes it, and a detection is one of what was heard. Everything is judged at the ends of steps, as in the paper. What is
-/// heard on the way counts as far as SearchSettings::listening reaches; at the start there is one look.
+/// heard on the way counts as far as SearchSettings::listening reaches; at the start there is one measurement.
 class Episode {
  public:
   /// Draws the source (kChanging) and the start. A start within l of the source would end before its first step: the start is drawn

@@ -9,8 +9,8 @@ namespace earshot::search {
 
 inline constexpr std::size_t kMaxSources = 8;  ///< sources of one search
 
-/// A source that sings and falls silent: calls every `interval_s` for `song_s`, then none for `pause_s`, and so on. A look hears a call
-/// that fell in the `listening_s` before it. Where in its song a source is when the search begins is drawn anew for every search.
+/// A source that sings and falls silent: calls every `interval_s` for `song_s`, then none for `pause_s`, and so on. A measurement hears a
+/// call that fell in the `listening_s` before it. Where in its song a source is when the search begins is drawn anew for every search.
 struct CallPattern {
   double interval_s;   ///< > 0
   double song_s;       ///< > 0
@@ -27,7 +27,7 @@ struct Current {
 
 /// An array that hears from where a call comes.
 struct BearingConditions {
-  Radians deviation;          ///< > 0 and at most pi: standard deviation of a bearing, normal, drawn anew at every look
+  Radians deviation;          ///< > 0 and at most pi: standard deviation of a bearing, normal, drawn anew at every measurement
   bool is_ambiguous = false;  ///< a line along the vehicle's course: it cannot tell left from right
 };
 
@@ -37,9 +37,10 @@ struct SoundConditions {
   Decibels self_noise{65.0};  ///< of the vehicle's way through the water at 2 m/s, in the detector's band, dB re 1 uPa
 };
 
-/// How a search departs from one where every look gives the modelled SNR and nothing but the vehicle moves. Everything is off by default.
+/// How a search departs from one where every measurement gives the modelled SNR and nothing but the vehicle moves. Everything is off by
+/// default.
 struct Conditions {
-  Decibels fluctuation;  ///< sigma >= 0 of the SNR, normal in dB, drawn anew at every look
+  Decibels fluctuation;  ///< sigma >= 0 of the SNR, normal in dB, drawn anew at every measurement
   std::optional<Decibels>
       least_fluctuation;             ///< sigma is uniform between this and `fluctuation`, drawn for every search; absent: it is that
   std::optional<Decibels> floor;     ///< the least SNR that can be measured
@@ -49,8 +50,9 @@ struct Conditions {
   std::size_t sources = 1;           ///< 1 to kMaxSources; the loudest is heard, any may be found. All but the first are drawn uniformly
   std::optional<Current> current;    ///< absent: none
   std::optional<CallPattern> calls;  ///< absent: always heard; needs `floor`, which is what silence says of the SNR
-  MetersPerSecond vehicle_speed{2.0};        ///< > 0: how long a step takes
-  std::optional<BearingConditions> bearing;  ///< of the source that is heard, at every look that can be measured; absent: none is measured
+  MetersPerSecond vehicle_speed{2.0};  ///< > 0: how long a step takes
+  std::optional<BearingConditions>
+      bearing;  ///< of the source that is heard, at every measurement that can be measured; absent: none is measured
   SoundConditions sound;
 };
 

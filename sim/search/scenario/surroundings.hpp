@@ -39,7 +39,7 @@ class Surroundings {
   /// As above, for a vehicle that has gone from one place to another through the water. @return where it is over ground
   NorthEast carry(const World& world, NorthEast from, NorthEast to, double time_s);
 
-  /// The hydrophone's reception of the loudest source now; every look draws anew.
+  /// The hydrophone's reception of the loudest source now; every measurement draws anew.
   ///
   ///   SNR = SL + offset - TL - N + sigma * n,   n normal;   not measured below the floor, or when no call fell in the listening time
   ///   bearing = direction of that source + deviation * n';   with what is measured, where the conditions have an array

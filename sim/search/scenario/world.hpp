@@ -29,7 +29,7 @@ struct World {
 
   /// SNR at the vehicle's depth against horizontal range, as the environment has it.
   [[nodiscard]] const sonar::SnrCurve& expected() const { return soundscape->expected(); }
-  /// Whether every look gives the expected SNR and nothing but the vehicle moves.
+  /// Whether every measurement gives the expected SNR and nothing but the vehicle moves.
   [[nodiscard]] bool is_calm() const { return search::is_calm(conditions) && soundscape->is_one_curve(); }
 };
 

@@ -68,8 +68,8 @@ TEST(CapacitiesOfAMicrocontroller, HoldABeliefInManyOceansInCellsOfOneKilometre)
   const NorthEast source{Meters{16'500}, Meters{7'500}};
   const auto belief = std::make_unique<policy::OceanBelief>();
   belief->start(model, tables);
-  for (int look = 0; look < 20; ++look) {
-    const NorthEast place{Meters{1'000.0 + 20'000.0 * (look % 2)}, Meters{1'000.0 + 1'150.0 * look}};
+  for (int measurement = 0; measurement < 20; ++measurement) {
+    const NorthEast place{Meters{1'000.0 + 20'000.0 * (measurement % 2)}, Meters{1'000.0 + 1'150.0 * measurement}};
     belief->update(model, tables, place, {.snr = Decibels{snr_db(20, range_between(place, source))}});
   }
   EXPECT_LT(range_between(belief->summary().likeliest, source).value, 1'500.0);

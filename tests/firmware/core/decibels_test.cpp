@@ -16,17 +16,17 @@ namespace {
 
 TEST(Log, IsWithinTenToTheMinusFifteenOfLongDouble) {
   Pcg32 random(6);
-  const auto look = [](double x) {
+  const auto visit = [](double x) {
     const long double exact = std::log(static_cast<long double>(x));
     const auto size = std::max(std::fabs(static_cast<double>(exact)), 0.1);
     ASSERT_NEAR(log(x), static_cast<double>(exact), 1e-15 * size) << x;
   };
   for (int i = 0; i < 100'000; ++i) {
-    look(std::exp(1400.0 * random.uniform_double() - 700.0));
-    look(0.5 + random.uniform_double());
+    visit(std::exp(1400.0 * random.uniform_double() - 700.0));
+    visit(0.5 + random.uniform_double());
   }
-  look(std::numeric_limits<double>::denorm_min());
-  look(std::numeric_limits<double>::max());
+  visit(std::numeric_limits<double>::denorm_min());
+  visit(std::numeric_limits<double>::max());
   EXPECT_EQ(log(1.0), 0.0);
 }
 

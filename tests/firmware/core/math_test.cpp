@@ -27,12 +27,12 @@ long double ulps(float got, long double exact) {
   return std::fabs(static_cast<long double>(got) - exact) / static_cast<long double>(ulp);
 }
 
-/// Calls `look` with about `count` floats of either sign, spread evenly over all exponents up to `largest`.
-template <class Look>
-void for_floats_up_to(float largest, Look look) {
+/// Calls `visit` with about `count` floats of either sign, spread evenly over all exponents up to `largest`.
+template <class Visit>
+void for_floats_up_to(float largest, Visit visit) {
   for (std::uint32_t bits = 0; bits <= std::bit_cast<std::uint32_t>(largest); bits += 2503) {
-    look(std::bit_cast<float>(bits));
-    look(-std::bit_cast<float>(bits));
+    visit(std::bit_cast<float>(bits));
+    visit(-std::bit_cast<float>(bits));
   }
 }
 

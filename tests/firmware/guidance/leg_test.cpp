@@ -31,15 +31,15 @@ TEST(Leg, SteersAlongItselfWhenOnTrack) {
 
 TEST(Leg, SteersFortyFiveDegreesTowardsTheTrackWhenOneLookAheadBesideIt) {
   const Leg north(at(0, 0), at(1000, 0));
-  EXPECT_NEAR(north.heading_to_steer(at(300, Leg::kLookAhead.value)).value, -kPi / 4, kRounding);  // right of the track: turn left
-  EXPECT_NEAR(north.heading_to_steer(at(300, -Leg::kLookAhead.value)).value, kPi / 4, kRounding);
+  EXPECT_NEAR(north.heading_to_steer(at(300, Leg::kLookahead.value)).value, -kPi / 4, kRounding);  // right of the track: turn left
+  EXPECT_NEAR(north.heading_to_steer(at(300, -Leg::kLookahead.value)).value, kPi / 4, kRounding);
 }
 
 TEST(Leg, KeepsItsHeadingWithinOneTurnWhenTheCorrectionCrossesSouth) {
   const Leg south(at(0, 0), at(-1000, 0));
-  EXPECT_NEAR(south.heading_to_steer(at(-300, -Leg::kLookAhead.value)).value, 3 * kPi / 4,
+  EXPECT_NEAR(south.heading_to_steer(at(-300, -Leg::kLookahead.value)).value, 3 * kPi / 4,
               kRounding);  // west is right of a southward track
-  EXPECT_NEAR(south.heading_to_steer(at(-300, Leg::kLookAhead.value)).value, -3 * kPi / 4, kRounding);
+  EXPECT_NEAR(south.heading_to_steer(at(-300, Leg::kLookahead.value)).value, -3 * kPi / 4, kRounding);
 }
 
 TEST(Leg, IsOverWhenTheVehicleCrossesTheLineThroughItsEndHoweverFarBeside) {

@@ -178,7 +178,7 @@ TEST(Golden, IsNotRepeatedByABeliefThatDiffersInAnyOfItsNumbers) {
   EXPECT_FALSE(repeats_after([](FrozenPolicy& policy) { flip(policy.golden[0][4].belief.likeliest_share); }));
 }
 
-TEST(Fingerprint, SeesEveryCellAndOutlook) {
+TEST(Fingerprint, SeesEveryCellAndActionValue) {
   const auto policy = believing_policy();
   const BeliefModel& model = policy->observation.belief;
   const auto tables = std::make_unique<OceanTables>();

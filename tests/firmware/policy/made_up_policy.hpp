@@ -64,7 +64,8 @@ inline std::unique_ptr<FrozenPolicy> new_believing_policy() {
   belief.area_size = policy->area_size;
   belief.detection_threshold = policy->detection_threshold;
   belief.border_width = Meters{700};
-  belief.costs = {.step = 2.5F, .log_step_discount = -0.25F, .reach = 20.0F, .reach_discount = 0.75F, .edge = 50.0F, .most_regret = 9.0F};
+  belief.costs = {
+      .step = 2.5F, .log_step_discount = -0.25F, .find_probability = 20.0F, .find_discount = 0.75F, .edge = 50.0F, .most_regret = 9.0F};
   belief.cells_north = 49;
   belief.cells_east = 51;
   belief.outlier_share = 0.125F;

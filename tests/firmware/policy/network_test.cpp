@@ -189,9 +189,9 @@ class HiddenTanh {
   std::unique_ptr<Network> network_ = std::make_unique<Network>();
 };
 
-/// Calls `look` with one float of every 401 from 2^-60 to `largest` and its tanh, and so with every exponent.
-template <class Look>
-void for_tanh_up_to(float largest, Look look) {
+/// Calls `visit` with one float of every 401 from 2^-60 to `largest` and its tanh, and so with every exponent.
+template <class Visit>
+void for_tanh_up_to(float largest, Visit visit) {
   HiddenTanh tanh;
   std::array<float, HiddenTanh::kCount> numbers{};
   for (std::uint32_t bits = std::bit_cast<std::uint32_t>(0x1p-60F); bits < std::bit_cast<std::uint32_t>(largest);) {
@@ -200,7 +200,7 @@ void for_tanh_up_to(float largest, Look look) {
       bits += 401;
     }
     const auto results = tanh(numbers);
-    for (std::size_t i = 0; i < numbers.size(); ++i) look(numbers[i], results[i]);
+    for (std::size_t i = 0; i < numbers.size(); ++i) visit(numbers[i], results[i]);
   }
 }
 

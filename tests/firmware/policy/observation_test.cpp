@@ -153,13 +153,13 @@ TEST(BeliefState, ShowsEveryNumberOfTheBeliefAsItIs) {
   EXPECT_EQ(raw(memory, model, Feature::kLikeliestShare), double{summary.likeliest_share});
   EXPECT_EQ(raw(memory, model, Feature::kEffectiveCells), double{summary.effective_cells});
   for (std::uint8_t action = 0; action < 2; ++action) {
-    const ActionOutlook& outlook = memory.belief().outlook(action);
-    EXPECT_EQ(raw(memory, model, Feature::kFound, action), double{outlook.found});
-    EXPECT_EQ(raw(memory, model, Feature::kReach, action), double{outlook.reach});
-    EXPECT_EQ(raw(memory, model, Feature::kDetected, action), double{outlook.detected});
-    EXPECT_EQ(raw(memory, model, Feature::kBorder, action), double{outlook.border});
-    EXPECT_EQ(raw(memory, model, Feature::kRegret, action), double{outlook.regret});
-    EXPECT_EQ(raw(memory, model, Feature::kPreference, action), 1.0 / (1.0 + double{outlook.regret}));
+    const ActionValues& values = memory.belief().action_values(action);
+    EXPECT_EQ(raw(memory, model, Feature::kFound, action), double{values.found});
+    EXPECT_EQ(raw(memory, model, Feature::kFindProbability, action), double{values.find_probability});
+    EXPECT_EQ(raw(memory, model, Feature::kDetected, action), double{values.detected});
+    EXPECT_EQ(raw(memory, model, Feature::kBorder, action), double{values.border});
+    EXPECT_EQ(raw(memory, model, Feature::kRegret, action), double{values.regret});
+    EXPECT_EQ(raw(memory, model, Feature::kPreference, action), 1.0 / (1.0 + double{values.regret}));
   }
 }
 
@@ -177,7 +177,7 @@ TEST(BeliefState, ScalesEveryElementToAboutOne) {
       {Feature::kLikeliestNorth, 0, 0.0F, 1.0F / 5000.0F},  {Feature::kMeanNorth, 0, 0.0F, 1.0F / 5000.0F},
       {Feature::kSpread, 0, 0.0F, 1.0F / 5000.0F},          {Feature::kLikeliestShare, 0, 0.0F, 1.0F}};
   for (const Feature feature :
-       {Feature::kPreference, Feature::kReach, Feature::kBorder, Feature::kDetected, Feature::kFound, Feature::kApproach}) {
+       {Feature::kPreference, Feature::kFindProbability, Feature::kBorder, Feature::kDetected, Feature::kFound, Feature::kApproach}) {
     for (std::uint8_t action = 0; action < 2; ++action)
       expected.push_back({feature, action, 0.0F, feature == Feature::kApproach ? 1.0F / 500.0F : 1.0F});
   }
@@ -217,7 +217,7 @@ TEST(BeliefState, LeavesOutOfItsActionsWhatThereIsNoRoomFor) {
   const ObservationSpec spec = belief_state(belief);
   EXPECT_LE(spec.size(), spec.capacity());
   EXPECT_EQ(std::ranges::count(spec, Feature::kPreference, &ObservationElement::feature), 32);
-  EXPECT_EQ(std::ranges::count(spec, Feature::kReach, &ObservationElement::feature), 0);
+  EXPECT_EQ(std::ranges::count(spec, Feature::kFindProbability, &ObservationElement::feature), 0);
 }
 
 TEST(BeliefState, FillsTheLastPlaceThereIs) {

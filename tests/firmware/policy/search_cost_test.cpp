@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "firmware/policy/action_values/belief_outlook.hpp"
+#include "firmware/policy/action_values/action_values.hpp"
 
 namespace earshot::policy {
 namespace {

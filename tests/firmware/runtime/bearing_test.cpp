@@ -48,7 +48,7 @@ struct BearingRig : Rig {
   }
   [[nodiscard]] Time in_a_second(Duration before = {}) const { return now + Duration{Duration::seconds(1).us - before.us}; }
 
-  /// What the first decision heard, of a bearing measured so long before its look.
+  /// What the first decision heard, of a bearing measured so long before its measurement.
   std::optional<Bearing> heard_at_start(Duration before) {
     sail_and_hear({{.time = in_a_second(before), .bearing = kBearing}}, Order::kStart);
     return decided();
@@ -74,7 +74,7 @@ struct BearingRig : Rig {
   }
 };
 
-TEST(RuntimeBearing, IsHeardByADecisionWhenItIsLessThanASecondOlderThanTheNewestLook) {
+TEST(RuntimeBearing, IsHeardByADecisionWhenItIsLessThanASecondOlderThanTheNewestMeasurement) {
   EXPECT_EQ(BearingRig().heard_at_start(Duration::milliseconds(999)), kBearing);
   EXPECT_FALSE(BearingRig().heard_at_start(Duration::milliseconds(1000)));
   for (const bool is_there : {true, false}) {
@@ -84,7 +84,7 @@ TEST(RuntimeBearing, IsHeardByADecisionWhenItIsLessThanASecondOlderThanTheNewest
   }
 }
 
-TEST(RuntimeBearing, IsHeardOverTheWindowThatLooksAreHeardOver) {
+TEST(RuntimeBearing, IsHeardOverTheWindowThatMeasurementsAreHeardOver) {
   for (const int before_s : {0, 25, 29, 30, 31}) {
     BearingRig rig(kHalfAMinute);
     rig.sail(Order::kStart);
@@ -92,7 +92,7 @@ TEST(RuntimeBearing, IsHeardOverTheWindowThatLooksAreHeardOver) {
   }
 }
 
-TEST(RuntimeBearing, OfTheStartBelongsToItsNewestLookWhateverTheWindow) {
+TEST(RuntimeBearing, OfTheStartBelongsToItsNewestMeasurementWhateverTheWindow) {
   EXPECT_TRUE(BearingRig(kHalfAMinute).heard_at_start(Duration::milliseconds(999)));
   EXPECT_FALSE(BearingRig(kHalfAMinute).heard_at_start(Duration::seconds(2)));
 }
@@ -130,10 +130,10 @@ TEST(RuntimeBearing, ReachesTheBelief) {
 
 TEST(RuntimeBearing, RefusesAndCountsWhatIsNoAngleOrOldAndKeepsTheGoodOne) {
   BearingRig rig;
-  const Time look = rig.in_a_second();
-  const BearingMeasurement good = measured(look, 1.0);
-  rig.sail_and_hear({good, measured(look, std::numeric_limits<double>::quiet_NaN()), measured(look, 7.0),
-                     measured(look + Duration::seconds(-3600), 2.0), measured(look + Duration{-1}, 2.0)},
+  const Time measurement = rig.in_a_second();
+  const BearingMeasurement good = measured(measurement, 1.0);
+  rig.sail_and_hear({good, measured(measurement, std::numeric_limits<double>::quiet_NaN()), measured(measurement, 7.0),
+                     measured(measurement + Duration::seconds(-3600), 2.0), measured(measurement + Duration{-1}, 2.0)},
                     Order::kStart);
   EXPECT_EQ(rig.counters().bearings_refused, 4U);
   EXPECT_EQ(rig.counters().bearings_of_others, 0U);
@@ -152,9 +152,9 @@ TEST(RuntimeBearing, RefusesWhatIsFurtherFromItsArrivalThanAnSnrMayBe) {
 
 TEST(RuntimeBearing, ListensToTheFirstOfTwoSendersAndCountsTheOther) {
   BearingRig rig;
-  const Time look = rig.in_a_second();
-  const BearingMeasurement first = measured(look, 1.0, 17);
-  const BearingMeasurement other = measured(look, 3.0, 18);
+  const Time measurement = rig.in_a_second();
+  const BearingMeasurement first = measured(measurement, 1.0, 17);
+  const BearingMeasurement other = measured(measurement, 3.0, 18);
   rig.sail_and_hear({first, other, other, other}, Order::kStart);
   EXPECT_EQ(rig.counters().bearings_of_others, 3U);
   EXPECT_EQ(rig.counters().bearings_refused, 0U);

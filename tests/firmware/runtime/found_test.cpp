@@ -57,15 +57,15 @@ TEST(FoundOnBoard, LetsAMissionGoOnThatIsToGoOn) {
   const NorthEast source = at(9'300, 7'400);
   FoundRig rig(mission_that(false));
   rig.sail_for(source, Order::kStart);
-  bool has_said = false;
-  for (int i = 0; i < kHours && !has_said; ++i) has_said = rig.sail_for(source).health.is_found;
-  EXPECT_TRUE(has_said);
+  bool has_declared = false;
+  for (int i = 0; i < kHours && !has_declared; ++i) has_declared = rig.sail_for(source).health.is_found;
+  EXPECT_TRUE(has_declared);
   EXPECT_EQ(rig.state(), MissionState::kSearch);
   for (int i = 0; i < 1'000; ++i) rig.sail_for(source);
   EXPECT_EQ(rig.state(), MissionState::kSearch);
 }
 
-TEST(SurpriseOnBoard, MakesTheVehicleSweepTheAreaToTheEnd) {
+TEST(ModelMismatchOnBoard, MakesTheVehicleSweepTheAreaToTheEnd) {
   // Northward, and as loud wherever the vehicle is as no ocean that it knows of: no source swims as fast.
   Rig rig(*policy_that_believes(), paper_mission(), *one_ocean());
   rig.snr = Decibels{40.0};
@@ -76,7 +76,7 @@ TEST(SurpriseOnBoard, MakesTheVehicleSweepTheAreaToTheEnd) {
     ++decisions;
   }
   ASSERT_TRUE(rig.outputs.health.is_sweeping);
-  EXPECT_GE(rig.outputs.health.surprise_bits, policy::kSweepLevel_bits);
+  EXPECT_GE(rig.outputs.health.mismatch_bits, policy::kSweepLevel_bits);
   const config::Mission mission = paper_mission();
   guidance::Sweep sweep({.area = mission.operating_area, .margin = mission.edge_margin, .step_length = mission.step_length}, rig.position);
   const auto policy = policy_that_believes();
@@ -96,7 +96,7 @@ TEST(SilenceOnBoard, MakesTheVehicleSweepTheAreaUntilItHearsSomething) {
   for (int i = 0; i < 60 && rig.state() == MissionState::kSearch && !rig.outputs.health.is_sweeping; ++i) rig.sail_to_decision();
   ASSERT_TRUE(rig.outputs.decision && rig.outputs.decision->sweeping);
   EXPECT_TRUE(rig.outputs.health.is_sweeping);
-  EXPECT_LT(rig.outputs.health.surprise_bits, messages::kSurprising_bits);
+  EXPECT_LT(rig.outputs.health.mismatch_bits, messages::kMismatchThreshold_bits);
   rig.sail_to_decision();
   EXPECT_TRUE(rig.outputs.health.is_sweeping);
   rig.snr = Decibels{12.0};
@@ -106,14 +106,14 @@ TEST(SilenceOnBoard, MakesTheVehicleSweepTheAreaUntilItHearsSomething) {
   EXPECT_FALSE(rig.outputs.decision->sweeping);
 }
 
-TEST(SurpriseOnBoard, IsNoneOfAPolicyWithoutABelief) {
+TEST(ModelMismatchOnBoard, IsNoneOfAPolicyWithoutABelief) {
   Rig rig(*policy_that_goes(kNorthward));
   rig.snr = Decibels{45.0};
   rig.sail(Order::kStart);
   for (int i = 0; i < 12 && rig.state() == MissionState::kSearch; ++i) rig.sail_to_decision();
   EXPECT_FALSE(rig.outputs.health.is_sweeping);
   EXPECT_FALSE(rig.outputs.health.is_found);
-  EXPECT_EQ(rig.outputs.health.surprise_bits, 0.0F);
+  EXPECT_EQ(rig.outputs.health.mismatch_bits, 0.0F);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ config::Mission that_releases_on_a_leak() {
 }
 
 /// What a vehicle's computers say of its hull, in turn; one knows nothing of it.
-void tell_of_hull(Rig& rig, std::uint8_t port, bool has_leak, Duration dated) {
+void publish_hull(Rig& rig, std::uint8_t port, bool has_leak, Duration dated) {
   const messages::VehicleStatus status{.time = rig.now + dated, .battery_percent = 80.0, .has_leak = has_leak};
   rig.runtime->take({.arrival = rig.now, .port = port, .sequence = rig.sequence++, .value = status});
 }
@@ -26,8 +26,8 @@ TEST(Leak, DropsItsWeightThoughASecondSenderOfThePortSaysThatThereIsNoLeak) {
   for (const int ahead_ms : {0, 400}) {
     Rig rig = under_way(that_releases_on_a_leak());
     for (int i = 0; i < 6; ++i) {
-      tell_of_hull(rig, 1, true, Duration{});
-      tell_of_hull(rig, 1, false, Duration::milliseconds(ahead_ms));
+      publish_hull(rig, 1, true, Duration{});
+      publish_hull(rig, 1, false, Duration::milliseconds(ahead_ms));
       rig.sail();
     }
     EXPECT_TRUE(rig.setpoint.release_weight) << "a clock " << ahead_ms << " ms ahead";
@@ -36,9 +36,9 @@ TEST(Leak, DropsItsWeightThoughASecondSenderOfThePortSaysThatThereIsNoLeak) {
 
 TEST(Leak, DropsItsWeightOnALeakThatWasToldOnceThoughAnotherPortKnowsOfNone) {
   Rig rig = under_way(that_releases_on_a_leak());
-  tell_of_hull(rig, 2, true, Duration{});
+  publish_hull(rig, 2, true, Duration{});
   for (int i = 0; i < 4; ++i) {
-    tell_of_hull(rig, 1, false, Duration{});
+    publish_hull(rig, 1, false, Duration{});
     rig.sail();
   }
   EXPECT_TRUE(rig.setpoint.release_weight);
@@ -46,10 +46,10 @@ TEST(Leak, DropsItsWeightOnALeakThatWasToldOnceThoughAnotherPortKnowsOfNone) {
 
 TEST(Leak, KeepsItsWeightForADropOnASensor) {
   Rig rig = under_way(that_releases_on_a_leak());
-  tell_of_hull(rig, 1, true, Duration{});
+  publish_hull(rig, 1, true, Duration{});
   rig.sail();
   for (int i = 0; i < 6; ++i) {
-    tell_of_hull(rig, 1, false, Duration{});
+    publish_hull(rig, 1, false, Duration{});
     rig.sail();
   }
   EXPECT_FALSE(rig.setpoint.release_weight);
@@ -60,12 +60,12 @@ TEST(Leak, KeepsItsWeightForADropOnASensor) {
 TEST(Leak, OfBeforeTheSearchIsForgottenOnceItIsTakenBack) {
   Rig rig(*policy_that_goes(kNorthward), that_releases_on_a_leak());
   for (const bool has_leak : {true, false, true, false}) {
-    tell_of_hull(rig, 1, has_leak, Duration{});
+    publish_hull(rig, 1, has_leak, Duration{});
     rig.sail();
   }
   rig.sail(Order::kStart);
   for (int i = 0; i < 6; ++i) {
-    tell_of_hull(rig, 1, false, Duration{});
+    publish_hull(rig, 1, false, Duration{});
     rig.sail();
   }
   EXPECT_EQ(rig.state(), MissionState::kSearch);

@@ -44,14 +44,14 @@ struct ListeningRig : Rig {
   }
 };
 
-TEST(Listening, DecidesByTheNewestLookWhenTheMissionAsksForNoWindow) {
+TEST(Listening, DecidesByTheNewestMeasurementWhenTheMissionAsksForNoWindow) {
   ListeningRig rig({});
   rig.sail(Order::kStart);
   EXPECT_EQ(rig.decision_after_pulse(kLeg_s, 1, Decibels{30}).snr, Decibels{12});
   EXPECT_EQ(rig.decision_after_pulse(kLeg_s, 0, Decibels{30}).snr, Decibels{30});
 }
 
-TEST(Listening, DecidesByTheLoudestLookOfTheWindowThatEndsTheLeg) {
+TEST(Listening, DecidesByTheLoudestMeasurementOfTheWindowThatEndsTheLeg) {
   ListeningRig rig(kLoudestOfFifteen);
   rig.sail(Order::kStart);
   const messages::Decision heard = rig.decision_after_pulse(kLeg_s, 14, Decibels{30});
@@ -61,7 +61,7 @@ TEST(Listening, DecidesByTheLoudestLookOfTheWindowThatEndsTheLeg) {
   EXPECT_EQ(rig.decision_after_pulse(kLeg_s, 15, Decibels{30}).snr, Decibels{12}) << "one second too early";
 }
 
-TEST(Listening, HearsAPulseAmongLooksThatAreTooFaintToMeasure) {
+TEST(Listening, HearsAPulseAmongMeasurementsThatAreTooFaintToMeasure) {
   ListeningRig rig(kLoudestOfFifteen);
   rig.sail(Order::kStart);
   for (int s = 1; s <= kLeg_s; ++s) {

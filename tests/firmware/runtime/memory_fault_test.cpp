@@ -165,7 +165,7 @@ TEST(MemoryFault, InThePolicyIsNoticedByTheNextDecision) {
   EXPECT_FALSE(rig.outputs.decision);
 }
 
-TEST(MemoryFault, InWhatTheSearchRemembersIsNoticedBeforeItPondersOn) {
+TEST(MemoryFault, InWhatTheSearchRemembersIsNoticedBeforeItRefinesOn) {
   Rig rig(*policy_that_believes());
   rig.sail(Order::kStart);
   ASSERT_TRUE(rig.outputs.decision && rig.outputs.decision->belief);
@@ -179,7 +179,7 @@ TEST(MemoryFault, InWhatTheSearchRemembersIsNoticedByTheNextDecision) {
   rig.sail(Order::kStart);
   ASSERT_TRUE(rig.outputs.decision && rig.outputs.decision->belief);
   const Meters spread = rig.outputs.decision->belief->spread;
-  for (int i = 0; i < 100; ++i) rig.sail();                    // until nothing is left to ponder
+  for (int i = 0; i < 100; ++i) rig.sail();                    // until nothing is left to refine
   flip(*rig.runtime, 8 * place_of(*rig.runtime, spread) + 3);  // it stands in the belief's summary
   rig.sail();
   EXPECT_EQ(rig.state(), MissionState::kSearch) << "nobody has used it";
@@ -194,7 +194,7 @@ TEST(MemoryFault, InTheOceanTablesIsNoticedByTheNextDecision) {
   Rig rig(*policy_that_believes(), paper_mission(), *tables);
   rig.sail(Order::kStart);
   ASSERT_TRUE(rig.outputs.decision);
-  for (int i = 0; i < 100; ++i) rig.sail();  // until nothing is left to ponder
+  for (int i = 0; i < 100; ++i) rig.sail();  // until nothing is left to refine
   flip(*rig.runtime, 8 * place_of(*rig.runtime, 0.123456F) + 12);
   rig.sail();
   EXPECT_EQ(rig.state(), MissionState::kSearch) << "nobody has used it";

@@ -124,7 +124,7 @@ TEST(Runtime, TellsWithItsDecisionWhereItBelievesTheSource) {
   ASSERT_TRUE(rig.outputs.decision->belief);
   // The likeliest place lies on the circle of 30 times 393.7 m about the vehicle, in the mission's frame; a cell is 500 m across.
   EXPECT_NEAR(range_between(rig.outputs.decision->belief->likeliest, rig.position).value, 11'811.0, 500.0);
-  const auto memory = std::make_unique<policy::SearchMemory>();  // the same look, 12 km north and 11 km east of the area's corner
+  const auto memory = std::make_unique<policy::SearchMemory>();  // the same measurement, 12 km north and 11 km east of the area's corner
   memory->start(policy_that_believes()->observation, *tables, at(12'000, 11'000), {.snr = Decibels{20}});
   EXPECT_EQ(rig.outputs.decision->belief->likeliest, memory->belief().summary().likeliest + at(-5'000, 1'000));
   EXPECT_EQ(rig.outputs.decision->belief->mean, memory->belief().summary().mean + at(-5'000, 1'000));
@@ -132,8 +132,8 @@ TEST(Runtime, TellsWithItsDecisionWhereItBelievesTheSource) {
   EXPECT_FALSE(Rig(*policy_that_goes(kNorthward)).sail(Order::kStart).decision->belief) << "a policy that sees none holds none";
 }
 
-/// On its way it ponders, a slice a turn; nothing that it believes depends on when.
-TEST(Runtime, BelievesWhatASearchDoesThatPondersBeforeEveryLook) {
+/// On its way it refines its hypotheses, a slice a turn; nothing that it believes depends on when.
+TEST(Runtime, BelievesWhatASearchDoesThatRefinesBeforeEveryMeasurement) {
   const auto tables = paper_oceans();
   Rig rig(*policy_that_believes(), paper_mission(), *tables);
   const auto memory = std::make_unique<policy::SearchMemory>();
@@ -145,7 +145,7 @@ TEST(Runtime, BelievesWhatASearchDoesThatPondersBeforeEveryLook) {
     step == 0 ? memory->start(model, *tables, place, {.snr = rig.snr}) : memory->remember(model, *tables, place, {.snr = rig.snr});
     ASSERT_TRUE(rig.outputs.decision);
     EXPECT_EQ(rig.outputs.decision->belief->mean, memory->belief().summary().mean + at(-5'000, 1'000)) << step;
-    EXPECT_EQ(rig.outputs.decision->belief->surprise_bits, memory->belief().summary().surprise_bits) << step;
+    EXPECT_EQ(rig.outputs.decision->belief->mismatch_bits, memory->belief().summary().mismatch_bits) << step;
   }
 }
 

@@ -319,20 +319,20 @@ TEST(SupervisedMission, HearsAnOperatorInVerifiedOrdersOnly) {
       with_rule({.condition = Condition::kOperatorAge, .limit = 60, .persistence = {}, .response = Response::kHold, .is_latched = false});
   mission.authority.needs_verified_commands = true;
   Rig rig(*policy_that_goes(kNorthward), mission);
-  const auto say = [&rig](bool is_verified, std::uint32_t number) {
+  const auto give = [&rig](bool is_verified, std::uint32_t number) {
     messages::OperatorCommand command = command_of(number == 1 ? Order::kStart : Order::kResume, rig.now, number);
     command.is_verified = is_verified;
     rig.take(command);
   };
-  say(true, 1);
+  give(true, 1);
   for (int i = 0; i < 60; ++i) {
     rig.sail();
-    say(false, 2);
+    give(false, 2);
   }
   EXPECT_EQ(rig.outputs.health.response, Response::kWarn);
   rig.sail();
   EXPECT_EQ(rig.outputs.health.response, Response::kHold) << "none that it knows was heard for a minute";
-  say(true, 2);
+  give(true, 2);
   rig.sail();
   EXPECT_EQ(rig.outputs.health.response, Response::kWarn);
 }

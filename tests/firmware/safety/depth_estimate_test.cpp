@@ -14,13 +14,13 @@ namespace {
 /// A vehicle that needs 1 m/s to come up and says to make 0.5 m/s upwards; each second it is told something, and says how deep it is.
 class Depths : public testing::Test {
  protected:
-  void second(double told_m, double says_m, double speed_mps = 2.0) {
+  void second(double ordered_m, double says_m, double speed_mps = 2.0) {
     now_ = now_ + Duration::seconds(1);
     estimate_.take({.time = now_, .position = at(0, 0), .depth = Meters{says_m}, .heading = {}, .speed = {}});
-    estimate_.tell(now_, {.heading = {}, .speed = MetersPerSecond{speed_mps}, .depth = Meters{told_m}, .waypoint = {}}, vehicle_);
+    estimate_.note_order(now_, {.heading = {}, .speed = MetersPerSecond{speed_mps}, .depth = Meters{ordered_m}, .waypoint = {}}, vehicle_);
   }
-  void seconds(int count, double told_m, double says_m, double speed_mps = 2.0) {
-    for (int i = 0; i < count; ++i) second(told_m, says_m, speed_mps);
+  void seconds(int count, double ordered_m, double says_m, double speed_mps = 2.0) {
+    for (int i = 0; i < count; ++i) second(ordered_m, says_m, speed_mps);
   }
   /// Is told to come up, and says that it does at 0.5 m/s. @return the seconds until it counts as up, 10,000 at most
   int seconds_to_come_up(double from_m = 300.0, double says_after_m = 0.0) {
@@ -210,7 +210,7 @@ TEST_F(Depths, BeginsWithADepthThatIsToldInPlaceOfOneThatIsMeasured) {
   int s = 0;
   for (; s < 10'000 && !estimate_.is_up(vehicle_); ++s) {
     now_ = now_ + Duration::seconds(1);
-    estimate_.tell(now_, {.heading = {}, .speed = MetersPerSecond{1}, .depth = Meters{0}, .waypoint = {}}, vehicle_);
+    estimate_.note_order(now_, {.heading = {}, .speed = MetersPerSecond{1}, .depth = Meters{0}, .waypoint = {}}, vehicle_);
   }
   EXPECT_NEAR(s, 60 + 2 * 110, 2) << "nobody tells a depth";
 }

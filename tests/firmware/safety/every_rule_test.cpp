@@ -58,7 +58,7 @@ void command(Situation& situation, double heading_rad, double depth_m) {
       messages::Setpoint{.heading = Radians{heading_rad}, .speed = MetersPerSecond{2}, .depth = Meters{depth_m}, .waypoint = {}};
 }
 
-void tell(Situation& situation, double altitude_m, double battery_percent, bool leak = false, bool ground_fault = false) {
+void give_status(Situation& situation, double altitude_m, double battery_percent, bool leak = false, bool ground_fault = false) {
   situation.vehicle = messages::VehicleStatus{.time = situation.now,
                                               .altitude = Meters{altitude_m},
                                               .battery_percent = battery_percent,
@@ -102,10 +102,10 @@ void drift(Situation& situation, double way_m) {
     situation.place.take(fix_at(ago(situation, 60 - s), at(5000 + way_m / 60.0 * s, 5000)), told, fenced_mission().safety.vehicle);
 }
 
-void tell_depth(Situation& situation, double then_m) {
+void give_depths(Situation& situation, double then_m) {
   const config::VehicleLimits vehicle = fenced_mission().safety.vehicle;
   situation.depth.take(fix_at(situation.now, at(5000, 5000)));
-  situation.depth.tell(situation.now, {.heading = {}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = {}}, vehicle);
+  situation.depth.note_order(situation.now, {.heading = {}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = {}}, vehicle);
   situation.depth.take(fix_at(situation.now, at(5000, 5000), 0.0, then_m));
 }
 
@@ -162,8 +162,8 @@ const std::array<Scenario, config::kConditions> kScenarios{{
      {"316 m deep and level", [](Situation& s) { place(s, fix_at(s.now, at(5000, 5000), 0.0, 316.0)); }}},
     {Condition::kAltitude,
      10.0,
-     {"8 m above the sea floor", [](Situation& s) { tell(s, 8.0, 50.0); }},
-     {"12 m above it", [](Situation& s) { tell(s, 12.0, 50.0); }}},
+     {"8 m above the sea floor", [](Situation& s) { give_status(s, 8.0, 50.0); }},
+     {"12 m above it", [](Situation& s) { give_status(s, 12.0, 50.0); }}},
     {Condition::kSpeed,
      2.5,
      {"3 m/s through the water", [](Situation& s) { move(s, at(5000, 5000), at(5008, 5000), 0.0, 0.0, 3.0); }},
@@ -182,28 +182,28 @@ const std::array<Scenario, config::kConditions> kScenarios{{
      {"4 km", [](Situation& s) { sail_km(s, 4); }}},
     {Condition::kBattery,
      20.0,
-     {"19 % are left", [](Situation& s) { tell(s, 100.0, 19.0); }},
-     {"21 %", [](Situation& s) { tell(s, 100.0, 21.0); }}},
+     {"19 % are left", [](Situation& s) { give_status(s, 100.0, 19.0); }},
+     {"21 %", [](Situation& s) { give_status(s, 100.0, 21.0); }}},
     {Condition::kBatteryAtHome,
      20.0,
      {"27 % are left, 3 km from the safe point (4 km against the current) at 2 % a kilometre",
       [](Situation& s) {
         place(s, fix_at(s.now, at(5000, 8000)));
-        tell(s, 100.0, 27.0);
+        give_status(s, 100.0, 27.0);
       }},
      {"29 %",
       [](Situation& s) {
         place(s, fix_at(s.now, at(5000, 8000)));
-        tell(s, 100.0, 29.0);
+        give_status(s, 100.0, 29.0);
       }}},
     {Condition::kLeak,
      0.0,
-     {"the vehicle reports that there is water in its hull", [](Situation& s) { tell(s, 100.0, 50.0, true); }},
-     {"it reports that there is none", [](Situation& s) { tell(s, 100.0, 50.0, false, true); }}},
+     {"the vehicle reports that there is water in its hull", [](Situation& s) { give_status(s, 100.0, 50.0, true); }},
+     {"it reports that there is none", [](Situation& s) { give_status(s, 100.0, 50.0, false, true); }}},
     {Condition::kGroundFault,
      0.0,
-     {"the vehicle reports a ground fault", [](Situation& s) { tell(s, 100.0, 50.0, false, true); }},
-     {"of none", [](Situation& s) { tell(s, 100.0, 50.0, true, false); }}},
+     {"the vehicle reports a ground fault", [](Situation& s) { give_status(s, 100.0, 50.0, false, true); }},
+     {"of none", [](Situation& s) { give_status(s, 100.0, 50.0, true, false); }}},
     {Condition::kHydrophoneDeaf,
      0.0,
      {"the hydrophone reports that it is deaf",
@@ -240,8 +240,8 @@ const std::array<Scenario, config::kConditions> kScenarios{{
      {"by 200 m", [](Situation& s) { drift(s, 200.0); }}},
     {Condition::kDepthUnexplained,
      20.0,
-     {"it reads 250 m, and was ordered to 300 m when it read 300 m", [](Situation& s) { tell_depth(s, 250.0); }},
-     {"it reads 260 m", [](Situation& s) { tell_depth(s, 260.0); }}},
+     {"it reads 250 m, and was ordered to 300 m when it read 300 m", [](Situation& s) { give_depths(s, 250.0); }},
+     {"it reads 260 m", [](Situation& s) { give_depths(s, 260.0); }}},
     {Condition::kSetpointsUnsent,
      10.0,
      {"no set-point could be sent for 12 s", [](Situation& s) { s.mute_since = ago(s, 12); }},

@@ -171,8 +171,8 @@ TEST_F(ManoeuvreTest, StopsNobodyForADepthThatSaysAlone) {
     Situation situation = well(mission_, at(5000, 5000), kNorth, 0.0);
     EXPECT_EQ(manoeuvre_.setpoint(mission_, situation, response).speed, MetersPerSecond{0.0}) << "it never was anywhere else";
     for (int s = 0; s <= 60; ++s)
-      situation.depth.tell(situation.now + Duration::seconds(s),
-                           {.heading = {}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = {}}, vehicle);
+      situation.depth.note_order(situation.now + Duration::seconds(s),
+                                 {.heading = {}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = {}}, vehicle);
     EXPECT_EQ(manoeuvre_.setpoint(mission_, situation, response).speed, MetersPerSecond{0.7});
   }
 }

@@ -357,12 +357,12 @@ TEST_F(Judged, IsToldOfAFewFixesThatGoOnFromEachOtherFarFromTheOthers) {
 }
 
 TEST_F(Judged, HoldsThePortOfTheFirstFixWhileItSpeaks) {
-  EXPECT_FALSE(judge_.is_anothers(2, at_ms(1000))) << "nobody has spoken";
+  EXPECT_FALSE(judge_.belongs_to_another(2, at_ms(1000))) << "nobody has spoken";
   EXPECT_TRUE(takes(fix(1000, 0)));
   judge_.hold(1, at_ms(1000));
-  EXPECT_FALSE(judge_.is_anothers(1, at_ms(1500)));
-  EXPECT_TRUE(judge_.is_anothers(2, at_ms(4000)));
-  EXPECT_FALSE(judge_.is_anothers(2, at_ms(4001))) << "3 s of silence";
+  EXPECT_FALSE(judge_.belongs_to_another(1, at_ms(1500)));
+  EXPECT_TRUE(judge_.belongs_to_another(2, at_ms(4000)));
+  EXPECT_FALSE(judge_.belongs_to_another(2, at_ms(4001))) << "3 s of silence";
   judge_.compare(at_ms(2000), fix(2000, 20));
   EXPECT_EQ(judge_.dispute(at_ms(2000)), Meters{0}) << "it says the same";
   judge_.compare(at_ms(2000), fix(2000, 129));

@@ -19,7 +19,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 class Places : public testing::Test {
  protected:
   /// Each second further by that much. @return the second from which on it is unexplained; -1: it never is, in an hour
-  int told_after(double north_mps, double east_mps, double speed_mps = 2.0) {
+  int report_after(double north_mps, double east_mps, double speed_mps = 2.0) {
     PlaceEstimate estimate;
     estimate.begin(fix(0, at(0, 0), speed_mps));
     for (int s = 1; s <= 3600; ++s) {
@@ -49,20 +49,20 @@ class Places : public testing::Test {
 };
 
 TEST_F(Places, ExplainsWhatSpeedHeadingAndCurrentMake) {
-  EXPECT_EQ(told_after(2.0, 0.0), -1);
-  EXPECT_EQ(told_after(2.0, 0.4), -1);
-  EXPECT_EQ(told_after(1.6, 0.0), -1);
-  EXPECT_EQ(told_after(1.22, 0.0), -1) << "0.78 m/s behind";
+  EXPECT_EQ(report_after(2.0, 0.0), -1);
+  EXPECT_EQ(report_after(2.0, 0.4), -1);
+  EXPECT_EQ(report_after(1.6, 0.0), -1);
+  EXPECT_EQ(report_after(1.22, 0.0), -1) << "0.78 m/s behind";
 }
 
 // The reproduction: the fixes say 2 m/s, and the place moves at 15. 13 m/s, of which 0.8 are explained, are 50 m in 4.1 s.
 TEST_F(Places, FindsAPlaceThatMovesFasterThanTheFixesSay) {
-  EXPECT_EQ(told_after(15.0, 0.0), 5);
+  EXPECT_EQ(report_after(15.0, 0.0), 5);
 }
 
 TEST_F(Places, FindsAPlaceThatStandsStillOrGoesAnotherWay) {
-  EXPECT_EQ(told_after(0.0, 0.0), 42) << "1.2 m/s too slow";
-  EXPECT_EQ(told_after(0.0, 2.0), 25) << "2.03 m/s";
+  EXPECT_EQ(report_after(0.0, 0.0), 42) << "1.2 m/s too slow";
+  EXPECT_EQ(report_after(0.0, 2.0), 25) << "2.03 m/s";
 }
 
 // Its computers begin again: for 80 s it says nothing and lies still, and then it comes to its speed in ten seconds.
@@ -94,7 +94,7 @@ TEST_F(Places, HoldsFixesThatComeRarelyToTheOrders) {
 
 // 1 m/s off: 0.2 m/s more than is explained, 50 m in 251 s.
 TEST_F(Places, FindsASlowDriftOverTenMinutes) {
-  EXPECT_EQ(told_after(2.0, 1.0), 251);
+  EXPECT_EQ(report_after(2.0, 1.0), 251);
 }
 
 TEST_F(Places, ExplainsACircle) {
@@ -109,14 +109,14 @@ TEST_F(Places, ExplainsACircle) {
 }
 
 TEST_F(Places, ThinksEveryWayPossibleThatTheVehicleCanMakeWhereItsSpeedIsNotKnown) {
-  EXPECT_EQ(told_after(2.75, 0.0, kNan), -1);
-  EXPECT_EQ(told_after(15.0, 0.0, kNan), 5) << "11.6 m/s more";
+  EXPECT_EQ(report_after(2.75, 0.0, kNan), -1);
+  EXPECT_EQ(report_after(15.0, 0.0, kNan), 5) << "11.6 m/s more";
 }
 
 TEST_F(Places, ThinksACurrentOfStraitsPossibleWhereNobodyToldOfOne) {
   vehicle_.max_current = MetersPerSecond{0.0};
-  EXPECT_EQ(told_after(0.0, 0.0), -1);
-  EXPECT_EQ(told_after(15.0, 0.0), 6) << "8.6 m/s more";
+  EXPECT_EQ(report_after(0.0, 0.0), -1);
+  EXPECT_EQ(report_after(15.0, 0.0), 6) << "8.6 m/s more";
 }
 
 // All of it is another vehicle's: it goes eastwards, as its compass and log say, and was told to go north. 2.8 m/s off, of which 0.8 m/s
@@ -137,11 +137,11 @@ TEST_F(Places, ExplainsWhatAVehicleMissesWhileItTurnsAndOneThatIsATenthSlower) {
   NorthEast place = at(0, 0);
   double heading = 0.0;
   for (int s = 1; s <= 7200; ++s) {
-    const double told = s / 100 % 2 == 0 ? 0.0 : std::numbers::pi / 2;  // a quarter of a turn every 100 s
-    const double turn = 0.09;                                           // 1.8 m/s round 20 m
-    heading += std::clamp(told - heading, -turn, turn);
+    const double setpoint = s / 100 % 2 == 0 ? 0.0 : std::numbers::pi / 2;  // a quarter of a turn every 100 s
+    const double turn = 0.09;                                               // 1.8 m/s round 20 m
+    heading += std::clamp(setpoint - heading, -turn, turn);
     place = place + at(1.8 * std::cos(heading) + 0.28, 1.8 * std::sin(heading) - 0.28);
-    estimate.take(fix(s, place, 1.8, heading), order(told), vehicle_);
+    estimate.take(fix(s, place, 1.8, heading), order(setpoint), vehicle_);
     ASSERT_EQ(estimate.unexplained(vehicle_), Meters{0}) << s;
   }
 }

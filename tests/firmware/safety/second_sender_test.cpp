@@ -111,7 +111,7 @@ class SecondSender : public testing::Test {
   /// As runtime::Runtime takes it.
   void hear(std::int64_t ms, const messages::Navigation& fix, std::uint8_t port) {
     NavigationJudge& judge = situation_.navigation;
-    if (judge.is_anothers(port, at_ms(ms))) return judge.compare(at_ms(ms), fix);
+    if (judge.belongs_to_another(port, at_ms(ms))) return judge.compare(at_ms(ms), fix);
     if (judge.take(at_ms(ms), fix, true)) judge.hold(port, at_ms(ms));
   }
 

@@ -10,8 +10,8 @@ constexpr std::uint8_t kTwo = 2;
 
 class StandingAlarmTest : public testing::Test {
  protected:
-  bool stands_after(int s, std::uint8_t port, bool is_told) {
-    alarm_.take(Time{} + Duration::seconds(s), port, is_told);
+  bool stands_after(int s, std::uint8_t port, bool is_reported) {
+    alarm_.take(Time{} + Duration::seconds(s), port, is_reported);
     return alarm_.stands();
   }
 

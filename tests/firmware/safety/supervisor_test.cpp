@@ -98,8 +98,8 @@ class Doubted : public Supervised {
   void be_deep(int seconds) {
     situation_.depth = {};
     situation_.depth.take(fix_at(situation_.now, at(5000, 5000)));
-    situation_.depth.tell(situation_.now, {.heading = {}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = {}},
-                          mission_.safety.vehicle);
+    situation_.depth.note_order(situation_.now, {.heading = {}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = {}},
+                                mission_.safety.vehicle);
     situation_.depth.take(fix_at(situation_.now, at(5000, 5000), 0.0, 200.0));
     rest(seconds);
     situation_.depth = {};
@@ -280,7 +280,7 @@ TEST_F(Supervised, TellsTheFirstOfSeveralRulesThatWantTheSame) {
   EXPECT_EQ(supervisor_.cause(), Condition::kNavigationAge);
 }
 
-class ToldToComeUp : public Supervised {
+class OrderedToComeUp : public Supervised {
  protected:
   void at_depth(double depth_m, int seconds) {
     for (int i = 0; i < seconds; ++i) {
@@ -300,7 +300,7 @@ class ToldToComeUp : public Supervised {
 };
 
 // Of 320 m; 100 m at 0.1 m/s and a minute.
-TEST_F(ToldToComeUp, HasTheTimeToAndNoLonger) {
+TEST_F(OrderedToComeUp, HasTheTimeToAndNoLonger) {
   begin();
   tighten(200);
   at_depth(300, 1060);
@@ -311,7 +311,7 @@ TEST_F(ToldToComeUp, HasTheTimeToAndNoLonger) {
   EXPECT_TRUE(supervisor_.acts_on(Condition::kDepth));
 }
 
-TEST_F(ToldToComeUp, MayGoNoDeeperMeanwhileThanItWasAndALittle) {
+TEST_F(OrderedToComeUp, MayGoNoDeeperMeanwhileThanItWasAndALittle) {
   begin();
   tighten(100);
   at_depth(250, 1);
@@ -321,7 +321,7 @@ TEST_F(ToldToComeUp, MayGoNoDeeperMeanwhileThanItWasAndALittle) {
   EXPECT_TRUE(supervisor_.acts_on(Condition::kDepth));
 }
 
-TEST_F(ToldToComeUp, TwiceIsHeldToWhatItReachedOfTheFirst) {
+TEST_F(OrderedToComeUp, TwiceIsHeldToWhatItReachedOfTheFirst) {
   begin();
   tighten(200);
   at_depth(300, 1);
@@ -332,7 +332,7 @@ TEST_F(ToldToComeUp, TwiceIsHeldToWhatItReachedOfTheFirst) {
   EXPECT_TRUE(supervisor_.acts_on(Condition::kDepth)) << "from 181 m it may go to 206 m";
 }
 
-TEST_F(ToldToComeUp, AgainHasTheTimeAnew) {
+TEST_F(OrderedToComeUp, AgainHasTheTimeAnew) {
   begin();
   tighten(200);
   at_depth(300, 1000);
@@ -341,7 +341,7 @@ TEST_F(ToldToComeUp, AgainHasTheTimeAnew) {
   EXPECT_FALSE(supervisor_.acts_on(Condition::kDepth));
 }
 
-TEST_F(ToldToComeUp, IsHeldToATighterDepthFromWhenItHasComeThere) {
+TEST_F(OrderedToComeUp, IsHeldToATighterDepthFromWhenItHasComeThere) {
   begin();
   mission_.max_depth = Meters{200};
   supervisor_.tighten(mission_);

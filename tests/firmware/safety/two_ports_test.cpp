@@ -61,7 +61,7 @@ class TwoPorts : public testing::Test {
   void hear(std::int64_t s, NorthEast place, std::uint8_t port) {
     NavigationJudge& judge = situation_.navigation;
     const messages::Navigation fix = fix_at(at_s(s), place);
-    if (judge.is_anothers(port, at_s(s))) return judge.compare(at_s(s), fix);
+    if (judge.belongs_to_another(port, at_s(s))) return judge.compare(at_s(s), fix);
     if (judge.take(at_s(s), fix, true)) judge.hold(port, at_s(s));
   }
 

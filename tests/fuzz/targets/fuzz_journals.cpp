@@ -75,7 +75,7 @@ void mend_checksums(std::span<std::uint8_t> journal) {
 }
 
 /// Every byte of the file is a record's or damage, each once.
-void require_all_told(const std::filesystem::path& path, std::uint64_t size) {
+void require_all_reported(const std::filesystem::path& path, std::uint64_t size) {
   host::JournalReader reader(path);
   host::JournalRecord record;
   std::uint64_t told = 0;
@@ -136,7 +136,7 @@ void judge(std::span<const std::uint8_t> bytes) {
   }
   const std::filesystem::path path = folder / "spoilt.journal";
   std::ofstream(path).write(reinterpret_cast<const char*>(spoilt.data()), static_cast<std::streamsize>(spoilt.size()));
-  require_all_told(path, spoilt.size());
+  require_all_reported(path, spoilt.size());
   play(path);
   go_on(path, flown, spoilt.size());
 }

@@ -175,7 +175,7 @@ TEST(BadBus, PlaysAFrameBackWordForWordOnce) {
   EXPECT_EQ(bus.pass({}, {}, at_s(1000)), Frames{});
 }
 
-TEST(BadBus, BefallsTheFramesOfOneDeviceAlone) {
+TEST(BadBus, HitsTheFramesOfOneDeviceAlone) {
   BadBus bus(1);
   const std::vector<Affliction> of_compass{{.fault = FrameFault::kLoss, .frames = {.source = 0x24, .pgn = {}}, .seconds = {}}};
   const n2k::Frame another = frame_of(kHeadingOfAnother);
@@ -183,7 +183,7 @@ TEST(BadBus, BefallsTheFramesOfOneDeviceAlone) {
   EXPECT_EQ(bus.afflicted(), 1U);
 }
 
-TEST(BadBus, BefallsOneParameterGroupAlone) {
+TEST(BadBus, HitsOneParameterGroupAlone) {
   BadBus bus(1);
   const std::vector<Affliction> of_positions{
       {.fault = FrameFault::kLoss, .frames = {.source = {}, .pgn = n2k::kPositionPgn}, .seconds = {}}};
@@ -191,7 +191,7 @@ TEST(BadBus, BefallsOneParameterGroupAlone) {
   EXPECT_EQ(bus.pass({frame_of(kPositionOfNavigation), fix}, of_positions, Time{}), Frames{fix});
 }
 
-TEST(BadBus, BefallsItsShareOfTheFramesDrawnOneByOne) {
+TEST(BadBus, HitsItsShareOfTheFramesDrawnOneByOne) {
   const auto arriving = [](double share) {
     BadBus bus(1);
     const std::vector<Affliction> loss{{.fault = FrameFault::kLoss, .frames = {.source = {}, .pgn = {}, .share = share}, .seconds = {}}};

@@ -96,8 +96,8 @@ TEST_F(CaseFileTest, ReadsEveryKey) {
 TEST_F(CaseFileTest, KnowsEveryKindOfFaultWithItsAmountAndItsBounds) {
   for (std::size_t i = 0; i < kFaults; ++i) {
     const FaultTraits& traits = kFaultTraits.at(i);
-    if (traits.bus == FaultBus::kLcm) continue;                                                 // lcm/lcm_cases_test.cpp
-    if (traits.befalls == Befalls::kSound || static_cast<Fault>(i) == Fault::kNetem) continue;  // below
+    if (traits.bus == FaultBus::kLcm) continue;                                              // lcm/lcm_cases_test.cpp
+    if (traits.hits == Befalls::kSound || static_cast<Fault>(i) == Fault::kNetem) continue;  // below
     const std::string speed = traits.flight == FaultFlight::kAtSea ? "speed = 20\n" : "";
     const std::string fault = "at_s = 1\nkind = \"" + std::string(traits.word) + "\"\n";
     const auto with_fault = [&](const std::string& keys) { return kWords + speed + "[[fault]]\n" + keys + "\n" + kExpect; };
@@ -241,7 +241,7 @@ TEST(ShippedCases, AreAtLeastFortyAndEachCanBeRead) {
   EXPECT_GE(load_cases(std::filesystem::path(EARSHOT_SOURCE_DIR) / "hil/cases", kMissions / "search_over_can.toml").size(), 40U);
 }
 
-TEST_F(CaseFileTest, WithASpeedIsFlownAsAtSeaWhereSignalsBefallEitherProgram) {
+TEST_F(CaseFileTest, WithASpeedIsFlownAsAtSeaWhereSignalsHitEitherProgram) {
   const std::string kSea = kWords + "speed = 20\n";
   EXPECT_EQ(load(kWords + kExpect).speed, std::nullopt);
   const Case c = load(kSea + "[[fault]]\nkind = \"kill\"\nat_s = 80\nfor_s = 20\n" +

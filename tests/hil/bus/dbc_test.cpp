@@ -43,8 +43,8 @@ TEST(Dbc, NamesEveryValueThatEarshotSends) {
   const auto expect_line_named = [&]<class Line>(const Line& line) {
     if constexpr (requires { typename Line::Value; }) {
       if constexpr (messages::HasWords<typename Line::Value>) {
-        if (line.told.bus.key == 0) return;
-        expect_all_named<typename Line::Value>(dbc, line.told.bus.name);
+        if (line.format.bus.key == 0) return;
+        expect_all_named<typename Line::Value>(dbc, line.format.bus.name);
         ++enums;
       }
     }

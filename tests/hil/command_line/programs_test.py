@@ -76,7 +76,7 @@ class ProgramsFor(unittest.TestCase):
         unknown = "an earshotd that does not give its version"
         self.assertEqual(Programs(Path("bench"), self.write(self.root / "text", "no program")).version(), unknown)
         self.assertEqual(Programs(Path("bench"), self.write(self.root / "silent", "#!/bin/sh\n")).version(), unknown)
-        programs._MOST_S_TO_SAY_A_VERSION = 0.2
+        programs._MOST_S_TO_PRINT_A_VERSION = 0.2
         endless = self.write(self.root / "endless", "#!/bin/sh\nexec sleep 60\n")
         self.assertEqual(Programs(Path("bench"), endless).version(), unknown)
 

@@ -36,7 +36,7 @@ TEST_F(AutopilotTest, RestsUntilItIsTold) {
 
 TEST_F(AutopilotTest, ObeysASetPointAndTellsOfIt) {
   std::vector<messages::Setpoint> heard;
-  autopilot_.tell([&](Time, const messages::Setpoint& setpoint) { heard.push_back(setpoint); });
+  autopilot_.call_back([&](Time, const messages::Setpoint& setpoint) { heard.push_back(setpoint); });
   send(-1.25, Time{1'000'000});
   EXPECT_EQ(autopilot_.taken(), 1U);
   EXPECT_NEAR(autopilot_.command().heading.value, -1.25, 0.6e-4) << "half of 1e-4 rad, and near a whole turn a little more";

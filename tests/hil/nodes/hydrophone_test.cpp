@@ -76,7 +76,7 @@ TEST(Hydrophone, IsSilentWhereItsModelHasNoNumber) {
   const vehicle::State vehicle;
   const auto hydrophone = make_hydrophone(vehicle, {.position = {}, .snr = [](Meters) { return Decibels{1e9}; }}, fault, 1);
   EXPECT_TRUE(of_group(n2k::kSnrPgn, run(*hydrophone, Time{}, kSettled)).empty());
-  EXPECT_GT(hydrophone->unsaid(), 0U);
+  EXPECT_GT(hydrophone->unsent(), 0U);
 }
 
 }  // namespace

@@ -174,7 +174,7 @@ TEST(Instruments, NavigationBeyondItsPlaneSaysNoPosition) {
   const Frames frames = ten_seconds_of(*navigation);
   EXPECT_TRUE(of_group(n2k::kPositionPgn, frames).empty());
   EXPECT_EQ(of_group(n2k::kCoursePgn, frames).size(), 40U);
-  EXPECT_GT(navigation->unsaid(), 100U);
+  EXPECT_GT(navigation->unsent(), 100U);
 }
 
 }  // namespace

@@ -244,30 +244,30 @@ TEST_F(OperatorTest, RepeatsAnAbortUntilItIsAnsweredHoweverLongThatTakes) {
 
 TEST_F(OperatorTest, WithAKeySaysNothingButAnAbortBeforeTheChallengeIsHeardAndThenMarksForIt) {
   // Stands for a key: a mark tells which challenge it was made for, and which order.
-  const MakeMark mark = [](const messages::OperatorCommand& command, const messages::ToldChallenge& told) {
+  const MakeMark mark = [](const messages::OperatorCommand& command, const messages::PublishedChallenge& told) {
     const bool is_meant = told.challenge.vehicle[0] == 'a';
     return is_meant ? std::optional(messages::CommandMark{told.challenge.nonce[0], static_cast<std::uint8_t>(command.order)})
                     : std::nullopt;
   };
   operator_ = std::make_unique<Operator>(OperatorSetup{
       .issuer = 4711, .utc = [this] { return utc_; }, .has_arrived = [this] { return has_arrived_; }, .unique_number = 1, .mark = mark});
-  const auto tell = [this](std::uint8_t nonce, std::uint8_t vehicle) {
+  const auto publish_challenge = [this](std::uint8_t nonce, std::uint8_t vehicle) {
     n2k::FastPacketFrames packet;
-    const messages::ToldChallenge told{.time = now_, .challenge = {.nonce = {nonce}, .vehicle = {vehicle}}};
+    const messages::PublishedChallenge told{.time = now_, .challenge = {.nonce = {nonce}, .vehicle = {vehicle}}};
     ASSERT_EQ(n2k::compose_challenge(told, {.source = kEarshot, .sequence = sequence_++}, packet), Status::kOk);
     for (const n2k::Frame& frame : packet) operator_->accept(frame, now_);
   };
   say(MissionState::kStandby);
   pass(Duration::seconds(3));
   EXPECT_TRUE(orders_.empty());
-  tell(9, 'b');
+  publish_challenge(9, 'b');
   pass(Duration::seconds(3));
   EXPECT_TRUE(orders_.empty()) << "of another vehicle";
-  tell(9, 'a');
+  publish_challenge(9, 'a');
   pass(Duration::seconds(1));
   ASSERT_EQ(orders_.size(), 1U);
   EXPECT_EQ(orders_[0].mark, (messages::CommandMark{9, 1}));
-  tell(10, 'a');
+  publish_challenge(10, 'a');
   pass(Duration::seconds(1));
   ASSERT_EQ(orders_.size(), 2U);
   EXPECT_EQ(orders_[1].mark, (messages::CommandMark{10, 1})) << "the vehicle began anew";

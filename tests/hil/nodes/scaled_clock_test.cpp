@@ -19,13 +19,13 @@ TEST(ScaledClock, RunsSoManyTimesAsFastAsTheHost) {
   const ScaledClock clock(50.0);
   const std::int64_t made = host_us();
   const Time began = clock.now();
-  const std::int64_t looked = host_us();
+  const std::int64_t read_at_us = host_us();
   std::this_thread::sleep_for(50ms);
   const std::int64_t before = host_us();
   const Time now = clock.now();
   const std::int64_t after = host_us();
-  // Whatever the machine does meanwhile, it lies between what had passed before each look and after it; 50 us are one of the host's.
-  EXPECT_GE((now - began).us, 50 * (before - looked) - 100);
+  // Whatever the machine does meanwhile, it lies between what had passed before each reading and after it; 50 us are one of the host's.
+  EXPECT_GE((now - began).us, 50 * (before - read_at_us) - 100);
   EXPECT_LE((now - began).us, 50 * (after - earliest) + 100);
   EXPECT_GE(after, made);
 }

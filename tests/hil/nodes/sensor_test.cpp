@@ -17,10 +17,11 @@ class SensorTest : public testing::Test {
  protected:
   std::vector<Occasion> occasions_;
   Status answer_ = Status::kOk;
-  Sensor sensor_{kPlate, {{.message = n2k::table::kSpeed, .period = Duration::milliseconds(100), .say = [this](const Occasion& o, Frames&) {
-                             occasions_.push_back(o);
-                             return answer_;
-                           }}}};
+  Sensor sensor_{kPlate,
+                 {{.message = n2k::table::kSpeed, .period = Duration::milliseconds(100), .compose = [this](const Occasion& o, Frames&) {
+                     occasions_.push_back(o);
+                     return answer_;
+                   }}}};
 };
 
 TEST_F(SensorTest, SaysNothingBeforeItHasAnAddress) {
@@ -60,8 +61,8 @@ TEST_F(SensorTest, IsSilentWhileAnotherHasItsAddress) {
 TEST_F(SensorTest, CountsWhatDoesNotFitItsMessage) {
   answer_ = Status::kOutOfRange;
   (void)run(sensor_, Time{}, Time{450'000});
-  EXPECT_EQ(sensor_.unsaid(), 2U);
-  EXPECT_EQ(sensor_.said(), 0U);
+  EXPECT_EQ(sensor_.unsent(), 2U);
+  EXPECT_EQ(sensor_.sent(), 0U);
 }
 
 }  // namespace

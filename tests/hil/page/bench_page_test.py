@@ -75,9 +75,9 @@ class Page(unittest.TestCase):
             self.assertIn(words, told)
 
     def test_says_what_makes_a_case_come_so_and_of_one_that_names_nothing_its_rules(self):
-        calm_told, deaf_told = self.tags.text.split("deaf \N{MULTIPLICATION X} failed")[-2:]
-        self.assertIn("bythat it is steered there", calm_told)
-        self.assertIn("bythe rules: hydrophone_deaf", deaf_told)
+        calm_shown, deaf_shown = self.tags.text.split("deaf \N{MULTIPLICATION X} failed")[-2:]
+        self.assertIn("bythat it is steered there", calm_shown)
+        self.assertIn("bythe rules: hydrophone_deaf", deaf_shown)
 
     def test_says_to_a_stranger_what_a_case_a_rule_and_a_source_that_is_reached_are(self):
         before_the_cases = " ".join(self.tags.text.split("at sea (s)")[0].split())

@@ -89,16 +89,17 @@ TEST_F(Programs, EvaluateSearchesAsAMissionSays) {
 
 TEST_F(Programs, EvaluateWarnsOfAMissionOfOnesOwnThatIsFlownInTheOceanThatShipsAndOfNoTrainingOfAPolicyThatHadNone) {
   write_mission(folder / "own.toml", {{"depth_m = 300.0", "depth_m = 100.0"}});
-  const std::string doubt =
+  const std::string ocean_warning =
       "warning: no --environment is given: own.toml is flown in the ocean of munk_flat.toml, whose sea floor lies at 3000 m";
   ASSERT_EQ(run("evaluate --mission own.toml --episodes 3"), 0) << content(folder / "err");
-  EXPECT_NE(content(folder / "err").find(doubt + "\n"), std::string::npos) << content(folder / "err");
+  EXPECT_NE(content(folder / "err").find(ocean_warning + "\n"), std::string::npos) << content(folder / "err");
   EXPECT_EQ(content(folder / "err").find("was trained"), std::string::npos) << content(folder / "err");
   std::istringstream lines(content(folder / "out"));
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
   std::ofstream(folder / "ocean.toml") << "# beside it\n";
   ASSERT_EQ(run("evaluate --mission own.toml --episodes 3"), 0) << content(folder / "err");
-  EXPECT_NE(content(folder / "err").find(doubt + "; ocean.toml lies beside the mission\n"), std::string::npos) << content(folder / "err");
+  EXPECT_NE(content(folder / "err").find(ocean_warning + "; ocean.toml lies beside the mission\n"), std::string::npos)
+      << content(folder / "err");
   for (const std::string& ocean :
        {"--environment " + kSource + "/sim/ocean/environments/munk_flat.toml", "--world " + kSource + "/policy/worlds/rock.toml"}) {
     ASSERT_EQ(run("evaluate --mission own.toml --episodes 3 " + ocean), 0) << content(folder / "err");

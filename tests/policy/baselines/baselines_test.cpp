@@ -11,7 +11,7 @@
 #include "policy/baselines/patterns.hpp"
 #include "policy/evaluate/evaluation.hpp"
 #include "sim/search/actions/compass_directions.hpp"
-#include "sim/search/told_ocean.hpp"
+#include "sim/search/known_ocean.hpp"
 #include "tests/firmware/place.hpp"
 
 namespace earshot::baselines {
@@ -32,7 +32,7 @@ sonar::SnrCurve two_decibels_per_kilometer() {
 
 policy::OceanTables told(const sonar::SnrCurve& curve) {
   policy::OceanTables tables;
-  search::make_told_ocean({}, curve, tables);
+  search::make_known_ocean({}, curve, tables);
   return tables;
 }
 

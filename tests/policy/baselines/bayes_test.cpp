@@ -10,15 +10,15 @@
 #include "policy/baselines/moves.hpp"
 #include "policy/evaluate/evaluation.hpp"
 #include "sim/search/actions/compass_directions.hpp"
-#include "sim/search/told_ocean.hpp"
+#include "sim/search/known_ocean.hpp"
 #include "tests/firmware/place.hpp"
 
 namespace earshot::baselines {
 namespace {
 
 /// A searcher that is told of one ocean, and of the same one as ocean tables.
-struct Told {
-  explicit Told(sonar::SnrCurve told) : curve(std::move(told)) { search::make_told_ocean({}, curve, oceans); }
+struct KnownTables {
+  explicit KnownTables(sonar::SnrCurve known) : curve(std::move(known)) { search::make_known_ocean({}, curve, oceans); }
   [[nodiscard]] PriorKnowledge prior() const {
     return {.settings = {}, .actions = search::compass_directions(8), .snr = curve, .oceans = oceans};
   }
@@ -39,12 +39,12 @@ using AllBelievers = testing::Types<Bayes, BayesLeastRegret, Infotaxis, Genetic>
 TYPED_TEST_SUITE(Believers, AllBelievers);
 
 TYPED_TEST(Believers, FindNearlyAllSourcesInAnOceanThatTellsTheRange) {
-  const Told told(one_decibel_per_kilometer());
-  const PriorKnowledge prior = told.prior();
+  const KnownTables known(one_decibel_per_kilometer());
+  const PriorKnowledge prior = known.prior();
   search::SearchSettings settings;
   settings.placement = search::SourcePlacement::kChanging;
   settings.start_region = search::inside_border(settings);
-  const search::World world(settings, told.curve);
+  const search::World world(settings, known.curve);
   TypeParam searcher(prior);
   int found = 0;
   for (const evaluate::Flight& flight : evaluate::fly(searcher, world, {.end = 16}, 1))
@@ -55,13 +55,13 @@ TYPED_TEST(Believers, FindNearlyAllSourcesInAnOceanThatTellsTheRange) {
 
 TYPED_TEST(Believers, KeepToTheirDomainWhereverItLies) {
   const NorthEast corner = at(100'000, -50'000);
-  const Told told(one_decibel_per_kilometer());
-  PriorKnowledge prior = told.prior();
+  const KnownTables known(one_decibel_per_kilometer());
+  PriorKnowledge prior = known.prior();
   prior.settings.domain = {corner, corner + at(25'000, 25'000)};
   search::SearchSettings settings = prior.settings;
   settings.placement = search::SourcePlacement::kChanging;
   settings.start_region = search::inside_border(settings);
-  const search::World world(settings, told.curve);
+  const search::World world(settings, known.curve);
   TypeParam searcher(prior);
   for (const evaluate::Flight& flight : evaluate::fly(searcher, world, {.end = 3}, 1))
     EXPECT_NE(flight.record.end, search::EpisodeEnd::kLeftDomain);

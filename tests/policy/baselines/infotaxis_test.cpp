@@ -7,7 +7,7 @@
 
 #include "policy/baselines/moves.hpp"
 #include "sim/search/actions/compass_directions.hpp"
-#include "sim/search/told_ocean.hpp"
+#include "sim/search/known_ocean.hpp"
 #include "tests/firmware/place.hpp"
 
 namespace earshot::baselines {
@@ -25,7 +25,7 @@ constexpr policy::Reception kNothing{.snr = Decibels{3.0}, .too_faint = true};
 class InfotaxisTest : public testing::Test {
  protected:
   PriorKnowledge prior_with(const sonar::SnrCurve& curve) {
-    search::make_told_ocean({}, curve, tables_);
+    search::make_known_ocean({}, curve, tables_);
     return {.settings = {}, .actions = search::compass_directions(8), .snr = curve, .oceans = tables_};
   }
   static std::size_t choice(Infotaxis& searcher, NorthEast position, policy::Reception reception) {
@@ -52,8 +52,8 @@ TEST_F(InfotaxisTest, ExpectsInSilenceThatAStepClearsItsSurroundingsOnly) {
   EXPECT_NEAR(searcher.expected_cost(at(13'500, 12'500)), expected, 0.03);
 }
 
-/// Three looks on one line leave two places for the source, mirror images of each other: north of the line and south of it. Along the line
-/// the next look tells nothing of which it is, across it it does, and comes nearer to one of them besides.
+/// Three measurements on one line leave two places for the source, mirror images of each other: north of the line and south of it. Along
+/// the line the next measurement tells nothing of which it is, across it it does, and comes nearer to one of them besides.
 TEST_F(InfotaxisTest, LeavesALineThatDoesNotTellOneSideFromTheOther) {
   const sonar::SnrCurve curve = four_decibels_per_kilometer();
   const PriorKnowledge prior = prior_with(curve);

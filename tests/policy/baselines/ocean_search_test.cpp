@@ -13,8 +13,8 @@
 #include "policy/evaluate/evaluation.hpp"
 #include "policy/evaluate/world_file.hpp"
 #include "sim/ocean/file/environment_file.hpp"
+#include "sim/search/known_ocean.hpp"
 #include "sim/search/scenario/world.hpp"
-#include "sim/search/told_ocean.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
 namespace earshot::baselines {
@@ -51,7 +51,7 @@ policy::OceanTables tables_of(std::initializer_list<const char*> oceans) {
 
 policy::OceanTables told(const sonar::SnrCurve& curve) {
   policy::OceanTables tables;
-  search::make_told_ocean(anywhere(), curve, tables);
+  search::make_known_ocean(anywhere(), curve, tables);
   return tables;
 }
 
@@ -79,9 +79,9 @@ class OceanSearchTest : public testing::Test {
 TEST_F(OceanSearchTest, FindsSourcesOverRockWhereABeliefInAnotherOceanFindsFew) {
   const search::World rock = world("rock");
   OceanSearch searcher(of_many);
-  BayesLeastRegret told_of_mud(of_one);
-  EXPECT_GE(found(searcher, rock, kSearches), 9U);     // 40 of 40
-  EXPECT_LE(found(told_of_mud, rock, kSearches), 7U);  // 13 of 40
+  BayesLeastRegret knows_mud(of_one);
+  EXPECT_GE(found(searcher, rock, kSearches), 9U);   // 40 of 40
+  EXPECT_LE(found(knows_mud, rock, kSearches), 7U);  // 13 of 40
 }
 
 /// Told of one ocean it has that one louder or fainter, and more or less certain.
@@ -111,16 +111,16 @@ TEST_F(OceanSearchTest, GoesOnInShallowWaterRatherThanWaver) {
 }
 
 /// Of what the belief is told in the first fifteen steps.
-TEST_F(OceanSearchTest, IsSurprisedOverRockWhereItIsToldOfMudAloneAndNotInTheOceanOfWhichItIsTold) {
+TEST_F(OceanSearchTest, HasAMismatchOverRockWhereItIsToldOfMudAloneAndNotInTheOceanOfWhichItIsTold) {
   search::SearchSettings brief = settings;
   brief.max_steps = 15;
-  OceanSearch told_of_mud(of_one);
-  const auto surprised = [&](const std::string& name) {
+  OceanSearch knows_mud(of_one);
+  const auto mismatched = [&](const std::string& name) {
     const search::World sea = search::assemble(evaluate::load_world(kSource / "policy/worlds" / (name + ".toml")).scenario, brief, kDepth);
-    return evaluate::surprises(evaluate::fly(told_of_mud, sea, {.end = 2 * kSearches}, 1)).fraction;
+    return evaluate::mismatches(evaluate::fly(knows_mud, sea, {.end = 2 * kSearches}, 1)).fraction;
   };
-  EXPECT_GE(surprised("rock"), 0.8);   // 452 of 500
-  EXPECT_EQ(surprised("paper"), 0.0);  // 0 of 100
+  EXPECT_GE(mismatched("rock"), 0.8);   // 452 of 500
+  EXPECT_EQ(mismatched("paper"), 0.0);  // 0 of 100
 }
 
 TEST_F(OceanSearchTest, SearchesTheSameWayAgain) {

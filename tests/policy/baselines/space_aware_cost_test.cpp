@@ -34,13 +34,14 @@ TEST(SpaceAwareCost, OfAStepIsTheMeanOverWhatMayBeHeard) {
   EXPECT_NEAR(expected_space_aware_cost(joint, distance_steps), 0.625 * 1.866838 + 0.25 * 3.0, 1e-6);
 }
 
-/// What is to be found out is worth a detour: the same four places, and a look that tells two of them from the other two or tells nothing.
-TEST(SpaceAwareCost, IsLessWhereALookTellsMore) {
+/// What is to be found out is worth a detour: the same four places, and a measurement that tells two of them from the other two or tells
+/// nothing.
+TEST(SpaceAwareCost, IsLessWhereAMeasurementTellsMore) {
   const std::vector<float> distance_steps{6.0F, 6.0F, 6.0F, 6.0F};
-  const std::vector<float> telling{0.25F, 0.0F, 0.25F, 0.0F, 0.0F, 0.25F, 0.0F, 0.25F};
-  const std::vector<float> saying_nothing{0.125F, 0.125F, 0.125F, 0.125F, 0.125F, 0.125F, 0.125F, 0.125F};
-  EXPECT_NEAR(expected_space_aware_cost(telling, distance_steps), std::log2(6.0), 1e-12);
-  EXPECT_NEAR(expected_space_aware_cost(saying_nothing, distance_steps), std::log2(6.5), 1e-12);
+  const std::vector<float> learning{0.25F, 0.0F, 0.25F, 0.0F, 0.0F, 0.25F, 0.0F, 0.25F};
+  const std::vector<float> nothing_learnt{0.125F, 0.125F, 0.125F, 0.125F, 0.125F, 0.125F, 0.125F, 0.125F};
+  EXPECT_NEAR(expected_space_aware_cost(learning, distance_steps), std::log2(6.0), 1e-12);
+  EXPECT_NEAR(expected_space_aware_cost(nothing_learnt, distance_steps), std::log2(6.5), 1e-12);
 }
 
 }  // namespace

@@ -50,49 +50,50 @@ TEST(Summary, CountsEndsAndAveragesRewardStepsAndDetections) {
   EXPECT_DOUBLE_EQ(s.mean_detections, 4.0);
 }
 
-std::vector<Flight> surprised_after(const std::vector<double>& looks) {
-  std::vector<Flight> flights(looks.size());
-  for (std::size_t i = 0; i < looks.size(); ++i) flights[i].looks_to_surprise = looks[i];
+std::vector<Flight> mismatched_after(const std::vector<double>& measurements) {
+  std::vector<Flight> flights(measurements.size());
+  for (std::size_t i = 0; i < measurements.size(); ++i) flights[i].measurements_to_mismatch = measurements[i];
   return flights;
 }
 
-TEST(Surprises, AreTheShareOfTheSearchesAndTheMedianLookOfThoseOnly) {
+TEST(Mismatches, AreTheShareOfTheSearchesAndTheMedianMeasurementOfThoseOnly) {
   constexpr double kNever = std::numeric_limits<double>::infinity();
-  const Surprises some = surprises(surprised_after({kNever, 9.0, 4.0, kNever, kNever, 20.0, kNever, kNever}));
+  const Mismatches some = mismatches(mismatched_after({kNever, 9.0, 4.0, kNever, kNever, 20.0, kNever, kNever}));
   EXPECT_EQ(some.fraction, 0.375);
-  EXPECT_EQ(some.median_look, 9.0);
-  const Surprises none = surprises(surprised_after({kNever, kNever}));
+  EXPECT_EQ(some.median_measurement, 9.0);
+  const Mismatches none = mismatches(mismatched_after({kNever, kNever}));
   EXPECT_EQ(none.fraction, 0.0);
-  EXPECT_TRUE(std::isnan(none.median_look));
-  EXPECT_TRUE(std::isnan(surprises(std::vector<Flight>(3)).fraction)) << "of a searcher that does not judge it";
+  EXPECT_TRUE(std::isnan(none.median_measurement));
+  EXPECT_TRUE(std::isnan(mismatches(std::vector<Flight>(3)).fraction)) << "of a searcher that does not judge it";
 }
 
-/// Goes north; surprised from one look on.
-class SurprisedFrom : public baselines::Searcher {
+/// Goes north; has a mismatch from one measurement on.
+class MismatchedFrom : public baselines::Searcher {
  public:
-  explicit SurprisedFrom(std::size_t look) : look_(look) {}
-  void begin(Pcg32 /*random*/) override { looks_ = 0; }
+  explicit MismatchedFrom(std::size_t measurement) : measurement_(measurement) {}
+  void begin(Pcg32 /*random*/) override { measurements_ = 0; }
   [[nodiscard]] std::size_t choose(const baselines::DecisionInput& /*input*/) override {
-    ++looks_;
+    ++measurements_;
     return 0;
   }
-  [[nodiscard]] std::optional<bool> is_surprised() const override { return looks_ >= look_; }
+  [[nodiscard]] std::optional<bool> is_mismatched() const override { return measurements_ >= measurement_; }
 
  private:
-  std::size_t look_;
-  std::size_t looks_ = 0;
+  std::size_t measurement_;
+  std::size_t measurements_ = 0;
 };
 
-TEST(Fly, NotesTheFirstLookThatSurprisesASearcher) {
+TEST(Fly, NotesTheFirstMeasurementThatIsAMismatch) {
   search::SearchSettings settings;
   settings.direction_count = 4;
   const sonar::SnrCurve curve(Meters{100.0}, {0.0F});
   const search::World world(settings, curve);
   constexpr double kNever = std::numeric_limits<double>::infinity();
-  SurprisedFrom third(3);
-  for (const Flight& flight : fly(third, world, {.end = 5}, 1)) EXPECT_EQ(flight.looks_to_surprise, flight.record.steps < 3 ? kNever : 3.0);
-  SurprisedFrom never(1'000);
-  for (const Flight& flight : fly(never, world, {.end = 5}, 1)) EXPECT_EQ(flight.looks_to_surprise, kNever);
+  MismatchedFrom third(3);
+  for (const Flight& flight : fly(third, world, {.end = 5}, 1))
+    EXPECT_EQ(flight.measurements_to_mismatch, flight.record.steps < 3 ? kNever : 3.0);
+  MismatchedFrom never(1'000);
+  for (const Flight& flight : fly(never, world, {.end = 5}, 1)) EXPECT_EQ(flight.measurements_to_mismatch, kNever);
 }
 
 /// A policy that goes north (action 0) by a margin of logits: others have logit 0.
@@ -227,33 +228,33 @@ TEST_F(EvaluateTest, DrawsForASearcherFromAnotherStreamThanItsWorld) {
   }
 }
 
-/// Counts how often it may ponder.
-class Ponders : public baselines::Searcher {
+/// Counts how often it may refine.
+class CountsRefinements : public baselines::Searcher {
  public:
   void begin(Pcg32 /*random*/) override {}
   [[nodiscard]] std::size_t choose(const baselines::DecisionInput& /*input*/) override { return 0; }
-  void ponder() override { ++pondered; }
-  std::size_t pondered = 0;
+  void refine() override { ++refined; }
+  std::size_t refined = 0;
 };
 
-TEST_F(EvaluateTest, LetsASearcherPonderOnceAfterEveryDecisionThatAStepFollows) {
+TEST_F(EvaluateTest, LetsASearcherRefineOnceAfterEveryDecisionThatAStepFollows) {
   const auto north = goes_north(1.0F);
-  Ponders searcher;
+  CountsRefinements searcher;
   std::size_t steps = 0;
   for (const Flight& flight : fly(searcher, world_of(*north, south_of_the_source(*north), curve), {.end = 10}, 1))
     steps += flight.record.steps;
-  EXPECT_EQ(searcher.pondered, steps);
+  EXPECT_EQ(searcher.refined, steps);
 }
 
-TEST(DecisionTime, IsApartFromThePonderingOnTheWay) {
+TEST(DecisionTime, IsApartFromTheRefinementOnTheWay) {
   std::vector<Flight> all(2);
   for (Flight& flight : all) {
     flight.record.steps = 5;
     flight.decision_s = 0.010;
-    flight.pondering_s = 0.050;
+    flight.refinement_s = 0.050;
   }
   EXPECT_DOUBLE_EQ(decision_time_s(all), 0.002);
-  EXPECT_DOUBLE_EQ(pondering_time_s(all), 0.010);
+  EXPECT_DOUBLE_EQ(refinement_time_s(all), 0.010);
 }
 
 /// Goes north, and says whether it has found the source as it is told to.
@@ -330,7 +331,7 @@ TEST_F(DeclarationsTest, NotMadeAreMissedAndAtSeaNothingIsFoundThen) {
   EXPECT_EQ(at_sea.front().record.end, EpisodeEnd::kLeftDomain) << "it goes on north";
 }
 
-TEST_F(DeclarationsTest, MadeALookLateEndASearchAtSeaThatTheSimulatorWouldHaveEndedBefore) {
+TEST_F(DeclarationsTest, MadeAMeasurementLateEndASearchAtSeaThatTheSimulatorWouldHaveEndedBefore) {
   // Within 600 m: of starts from 4.1 to 4.9 km north those below 4.4 km are there after six steps, the others, up to 5 km, after five.
   const auto all = flights([](Meters off) { return off.value <= 600.0; }, search::FoundBy::kSearcher);
   std::set<std::uint32_t> steps;

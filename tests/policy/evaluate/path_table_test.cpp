@@ -76,15 +76,15 @@ TEST(PathTable, WatchingChangesNothing) {
 /// Goes east, and says after its second step that it is there.
 class DeclaresAtTwo : public GoesEast {
  public:
-  void begin(Pcg32) override { looks_ = 0; }
+  void begin(Pcg32) override { measurements_ = 0; }
   std::size_t choose(const baselines::DecisionInput& input) override {
-    ++looks_;
+    ++measurements_;
     return GoesEast::choose(input);
   }
-  [[nodiscard]] std::optional<bool> declares_found() const override { return looks_ == 3; }
+  [[nodiscard]] std::optional<bool> declares_found() const override { return measurements_ == 3; }
 
  private:
-  int looks_ = 0;
+  int measurements_ = 0;
 };
 
 TEST(PathTable, EndsInFoundWhereASearcherDeclaresItAndNobodyElseSaysSo) {

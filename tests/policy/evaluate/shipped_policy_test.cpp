@@ -13,7 +13,7 @@
 #include "policy/evaluate/evaluation.hpp"
 #include "policy/freeze/freeze.hpp"
 #include "sim/ocean/file/environment_file.hpp"
-#include "sim/search/told_ocean.hpp"
+#include "sim/search/known_ocean.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
 namespace earshot::evaluate {
@@ -39,11 +39,11 @@ TEST(ShippedPolicy, FindsTheFixedSourceOfThePapersOceanInNinetyNinePercentOfSear
 }
 
 /// The paper's search of a changing source, the ocean, and tables of one who is told of it.
-struct ToldSearch {
-  explicit ToldSearch(const policy::FrozenPolicy& policy) : settings(search_of(policy)) {
+struct GivenSearch {
+  explicit GivenSearch(const policy::FrozenPolicy& policy) : settings(search_of(policy)) {
     settings.placement = search::SourcePlacement::kChanging;
     settings.start_region = search::inside_border(settings);
-    search::make_told_ocean(settings, curve, *tables);
+    search::make_known_ocean(settings, curve, *tables);
   }
 
   search::SearchSettings settings;
@@ -55,7 +55,7 @@ struct ToldSearch {
 
 TEST(ShippedPolicy, FindsAChangingSourceOfThePapersOceanThatItIsToldOf) {
   const auto policy = host::load_unverified_policy(kShipped);
-  const ToldSearch told(*policy);
+  const GivenSearch told(*policy);
   const Summary summary = summarise(evaluate(*policy, *told.tables, policy->draw, world_of(*policy, told.settings, told.curve), 40, 2026));
   EXPECT_GE(summary.found, 36U);  // 38; of 100 96
 }
@@ -64,7 +64,7 @@ TEST(ShippedPolicy, FindsAChangingSourceOfThePapersOceanThatItIsToldOf) {
 TEST(ShippedPolicy, FliesAsTheBeliefsLeastRegretWhereItIsToldOfTheSameOcean) {
   const auto policy = host::load_unverified_policy(kShipped);
   ASSERT_FALSE(policy::has_network(policy->network));
-  const ToldSearch told(*policy);
+  const GivenSearch told(*policy);
   const search::World world = world_of(*policy, told.settings, told.curve);
   const baselines::PriorKnowledge prior{.settings = told.settings, .actions = world.actions, .snr = told.curve, .oceans = *told.tables};
   baselines::BayesLeastRegret adviser(prior);

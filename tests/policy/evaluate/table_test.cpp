@@ -18,7 +18,7 @@ std::vector<Flight> flights() {
   for (std::size_t i = 0; i < all.size(); ++i) {
     all[i].record = {.reward = -1.0 * static_cast<double>(i), .steps = 10, .detections = 5, .end = search::EpisodeEnd::kTimeLimit};
     all[i].decision_s = 10 * 3e-6;
-    all[i].pondering_s = 10 * 40e-6;
+    all[i].refinement_s = 10 * 40e-6;
   }
   return all;
 }
@@ -85,12 +85,12 @@ TEST(Table, SaysHowOftenTheSourceWasDeclaredFoundWronglyOfThoseWhoDeclareIt) {
   EXPECT_NE(as_text(rows).find("   nothing in - % of those"), std::string::npos) << "none came near";
 }
 
-TEST(Table, GivesTheShareOfSearchesSurprisedAndTheirMedianLookOrNothingWhereNobodyJudgesIt) {
+TEST(Table, GivesTheShareOfSearchesMismatchedAndTheirMedianMeasurementOrNothingWhereNobodyJudgesIt) {
   std::vector<Flight> all = flights();
   const Row unjudged = row_of("sea", "guess", all, {}, 1);
   EXPECT_EQ(value_of(as_csv(std::vector<Row>{unjudged}, Timing::kLeftOut), "surprised_fraction"), "");
-  for (Flight& flight : all) flight.looks_to_surprise = std::numeric_limits<double>::infinity();
-  all[2].looks_to_surprise = 12.0;
+  for (Flight& flight : all) flight.measurements_to_mismatch = std::numeric_limits<double>::infinity();
+  all[2].measurements_to_mismatch = 12.0;
   const std::vector<Row> judged{row_of("sea", "guess", all, {}, 1)};
   const std::string csv = as_csv(judged, Timing::kLeftOut);
   EXPECT_EQ(value_of(csv, "surprised_fraction"), "0.25");
@@ -199,8 +199,8 @@ TEST(Table, IsNoWiderThanAHundredColumnsHoweverLongANameIs) {
   for (Flight& flight : all) {
     flight.record.reward = -9'999.0;
     flight.record.detections = 100;
-    flight.decision_s = flight.pondering_s = 10.0;
-    flight.looks_to_surprise = 100.0;
+    flight.decision_s = flight.refinement_s = 10.0;
+    flight.measurements_to_mismatch = 100.0;
   }
   const std::vector<Row> rows{row_of("sea", std::string(120, 'a'), all, {.step_s = 5'000.0, .max_steps = 100}, 1),
                               row_of("sea", std::string(28, 'b'), all, {.step_s = 5'000.0, .max_steps = 100}, 1)};

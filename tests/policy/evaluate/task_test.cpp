@@ -77,10 +77,10 @@ TEST_F(Task, KnowsTheStartsOfAPolicyTrainedInPython) {
 }
 
 TEST(TaskOfMany, IsThatOfTheFirstWhoseFileNamesItsSource) {
-  const std::vector<Candidate> second_says = both(learned("a", ""), learned("b", kFixed));
-  EXPECT_EQ(leading(second_says), &second_says[2]);
-  const std::vector<Candidate> none_says = both(learned("a", ""), learned("b", "seed = 1\n"));
-  EXPECT_EQ(leading(none_says), &none_says[1]);
+  const std::vector<Candidate> second_differs = both(learned("a", ""), learned("b", kFixed));
+  EXPECT_EQ(leading(second_differs), &second_differs[2]);
+  const std::vector<Candidate> none_differs = both(learned("a", ""), learned("b", "seed = 1\n"));
+  EXPECT_EQ(leading(none_differs), &none_differs[1]);
   std::vector<Candidate> none_learned;
   none_learned.push_back({"oracle", nullptr});
   EXPECT_EQ(leading(none_learned), nullptr);

@@ -15,7 +15,7 @@ policy::Reception nothing(NorthEast) {
 }
 
 TEST(ActionMap, RunsFromTheSouthWestCornerInRowsFromWestToEast) {
-  const ActionMap map = after_a_first_look(*place_policy(1), falling_ocean(), 5, nothing);
+  const ActionMap map = after_a_first_measurement(*place_policy(1), falling_ocean(), 5, nothing);
   ASSERT_EQ(map.size(), 25U);
   EXPECT_EQ(map.front().place, (NorthEast{Meters{2'500.0}, Meters{2'500.0}}));
   EXPECT_EQ(map[1].place, (NorthEast{Meters{2'500.0}, Meters{7'500.0}}));
@@ -26,7 +26,7 @@ TEST(ActionMap, PointsWhereThePolicyGoes) {
   const auto policy = place_policy(1);
   policy->network.output = {};
   policy->network.output.bias[2] = 20.0F;  // east, almost surely
-  for (const MapPoint& point : after_a_first_look(*policy, falling_ocean(), 3, nothing)) {
+  for (const MapPoint& point : after_a_first_measurement(*policy, falling_ocean(), 3, nothing)) {
     EXPECT_EQ(point.likeliest, 2U);
     EXPECT_NEAR(point.agreement, 1.0, 1e-6);
     EXPECT_NEAR(point.heading.east, 1.0, 1e-6);
@@ -37,26 +37,26 @@ TEST(ActionMap, ShowsThatDirectionsWhichCancelOutDoNotAgree) {
   const auto policy = place_policy(1);
   policy->network.output = {};
   policy->network.output.bias[0] = policy->network.output.bias[4] = 20.0F;  // north or south
-  for (const MapPoint& point : after_a_first_look(*policy, falling_ocean(), 2, nothing)) EXPECT_NEAR(point.agreement, 0.0, 1e-6);
+  for (const MapPoint& point : after_a_first_measurement(*policy, falling_ocean(), 2, nothing)) EXPECT_NEAR(point.agreement, 0.0, 1e-6);
 }
 
 TEST(ActionMap, HearsAtEachPlaceWhatIsHeardThere) {
   const auto policy = belief_policy(3);
-  const ActionMap quiet = after_a_first_look(*policy, falling_ocean(), 4, nothing);
-  const ActionMap loud_in_the_north = after_a_first_look(*policy, falling_ocean(), 4, [](NorthEast place) {
+  const ActionMap quiet = after_a_first_measurement(*policy, falling_ocean(), 4, nothing);
+  const ActionMap loud_in_the_north = after_a_first_measurement(*policy, falling_ocean(), 4, [](NorthEast place) {
     return policy::Reception{.snr = Decibels{place.north > Meters{12'500.0} ? 35.0 : 0.0}};
   });
   for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(quiet[i].probabilities, loud_in_the_north[i].probabilities) << "south: nothing changed";
   for (std::size_t i = 8; i < 16; ++i) EXPECT_NE(quiet[i].probabilities, loud_in_the_north[i].probabilities) << "north: louder";
 }
 
-TEST(ActionMap, StandingWhereTheVehicleStandsDiffersOnlyByASecondLookThatSaysNothing) {
+TEST(ActionMap, StandingWhereTheVehicleStandsDiffersOnlyByASecondMeasurementThatSaysNothing) {
   const auto policy = place_policy(4);
   const std::vector<RecordedDecision> taken = flown(*policy, 2, {});
   const auto memory = remembered_at(policy->observation, falling_ocean(), taken, {});
   // A policy that sees its place alone does the same whatever it remembers.
   const ActionMap elsewhere = standing_elsewhere(*policy, falling_ocean(), 3, *memory);
-  const ActionMap first = after_a_first_look(*policy, falling_ocean(), 3, nothing);
+  const ActionMap first = after_a_first_measurement(*policy, falling_ocean(), 3, nothing);
   for (std::size_t i = 0; i < elsewhere.size(); ++i) EXPECT_EQ(elsewhere[i].probabilities, first[i].probabilities);
 }
 

@@ -111,8 +111,8 @@ TEST(ExpectedHearing, IsTheMeanOfTheTableOverTheCells) {
   model.cells_east = 2;
   const auto tables = ocean_of({20.0F, 0.0F});
   const auto belief = started(model, *tables);
-  // Over the western cell: half the time it is there, at 20 dB, else a kilometre away at 0 dB. Before a first look louder and fainter
-  // sources are as likely.
+  // Over the western cell: half the time it is there, at 20 dB, else a kilometre away at 0 dB. Before a first measurement louder and
+  // fainter sources are as likely.
   const BelievedPlace place = believed_place(*belief, model);
   const NorthEast at{Meters{500.0}, Meters{500.0}};
   const ExpectedHearing hearing = expected_hearing(place, ExpectedSound(*belief, *tables), at);
@@ -134,14 +134,14 @@ TEST(ExpectedSound, IsTheStraightLineBetweenTwoRangesOfTheTablesAndTheLastBeyond
   EXPECT_NEAR(sound.snr_db(Meters{9'000.0}), 0.0, 1e-4);
 }
 
-/// One ocean of 20 dB everywhere; ten looks of 26 dB leave hardly another explanation than a source 6 dB louder.
+/// One ocean of 20 dB everywhere; ten measurements of 26 dB leave hardly another explanation than a source 6 dB louder.
 TEST(ExpectedSound, IsAsMuchLouderAsTheSourceIsBelievedToBe) {
   const policy::BeliefModel model = search::belief_model(search::SearchSettings{});
   const auto tables = ocean_of({20.0F, 20.0F});
   const auto belief = started(model, *tables);
   for (int i = 0; i < 10; ++i) belief->update(model, *tables, {Meters{5'000.0}, Meters{1'000.0 * i}}, {.snr = Decibels{26.0}});
   const ExpectedSound sound(*belief, *tables);
-  EXPECT_NEAR(sound.level_db(), 6.0, 0.1);  // a look 3 dB off, of a spread of 2 dB, is a third as likely, ten of them 1e-5
+  EXPECT_NEAR(sound.level_db(), 6.0, 0.1);  // a measurement 3 dB off, of a spread of 2 dB, is a third as likely, ten of them 1e-5
   EXPECT_NEAR(sound.snr_db(Meters{500.0}), 20.0 + sound.level_db(), 1e-4);
 }
 

@@ -37,7 +37,7 @@ TEST(DecisionAccount, GivesProbabilitiesThatAddUpToOneAndEndsOneStepAway) {
   EXPECT_EQ(a.likeliest_action, taken.back().action);
 }
 
-/// Five looks on a line leave the source on either side of it; it is heard better the nearer one comes.
+/// Five measurements on a line leave the source on either side of it; it is heard better the nearer one comes.
 TEST(DecisionAccount, ExpectsToHearMoreWhereTheBeliefComesNearer) {
   const auto policy = belief_policy(1);
   const DecisionAccount a = account(*policy, flown(*policy, 5, kCorner), Baseline::kCentre);
@@ -116,7 +116,7 @@ TEST(DecisionAccount, NamesTheHypothesesThatAreLikelyTheLikeliestFirst) {
   EXPECT_TRUE(std::ranges::is_sorted(a.hypotheses, std::ranges::greater{}, &HypothesisAccount::share));
 }
 
-/// An ocean that is as loud everywhere, and ten looks 6 dB louder than it.
+/// An ocean that is as loud everywhere, and ten measurements 6 dB louder than it.
 TEST(DecisionAccount, TellsWhatAHypothesisSays) {
   const auto policy = belief_policy(1);
   auto flat = std::make_unique<policy::OceanTables>(falling_ocean());

@@ -5,8 +5,8 @@
 
 #include "sim/search/actions/compass_directions.hpp"
 #include "sim/search/belief_model.hpp"
+#include "sim/search/known_ocean.hpp"
 #include "sim/search/settings.hpp"
-#include "sim/search/told_ocean.hpp"
 #include "sim/sonar/snr_curve.hpp"
 #include "tests/policy/explain/random_network.hpp"
 
@@ -41,7 +41,7 @@ std::unique_ptr<policy::FrozenPolicy> with_random_network(const policy::Observat
 const policy::OceanTables& falling_ocean() {
   static const auto tables = [] {
     auto made = std::make_unique<policy::OceanTables>();
-    search::make_told_ocean(search::SearchSettings{}, falling(), *made);
+    search::make_known_ocean(search::SearchSettings{}, falling(), *made);
     made->frequency = Hertz{20.0};
     made->receiver_depth = Meters{300.0};
     made->source_depth = {Meters{30.0}, Meters{30.0}};

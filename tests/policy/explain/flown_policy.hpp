@@ -27,8 +27,8 @@ namespace earshot::explain {
 inline constexpr Decibels kFloor{31.0};
 
 /// What a vehicle writes down that flies the policy, by falling_ocean(), past a source, decision by decision with the arithmetic that
-/// flies. The first look is too faint to measure, under kFloor. Its area begins at `south_west`; the source stands 12 km north and 15 km
-/// east of that, the start 8 km and 6 km. @param bearing  that every look bears
+/// flies. The first measurement is too faint to measure, under kFloor. Its area begins at `south_west`; the source stands 12 km north and
+/// 15 km east of that, the start 8 km and 6 km. @param bearing  that every measurement bears
 [[nodiscard]] std::vector<RecordedDecision> flown(const policy::FrozenPolicy& policy, std::size_t decisions, NorthEast south_west,
                                                   const std::optional<messages::Bearing>& bearing = std::nullopt);
 

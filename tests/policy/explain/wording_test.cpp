@@ -49,7 +49,7 @@ TEST(ValueOf, UndoesTheScalingOfTheObservation) {
   EXPECT_EQ(value_of(east, 0.2F), "15.00 km");
   const policy::ObservationElement found{.feature = Feature::kFound, .age = 2, .offset = 0.0F, .scale = 4.0F};
   EXPECT_EQ(value_of(found, 1.0F), "25.0 %");
-  EXPECT_EQ(value_of({.feature = Feature::kReach, .age = 2, .offset = 0.0F, .scale = 4.0F}, 1.0F), "25.0 %");
+  EXPECT_EQ(value_of({.feature = Feature::kFindProbability, .age = 2, .offset = 0.0F, .scale = 4.0F}, 1.0F), "25.0 %");
 }
 
 TEST(NameOf, TellsEveryFeatureOfABeliefAndEveryDirectionFromEveryOther) {

@@ -220,7 +220,7 @@ TEST(FreezeAdvice, MakesAPolicyWithoutANetworkWhoseLogitsAreTenTimesThePreferenc
   EXPECT_FALSE(policy::has_network(frozen->network));
   EXPECT_EQ(frozen->draw, policy::ActionDraw::kArgmax);
   EXPECT_EQ(std::string(frozen->provenance.begin(), frozen->provenance.end()), "run = shipped.toml\n");
-  // A first look in the corner: a tenth of the logits are 1 / (1 + regret), 1 for the best.
+  // A first measurement in the corner: a tenth of the logits are 1 / (1 + regret), 1 for the best.
   const auto tables = std::make_unique<policy::OceanTables>();
   policy::make_golden_tables(frozen->area_size, *tables);
   const auto memory = std::make_unique<policy::SearchMemory>();
@@ -230,7 +230,7 @@ TEST(FreezeAdvice, MakesAPolicyWithoutANetworkWhoseLogitsAreTenTimesThePreferenc
   policy::observe(*memory, frozen->observation, observation);
   policy::find_logits(*frozen, observation, logits);
   for (std::size_t a = 0; a < logits.size(); ++a)
-    EXPECT_NEAR(logits[a], 10.0F / (1.0F + memory->belief().outlook(a).regret), 1e-5F) << a;  // float roundings
+    EXPECT_NEAR(logits[a], 10.0F / (1.0F + memory->belief().action_values(a).regret), 1e-5F) << a;  // float roundings
   EXPECT_EQ(*std::ranges::max_element(logits), 10.0F);
   EXPECT_LT(*std::ranges::min_element(logits), 9.0F);
 }

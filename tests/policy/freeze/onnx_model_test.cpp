@@ -33,7 +33,7 @@ std::string real_attribute(const std::string& name, float value) {
   return field(5, field(1, name) + real_field(2, value));
 }
 
-const std::string kWeights = field(5, tensor("w", {2, 3}, {1, 2, 3, 4, 5, 6})) + field(5, tensor("b", {2}, {7, 8}));
+const std::string kPriorities = field(5, tensor("w", {2, 3}, {1, 2, 3, 4, 5, 6})) + field(5, tensor("b", {2}, {7, 8}));
 const std::string kWeightsTurned = field(5, tensor("w", {3, 2}, {1, 4, 2, 5, 3, 6})) + field(5, tensor("b", {2}, {7, 8}));
 const std::string kEnds = field(11, field(1, "x"s)) + field(12, field(1, "y"s));
 const std::string kTurned = integer_attribute("transB", 1);
@@ -111,7 +111,7 @@ TEST(OnnxModel, SaysWhatToDoInPlaceOfTheExportThatStableBaselines3Documents) {
 
 TEST(OnnxModel, TakesACastToFloatWhereItChangesNothing) {
   const auto input_of = [](std::uint64_t type) { return field(11, field(1, "x"s) + field(2, field(1, field(1, type)))); };
-  const std::string rest = field(12, field(1, "y"s)) + kWeights + node("Gemm", {"f", "w", "b"}, "y", kTurned);
+  const std::string rest = field(12, field(1, "y"s)) + kPriorities + node("Gemm", {"f", "w", "b"}, "y", kTurned);
   const auto cast = [](std::uint64_t to) { return node("Cast", {"x"}, "f", integer_attribute("to", to)); };
   expect_the_layer(input_of(1) + rest + cast(1));
   expect_the_layer(input_of(11) + rest + cast(1));
@@ -125,29 +125,30 @@ TEST(OnnxModel, TakesACastToFloatWhereItChangesNothing) {
 
 TEST(OnnxModel, TakesWeightsByTheirOtherName) {
   const std::string named = node("Identity", {"w"}, "v") + node("Identity", {"v"}, "u") + node("Identity", {"b"}, "c");
-  expect_the_layer(kEnds + kWeights + named + node("Gemm", {"x", "u", "c"}, "y", kTurned));
-  EXPECT_NE(refused(kEnds + kWeights + node("Identity", {"w"}, "b") + node("Gemm", {"x", "w", "b"}, "y", kTurned)).find("its output b"),
+  expect_the_layer(kEnds + kPriorities + named + node("Gemm", {"x", "u", "c"}, "y", kTurned));
+  EXPECT_NE(refused(kEnds + kPriorities + node("Identity", {"w"}, "b") + node("Gemm", {"x", "w", "b"}, "y", kTurned)).find("its output b"),
             std::string::npos);
 }
 
 TEST(OnnxModel, ReadsOneLayerHoweverItIsWritten) {
-  expect_the_layer(kEnds + kWeights + node("Gemm", {"x", "w", "b"}, "y", kTurned));
-  expect_the_layer(kEnds + kWeights + node("Gemm", {"x", "w", "b"}, "y", kTurned + real_attribute("alpha", 1) + real_attribute("beta", 1)));
+  expect_the_layer(kEnds + kPriorities + node("Gemm", {"x", "w", "b"}, "y", kTurned));
+  expect_the_layer(kEnds + kPriorities +
+                   node("Gemm", {"x", "w", "b"}, "y", kTurned + real_attribute("alpha", 1) + real_attribute("beta", 1)));
   expect_the_layer(kEnds + kWeightsTurned + node("Gemm", {"x", "w", "b"}, "y"));
   expect_the_layer(kEnds + kWeightsTurned + node("MatMul", {"x", "w"}, "t") + node("Add", {"t", "b"}, "y"));
   expect_the_layer(kEnds + kWeightsTurned + node("Add", {"b", "t"}, "y") + node("MatMul", {"x", "w"}, "t"));
-  expect_the_layer(kEnds + kWeights + node("Flatten", {"x"}, "f") + node("Gemm", {"f", "w", "b"}, "y", kTurned));
+  expect_the_layer(kEnds + kPriorities + node("Flatten", {"x"}, "f") + node("Gemm", {"f", "w", "b"}, "y", kTurned));
 }
 
 TEST(OnnxModel, ReadsWhatOtherExportersWriteBesideIt) {
   const std::string layer = node("Gemm", {"x", "w", "b"}, "y", kTurned);
   // Weights among the inputs, too, as up to ONNX's third version; names, notes, shapes and metadata of the graph.
-  expect_the_layer(kEnds + field(11, field(1, "w"s)) + field(11, field(1, "b"s)) + kWeights + layer);
-  expect_the_layer(field(2, "graph"s) + field(10, "notes"s) + field(13, "shape"s) + field(16, "metadata"s) + kEnds + kWeights + layer);
-  expect_the_layer(kEnds + kWeights + node("Gemm", {"x", "w", "b"}, "y", kTurned + field(7, "ai.onnx"s)));
-  expect_the_layer(kEnds + kWeights + node("Gemm", {"x", "w", "b"}, "y", kTurned + field(7, ""s) + integer_attribute("transA", 0)));
-  expect_the_layer(kEnds + kWeights + node("Identity", {"x"}, "f") + node("Gemm", {"f", "w", "b"}, "y", kTurned));
-  expect_the_layer(kEnds + kWeights + node("Flatten", {"x"}, "f", integer_attribute("axis", 1)) +
+  expect_the_layer(kEnds + field(11, field(1, "w"s)) + field(11, field(1, "b"s)) + kPriorities + layer);
+  expect_the_layer(field(2, "graph"s) + field(10, "notes"s) + field(13, "shape"s) + field(16, "metadata"s) + kEnds + kPriorities + layer);
+  expect_the_layer(kEnds + kPriorities + node("Gemm", {"x", "w", "b"}, "y", kTurned + field(7, "ai.onnx"s)));
+  expect_the_layer(kEnds + kPriorities + node("Gemm", {"x", "w", "b"}, "y", kTurned + field(7, ""s) + integer_attribute("transA", 0)));
+  expect_the_layer(kEnds + kPriorities + node("Identity", {"x"}, "f") + node("Gemm", {"f", "w", "b"}, "y", kTurned));
+  expect_the_layer(kEnds + kPriorities + node("Flatten", {"x"}, "f", integer_attribute("axis", 1)) +
                    node("Gemm", {"f", "w", "b"}, "y", kTurned));
   // Sides in one packed field, values as floats, a note, data in the file itself.
   const std::vector<float> values{1, 2, 3, 4, 5, 6};
@@ -157,7 +158,7 @@ TEST(OnnxModel, ReadsWhatOtherExportersWriteBesideIt) {
 }
 
 TEST(OnnxModel, ReadsLayersWithTanhBetween) {
-  const TrainedActor actor = read(kEnds + kWeights + field(5, tensor("v", {2, 1}, {9, 10})) + field(5, tensor("c", {1}, {11})) +
+  const TrainedActor actor = read(kEnds + kPriorities + field(5, tensor("v", {2, 1}, {9, 10})) + field(5, tensor("c", {1}, {11})) +
                                   node("Gemm", {"x", "w", "b"}, "t", kTurned) + node("Tanh", {"t"}, "u") + node("MatMul", {"u", "v"}, "z") +
                                   node("Add", {"z", "c"}, "y"));
   ASSERT_EQ(actor.layers.size(), 2U);
@@ -169,7 +170,7 @@ TEST(OnnxModel, ReadsLayersWithTanhBetween) {
 
 TEST(OnnxModel, SaysWhatItsMetadataSayItWasTrainedToSearch) {
   const auto entry = [](const std::string& key, const std::string& value) { return field(14, field(1, key) + field(2, value)); };
-  const std::string model = model_of(kEnds + kWeights + node("Gemm", {"x", "w", "b"}, "y", kTurned));
+  const std::string model = model_of(kEnds + kPriorities + node("Gemm", {"x", "w", "b"}, "y", kTurned));
   EXPECT_FALSE(read_bytes(model + entry("other", "x")).search.has_value());
   EXPECT_EQ(read_bytes(model + entry("other", "x") + entry("earshot", "{}")).search, "{}");
   EXPECT_EQ(read_bytes(entry("earshot", "{}") + model).search, "{}");
@@ -179,19 +180,19 @@ TEST(OnnxModel, SaysWhatItsMetadataSayItWasTrainedToSearch) {
 }
 
 TEST(OnnxModel, RefusesAGraphOfMoreThanItsInputAndItsOutput) {
-  const std::string layer = kWeights + node("Gemm", {"x", "w", "b"}, "y", kTurned);
+  const std::string layer = kPriorities + node("Gemm", {"x", "w", "b"}, "y", kTurned);
   EXPECT_NE(refused(kEnds + layer + field(11, field(1, "z"s))).find("not one input"), std::string::npos);
   EXPECT_NE(refused(kEnds + layer + field(12, field(1, "z"s))).find("not one input"), std::string::npos);
   EXPECT_NE(refused(kEnds + layer + field(15, "sparse"s)).find("graph: field 15"), std::string::npos);
   EXPECT_NE(refused(kEnds + layer + field(5, tensor("b", {2}, {7, 8}))).find("initializer b: given twice"), std::string::npos);
-  EXPECT_NE(refused(kEnds + kWeights + node("Gemm", {"x", "w", "b"}, "y", kTurned + field(2, "z"s))).find("without its one output"),
+  EXPECT_NE(refused(kEnds + kPriorities + node("Gemm", {"x", "w", "b"}, "y", kTurned + field(2, "z"s))).find("without its one output"),
             std::string::npos);
   EXPECT_NE(refused(field(11, field(1, 7)) + layer).find("a text that is a number"), std::string::npos);
 }
 
 TEST(OnnxModel, RefusesMoreOperatorsThanAnyPolicyHas) {
   const auto of_operators = [](int count) {
-    std::string graph = kEnds + kWeights;
+    std::string graph = kEnds + kPriorities;
     std::string last = "x";
     for (int i = 1; i < count; ++i) {
       const std::string next = "i" + std::to_string(i);
@@ -205,7 +206,7 @@ TEST(OnnxModel, RefusesMoreOperatorsThanAnyPolicyHas) {
 }
 
 TEST(OnnxModel, RefusesOtherOperatorsByName) {
-  const std::string layer = kEnds + kWeights + node("Gemm", {"x", "w", "b"}, "t", kTurned);
+  const std::string layer = kEnds + kPriorities + node("Gemm", {"x", "w", "b"}, "t", kTurned);
   for (const std::string operation : {"Relu", "Softmax", "ArgMax", "Sigmoid", "Constant", "If", "Loop"}) {
     EXPECT_NE(refused(layer + node(operation, {"t"}, "y")).find("operator " + operation), std::string::npos);
     EXPECT_NE(refused(layer + node(operation, {"t"}, "y")).find("freeze the model's .zip"), std::string::npos);
@@ -214,7 +215,7 @@ TEST(OnnxModel, RefusesOtherOperatorsByName) {
 }
 
 TEST(OnnxModel, RefusesOperatorsWhereANetworkHasNone) {
-  const std::string layer = kEnds + kWeights + node("Gemm", {"x", "w", "b"}, "t", kTurned);
+  const std::string layer = kEnds + kPriorities + node("Gemm", {"x", "w", "b"}, "t", kTurned);
   EXPECT_NE(refused(layer + node("Tanh", {"t"}, "y")).find("does not end with a dense layer"), std::string::npos);
   EXPECT_NE(refused(layer + node("Add", {"t", "b"}, "y")).find("operator Add where"), std::string::npos);
   EXPECT_NE(refused(layer + node("Gemm", {"t", "w", "b"}, "y", kTurned)).find("operator Gemm where"), std::string::npos);
@@ -224,31 +225,31 @@ TEST(OnnxModel, RefusesOperatorsWhereANetworkHasNone) {
   EXPECT_NE(refused(layer).find("not one chain"), std::string::npos);
   EXPECT_NE(refused(layer + node("Identity", {"t"}, "y")).find("operator Identity where"), std::string::npos);
   const std::string pair = node("Gemm", {"f", "w", "b"}, "y", kTurned);
-  EXPECT_NE(refused(kEnds + kWeights + node("Flatten", {"x"}, "f", integer_attribute("axis", 0)) + pair).find("operator Flatten where"),
+  EXPECT_NE(refused(kEnds + kPriorities + node("Flatten", {"x"}, "f", integer_attribute("axis", 0)) + pair).find("operator Flatten where"),
             std::string::npos);
-  EXPECT_NE(refused(kEnds + kWeights + node("Flatten", {"x"}, "f", integer_attribute("axle", 1)) + pair).find("operator Flatten where"),
+  EXPECT_NE(refused(kEnds + kPriorities + node("Flatten", {"x"}, "f", integer_attribute("axle", 1)) + pair).find("operator Flatten where"),
             std::string::npos);
-  EXPECT_NE(refused(kEnds + kWeights + node("Identity", {"x", "w"}, "f") + pair).find("operator Identity where"), std::string::npos);
+  EXPECT_NE(refused(kEnds + kPriorities + node("Identity", {"x", "w"}, "f") + pair).find("operator Identity where"), std::string::npos);
   EXPECT_NE(refused(layer + node("Tanh", {"t", "b"}, "y")).find("operator Tanh where"), std::string::npos);
   const std::string twice = layer + node("Tanh", {"t"}, "u") + node("Gemm", {"u", "w", "b"}, "y", kTurned);
   EXPECT_TRUE(support::has_line(refused(twice), {"layer 2 takes", "3 inputs", "before", "2"}));
 }
 
 TEST(OnnxModel, RefusesAnOutputThatWritesOverAnotherValue) {
-  const std::string ends = field(11, field(1, "x"s)) + kWeights;
+  const std::string ends = field(11, field(1, "x"s)) + kPriorities;
   const auto layer_to = [&](const std::string& output) {
     return refused(ends + field(12, field(1, output)) + node("Gemm", {"x", "w", "b"}, output, kTurned));
   };
   EXPECT_EQ(layer_to("y"), "");
   EXPECT_TRUE(support::has_line(layer_to("b"), {"output", "name", "value"}));
   EXPECT_TRUE(support::has_line(layer_to("x"), {"output", "name", "value"}));
-  EXPECT_NE(refused(kEnds + kWeights + node("Gemm", {"x", "w", "b"}, "y", kTurned) + node("Tanh", {"z"}, "y")).find("its output y"),
+  EXPECT_NE(refused(kEnds + kPriorities + node("Gemm", {"x", "w", "b"}, "y", kTurned) + node("Tanh", {"z"}, "y")).find("its output y"),
             std::string::npos);
 }
 
 TEST(OnnxModel, RefusesAGemmThatIsNoDenseLayer) {
   const auto gemm = [](const std::string& attributes) {
-    return refused(kEnds + kWeights + node("Gemm", {"x", "w", "b"}, "y", attributes));
+    return refused(kEnds + kPriorities + node("Gemm", {"x", "w", "b"}, "y", attributes));
   };
   EXPECT_NE(gemm(kTurned + real_attribute("alpha", 0.5F)).find("alpha"), std::string::npos);
   EXPECT_NE(gemm(kTurned + real_attribute("beta", 0.5F)).find("beta"), std::string::npos);
@@ -256,7 +257,7 @@ TEST(OnnxModel, RefusesAGemmThatIsNoDenseLayer) {
   EXPECT_NE(gemm(integer_attribute("transB", 0)).find("bias that does not fit"), std::string::npos);
   EXPECT_NE(gemm(kTurned + integer_attribute("transA", 1)).find("transA"), std::string::npos);
   EXPECT_NE(gemm(kTurned + integer_attribute("broadcast", 1)).find("broadcast"), std::string::npos);
-  EXPECT_NE(refused(kEnds + kWeights + node("Gemm", {"x", "w"}, "y", kTurned)).find("without a bias"), std::string::npos);
+  EXPECT_NE(refused(kEnds + kPriorities + node("Gemm", {"x", "w"}, "y", kTurned)).find("without a bias"), std::string::npos);
   EXPECT_NE(gemm("").find("bias that does not fit"), std::string::npos);  // [2 x 3] not turned takes 2 inputs, gives 3
 }
 

@@ -14,7 +14,7 @@ COLUMNS = (
     "restricted_mean_hours_to_find_low,restricted_mean_hours_to_find_high,mean_reward,path_over_straight,"
     "surprised_fraction,declared_falsely_fraction,declared_far_off_fraction,missed_fraction"
 )
-NUMBERS = "0.945,0.9037,0.9722,5.915,5.5,6.25,-0.82,3.5,{surprised},0.005,0,{missed}"
+NUMBERS = "0.945,0.9037,0.9722,5.915,5.5,6.25,-0.82,3.5,{mismatched},0.005,0,{missed}"
 
 
 def rows(of: list[tuple[str, str, int, str]]) -> str:
@@ -27,14 +27,14 @@ class PageTest(unittest.TestCase):
         folder = tempfile.TemporaryDirectory(prefix="earshot-test-")
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
-        shipped = NUMBERS.format(surprised="0.02", missed="0.125")
-        blind = NUMBERS.format(surprised="", missed="").replace("0.945", "0.31")
+        shipped = NUMBERS.format(mismatched="0.02", missed="0.125")
+        blind = NUMBERS.format(mismatched="", missed="").replace("0.945", "0.31")
         self.write(
             "worlds",
             [("rock", "shipped", 200, shipped), ("rock", "sweep", 200, blind), ("rock", "oracle", 200, shipped)],
         )
         self.write("infotaxis", [("rock", "infotaxis", 40, shipped)])
-        self.write("noticed", [("rock", "shipped", 200, NUMBERS.format(surprised="0.955", missed="1"))])
+        self.write("noticed", [("rock", "shipped", 200, NUMBERS.format(mismatched="0.955", missed="1"))])
         self.write("bearing", [("rock", "shipped", 100, shipped)])
         self.write(
             "test",
@@ -44,7 +44,7 @@ class PageTest(unittest.TestCase):
                 ("a", "oracle", 100, shipped),
             ]
             + [
-                ("b", "shipped", 100, NUMBERS.format(surprised="0.05", missed="").replace("0.945", "0.97")),
+                ("b", "shipped", 100, NUMBERS.format(mismatched="0.05", missed="").replace("0.945", "0.97")),
                 ("b", "sweep", 100, blind),
                 ("b", "oracle", 100, shipped),
             ],

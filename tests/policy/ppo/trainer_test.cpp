@@ -139,7 +139,7 @@ TEST_F(TrainerTest, KeepsTheLearningRateAtZeroOnceItHasFallenThere) {
 }
 
 /// A trainer whose networks see nothing: of every place they say these logits and this value.
-void say_everywhere(Trainer& trainer, const std::vector<float>& logits, float value) {
+void predict_everywhere(Trainer& trainer, const std::vector<float>& logits, float value) {
   std::vector<float> parameters(trainer.networks().parameters().size());
   std::ranges::copy(logits, parameters.begin() + trainer.networks().layout().logits.bias());
   parameters[static_cast<std::size_t>(trainer.networks().layout().value.bias())] = value;
@@ -153,7 +153,7 @@ TEST_F(TrainerTest, DrawsActionsAsOftenAsThePolicySaysAndRemembersHowLikelyTheyW
   hyper.steps_per_rollout = 4'000;
   const search::World world(settings, curve);
   Trainer trainer(world, simple, kNoOceans, hyper, 1);
-  say_everywhere(trainer, logits, 0.0F);
+  predict_everywhere(trainer, logits, 0.0F);
   (void)trainer.advance(ignore);
   std::vector<int> drawn(8);
   for (std::size_t i = 0; i < trainer.rollout().size(); ++i) {
@@ -171,7 +171,7 @@ TEST_F(TrainerTest, EstimatesEachEnvironmentsAdvantagesFromItsOwnSteps) {
   hyper.gae_lambda = 0.0;  // of one step: reward, and the value after it where the episode goes on, less the value before
   const search::World world(settings, curve);
   Trainer trainer(world, simple, kNoOceans, hyper, 1);
-  say_everywhere(trainer, std::vector<float>(8), 2.0F);
+  predict_everywhere(trainer, std::vector<float>(8), 2.0F);
   (void)trainer.advance(ignore);
   const Rollout& rollout = trainer.rollout();
   const std::vector<search::EpisodeScript> under_way = trainer.state().workers[0].episodes;

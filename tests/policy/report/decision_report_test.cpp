@@ -35,7 +35,7 @@ TEST_F(DecisionReportTest, SaysTheSameInEveryFormat) {
   }
 }
 
-TEST_F(DecisionReportTest, TellsALookTooFaintToMeasureFromAMeasuredOne) {
+TEST_F(DecisionReportTest, TellsAMeasurementTooFaintToMeasureFromAMeasuredOne) {
   const RecordedFlight flight = open_recording(folder_, {});
   const std::string first = as_html(make_decision_report(flight, 0, explain::Baseline::kCentre));
   EXPECT_TRUE(support::has_line(first, {"too faint", "below 31.0 dB"}));
@@ -47,8 +47,8 @@ TEST_F(DecisionReportTest, SaysWhyTheVehicleSweptInPlaceOfWhatThePolicyWouldHave
   const RecordedFlight flight = open_recording(folder_, {});
   DecisionReport report = make_decision_report(flight, 2, explain::Baseline::kCentre);
   report.account.decision.sweeping = true;
-  report.account.decision.surprise_bits = 9.25F;
-  report.account.decision.was_surprised = true;
+  report.account.decision.mismatch_bits = 9.25F;
+  report.account.decision.was_mismatched = true;
   const std::string html = as_html(report);
   EXPECT_TRUE(support::has_line(html, {"sweeps", "not by the policy"}));
   EXPECT_TRUE(support::has_line(html, {"fits no ocean", "9.2 bits"}));
@@ -57,7 +57,7 @@ TEST_F(DecisionReportTest, SaysWhyTheVehicleSweptInPlaceOfWhatThePolicyWouldHave
   EXPECT_EQ(nlohmann::json::parse(as_json(report))["sweeping"], true);
 }
 
-TEST_F(DecisionReportTest, SaysThatTheVehicleSweptBecauseItHadHeardNothingWhereNothingHadSurprisedIt) {
+TEST_F(DecisionReportTest, SaysThatTheVehicleSweptBecauseItHadHeardNothingWhereNoMismatchWas) {
   const RecordedFlight flight = open_recording(folder_, {});
   DecisionReport report = make_decision_report(flight, 2, explain::Baseline::kCentre);
   report.account.decision.sweeping = true;

@@ -100,12 +100,12 @@ TEST(Explanation, CallsTheLikeliestPlaceASinglePlaceOfABeliefThatIsSpread) {
   EXPECT_EQ(count(sentences(account_of_three()).at(1), "the likeliest single place of a belief that is spread); with 50 %"), 1U);
 }
 
-TEST(Explanation, TellsALookTooFaintToMeasureFromAMeasuredOne) {
+TEST(Explanation, TellsAMeasurementTooFaintToMeasureFromAMeasuredOne) {
   EXPECT_EQ(to_string(policy::Reception{.snr = Decibels{9.46}, .too_faint = false}), "9.5 dB");
   EXPECT_EQ(to_string(policy::Reception{.snr = Decibels{5.0}, .too_faint = true}), "under 5.0 dB");
 }
 
-TEST(Explanation, TellsFromWhereALookWasHeardAndItsMirrorImage) {
+TEST(Explanation, TellsFromWhereAMeasurementWasHeardAndItsMirrorImage) {
   policy::Reception reception{.snr = Decibels{9.46}};
   reception.bearing = messages::Bearing{.direction = Radians{0.8203}, .deviation = Radians{0.1745}};  // 47 and 10 degrees
   EXPECT_EQ(to_string(reception), "9.5 dB from 047\u00B0 \u00B1 10\u00B0");

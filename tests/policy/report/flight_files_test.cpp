@@ -14,7 +14,7 @@
 namespace earshot::report {
 namespace {
 
-TEST(LackOf, CountsByWeightWhatTheClosingRecordSaysIsLost) {
+TEST(LackOf, CountsByPriorityWhatTheClosingRecordSaysIsLost) {
   JournalledSearch journal;
   journal.missing = 6;
   journal.first_missing = 3;

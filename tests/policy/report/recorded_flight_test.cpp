@@ -35,7 +35,7 @@ class RecordedFlightTest : public testing::Test {
     }
     return "not refused";
   }
-  static void expect_said(const std::string& said, std::initializer_list<const char*> parts) {
+  static void expect_output(const std::string& said, std::initializer_list<const char*> parts) {
     for (const char* part : parts) EXPECT_NE(said.find(part), std::string::npos) << part << " is not in: " << said;
   }
   [[nodiscard]] fs::path journal() const { return folder_ / "journal.lcmlog"; }
@@ -74,18 +74,18 @@ TEST_F(RecordedFlightTest, OpensTheFolderOfAFlightAtSeaByTheCornerOfItsMission) 
 }
 
 TEST_F(RecordedFlightTest, OpensAJournalAloneOnceItKnowsTheCorner) {
-  expect_said(refusal(journal()), {"step 0", "--south-west"});
+  expect_output(refusal(journal()), {"step 0", "--south-west"});
   EXPECT_EQ(open_recording(journal(), {.south_west = kCorner}).journal.decisions.size(), 5U);
 }
 
 TEST_F(RecordedFlightTest, RefusesAnotherPolicyThanTheOneThatFlew) {
   const fs::path other = folder_ / "other.policy";
   support::write_bytes(other, support::signed_bytes(*explain::belief_policy(2)));
-  expect_said(refusal(folder_, {.policy = other}), {"step 0", "another policy", "other.policy", "other logits"});
+  expect_output(refusal(folder_, {.policy = other}), {"step 0", "another policy", "other.policy", "other logits"});
   support::write_bytes(other, support::signed_bytes(*explain::place_policy(1)));
-  expect_said(refusal(folder_, {.policy = other}), {"another policy", "other.policy", "this one sees 2"});
+  expect_output(refusal(folder_, {.policy = other}), {"another policy", "other.policy", "this one sees 2"});
   fs::remove(folder_ / "journal.policy");
-  expect_said(refusal(folder_), {"journal.policy", "--policy"});
+  expect_output(refusal(folder_), {"journal.policy", "--policy"});
 }
 
 TEST_F(RecordedFlightTest, HasTheTablesBesideTheJournalOrThoseThatAreSaid) {
@@ -99,24 +99,24 @@ TEST_F(RecordedFlightTest, HasTheTablesBesideTheJournalOrThoseThatAreSaid) {
 
 TEST_F(RecordedFlightTest, NamesTheOptionWhereTheTablesAreMissing) {
   fs::remove(folder_ / "journal.tables");
-  expect_said(refusal(folder_), {"journal.lcmlog", "no tables beside it (journal.tables)", "--tables FILE"});
-  expect_said(refusal(folder_, {.tables = folder_ / "none.tables"}), {"none.tables", "no such file"});
+  expect_output(refusal(folder_), {"journal.lcmlog", "no tables beside it (journal.tables)", "--tables FILE"});
+  expect_output(refusal(folder_, {.tables = folder_ / "none.tables"}), {"none.tables", "no such file"});
 }
 
 TEST_F(RecordedFlightTest, RefusesOtherTablesThanThoseThatFlew) {
   auto louder = std::make_unique<policy::OceanTables>(explain::falling_ocean());
   for (std::int8_t& half_db : louder->tables[0].snr_half_db) half_db = static_cast<std::int8_t>(half_db + 2);
   support::write_bytes(folder_ / "louder.tables", support::signed_bytes(*louder));
-  expect_said(refusal(folder_, {.tables = folder_ / "louder.tables"}), {"step 0", "other ocean tables"});
+  expect_output(refusal(folder_, {.tables = folder_ / "louder.tables"}), {"step 0", "other ocean tables"});
 }
 
 TEST_F(RecordedFlightTest, RefusesTablesThatAreNoneOrDamaged) {
   std::ofstream(folder_ / "journal.tables") << std::string(1'000, 'x');
-  expect_said(refusal(folder_), {"journal.tables", "not a .tables file"});
+  expect_output(refusal(folder_), {"journal.tables", "not a .tables file"});
   std::vector<std::uint8_t> bytes = support::signed_bytes(explain::falling_ocean());
   bytes[200] ^= 1U;
   support::write_bytes(folder_ / "journal.tables", bytes);
-  expect_said(refusal(folder_), {"journal.tables", "is damaged: its CRC-32 is wrong"});
+  expect_output(refusal(folder_), {"journal.tables", "is damaged: its CRC-32 is wrong"});
 }
 
 TEST_F(RecordedFlightTest, OfAPolicyWithoutANetworkIsHeldAgainstItsAdvice) {
@@ -126,14 +126,14 @@ TEST_F(RecordedFlightTest, OfAPolicyWithoutANetworkIsHeldAgainstItsAdvice) {
   EXPECT_EQ(open_recording(folder_, {}).journal.decisions.size(), 5U);
   taken[2].logits[1] += 0.25F;
   write_flight(folder_, *advice, taken, kCorner);
-  expect_said(refusal(folder_), {"step 2", "other logits"});
+  expect_output(refusal(folder_), {"step 2", "other logits"});
 }
 
 TEST_F(RecordedFlightTest, RefusesAGapInTheDecisions) {
   std::vector<explain::RecordedDecision> taken = explain::flown(*policy_, 5, kCorner);
   taken.erase(taken.begin() + 2);
   write_journal(journal(), taken);
-  expect_said(refusal(folder_), {"journal.lcmlog", "step 2", "missing"});
+  expect_output(refusal(folder_), {"journal.lcmlog", "step 2", "missing"});
 }
 
 TEST_F(RecordedFlightTest, SaysWhereAJournalCutShortEndsAndKeepsWhatIsWhole) {
@@ -145,7 +145,7 @@ TEST_F(RecordedFlightTest, SaysWhereAJournalCutShortEndsAndKeepsWhatIsWhole) {
     (void)index_of_step(flight, 4);
     FAIL() << "step 4 is cut off";
   } catch (const host::BadInput& e) {
-    expect_said(e.what(), {"--step 4", "step 3", "cut short"});
+    expect_output(e.what(), {"--step 4", "step 3", "cut short"});
   }
 }
 
@@ -156,18 +156,18 @@ TEST_F(RecordedFlightTest, RefusesAStepBeyondTheFlight) {
     (void)index_of_step(flight, 5);
     FAIL() << "there is no step 5";
   } catch (const host::BadInput& e) {
-    expect_said(e.what(), {"--step 5", "ends with the decision of step 4"});
+    expect_output(e.what(), {"--step 5", "ends with the decision of step 4"});
     EXPECT_EQ(std::string(e.what()).find("cut"), std::string::npos);
   }
 }
 
 TEST_F(RecordedFlightTest, RefusesWhatIsNoJournal) {
   std::ofstream(journal()) << "time,snr\n0,1\n";
-  expect_said(refusal(folder_), {"journal.lcmlog", "not a journal"});
+  expect_output(refusal(folder_), {"journal.lcmlog", "not a journal"});
   std::ofstream(journal(), std::ios::trunc).flush();
-  expect_said(refusal(folder_), {"journal.lcmlog", "no decision"});
+  expect_output(refusal(folder_), {"journal.lcmlog", "no decision"});
   fs::remove(journal());
-  expect_said(refusal(folder_), {"journal.lcmlog"});
+  expect_output(refusal(folder_), {"journal.lcmlog"});
 }
 
 TEST_F(RecordedFlightTest, NamesWhatASummaryDoesNotSay) {
@@ -176,11 +176,11 @@ TEST_F(RecordedFlightTest, NamesWhatASummaryDoesNotSay) {
     auto without = whole;
     without.erase(key);
     std::ofstream(folder_ / "summary.json") << without;
-    expect_said(refusal(folder_), {"summary.json", key});
+    expect_output(refusal(folder_), {"summary.json", key});
   }
   std::ofstream(folder_ / "summary.json") << whole;
   std::ofstream(folder_ / "snr.csv") << "range_m,snr_db\n";
-  expect_said(refusal(folder_), {"snr.csv", "at least two rows"});
+  expect_output(refusal(folder_), {"snr.csv", "at least two rows"});
 }
 
 TEST_F(RecordedFlightTest, RefusesAnSnrCurveWhoseRangesDoNotRiseFromZeroByOneStepOrWhoseNumbersAreNone) {
@@ -188,14 +188,14 @@ TEST_F(RecordedFlightTest, RefusesAnSnrCurveWhoseRangesDoNotRiseFromZeroByOneSte
     std::ofstream(folder_ / "snr.csv") << "range_m,snr_db\n" << rows;
     return refusal(folder_);
   };
-  expect_said(refused("0,30\n0,29\n"), {"snr.csv:3", "same step"});
-  expect_said(refused("0,30\n-100,29\n"), {"snr.csv:3", "same step"});
-  expect_said(refused("100,30\n200,29\n"), {"snr.csv:2", "must be 0"});
-  expect_said(refused("0,30\n100,29\n300,28\n"), {"snr.csv:4", "same step"});
-  expect_said(refused("0,30\nnan,29\n"), {"snr.csv:3", "finite"});
-  expect_said(refused("0,30\n100,nan\n"), {"snr.csv:3", "finite"});
-  expect_said(refused("0,30\n100,1e300\n"), {"snr.csv:3", "finite"});  // no float
-  expect_said(refused("0,30\n100.001,29\n200,28\n"), {"not refused"});
+  expect_output(refused("0,30\n0,29\n"), {"snr.csv:3", "same step"});
+  expect_output(refused("0,30\n-100,29\n"), {"snr.csv:3", "same step"});
+  expect_output(refused("100,30\n200,29\n"), {"snr.csv:2", "must be 0"});
+  expect_output(refused("0,30\n100,29\n300,28\n"), {"snr.csv:4", "same step"});
+  expect_output(refused("0,30\nnan,29\n"), {"snr.csv:3", "finite"});
+  expect_output(refused("0,30\n100,nan\n"), {"snr.csv:3", "finite"});
+  expect_output(refused("0,30\n100,1e300\n"), {"snr.csv:3", "finite"});  // no float
+  expect_output(refused("0,30\n100.001,29\n200,28\n"), {"not refused"});
 }
 
 TEST_F(RecordedFlightTest, GivesAPolicyWithoutABeliefAnObserversOfTheOceanThatWasFlown) {
@@ -205,10 +205,10 @@ TEST_F(RecordedFlightTest, GivesAPolicyWithoutABeliefAnObserversOfTheOceanThatWa
   const RecordedFlight flight = open_recording(folder_, {});
   ASSERT_TRUE(flight.observer);
   EXPECT_FALSE(flight.circumstances(explain::Baseline::kCentre).belief_is_the_policys);
-  // Five looks of 1 dB a kilometre find the range to the source, though not the side of the track on which it lies.
+  // Five measurements of 1 dB a kilometre find the range to the source, though not the side of the track on which it lies.
   const explain::DecisionAccount last = explain::account_of(flight.circumstances(explain::Baseline::kCentre), flight.journal.decisions);
   EXPECT_LT(last.place.smallest_area_km2(0.5), 150.0) << "of 625";
-  expect_said(refusal(journal(), {.south_west = kCorner}), {"journal.policy", "no belief", "summary.json"});
+  expect_output(refusal(journal(), {.south_west = kCorner}), {"journal.policy", "no belief", "summary.json"});
 }
 
 }  // namespace

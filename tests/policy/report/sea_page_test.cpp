@@ -102,7 +102,7 @@ TEST_F(SeaPageTest, SaysInItsHeadWhichRuleEndedTheSearchAndNoneOfThoseThatCameAf
                                                "battery_percent", "14.9", "below 15.0", "abort"}));
 }
 
-TEST_F(SeaPageTest, SaysHowSurprisedTheVehicleWasThatItSweptAndThatItDeclared) {
+TEST_F(SeaPageTest, SaysTheMismatchThatTheVehicleSweptAndThatItDeclared) {
   {
     SeaJournal journal(folder_ / kJournalName);
     messages::Decision believing;

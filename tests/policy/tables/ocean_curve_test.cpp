@@ -9,7 +9,7 @@
 #include "policy/tables/merge.hpp"
 #include "sim/field_library/store.hpp"
 #include "sim/ocean/file/environment_file.hpp"
-#include "sim/search/told_ocean.hpp"
+#include "sim/search/known_ocean.hpp"
 #include "sim/sonar/sonar_field.hpp"
 #include "tests/sim/sonar/hilly_ocean.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -29,7 +29,7 @@ TEST(OceanCurve, OfThePapersOceanIsWhatABeliefIsToldOfIt) {
   ASSERT_EQ(curves.size(), 1U);
   const ocean::Environment environment = ocean::load_environment(EARSHOT_SOURCE_DIR "/sim/ocean/environments/munk_flat.toml");
   const auto told = std::make_unique<policy::OceanTables>();
-  search::make_told_ocean({}, sonar::compute_snr_curve(environment, kUsual.vehicle_depth, search::furthest_range({})), *told);
+  search::make_known_ocean({}, sonar::compute_snr_curve(environment, kUsual.vehicle_depth, search::furthest_range({})), *told);
   ASSERT_EQ(told->range_step, kUsual.range_step);
   ASSERT_EQ(told->range_count, kUsual.range_count);
   for (std::size_t i = 1; i < kUsual.range_count; ++i)  // at the source it is louder than a table holds

@@ -74,7 +74,7 @@ class MarkedOrders : public WalkAtSea {
   }
 
   /// Python's program says so much of an order.
-  void expect_said(const std::vector<std::string>& words, const std::string& said, int status) {
+  void expect_output(const std::vector<std::string>& words, const std::string& said, int status) {
     const char* const interpreter = std::getenv("EARSHOT_PYTHON");
     std::vector<std::string> a{kExamples + "order_over_lcm.py", std::string(host::kDefaultLcmUrl)};
     a.insert(a.end(), words.begin(), words.end());
@@ -103,12 +103,12 @@ class MarkedOrders : public WalkAtSea {
 TEST_F(MarkedOrders, AreMadeForTheVehicleThatIsMeantAndItsMissionAlone) {
   const std::string key = folder_ / "vehicle.key";
   const std::string heard = " was heard within 10 s (heard: \"auv-7\"; is --vehicle-id, --mission or --key-file another's?)\n";
-  expect_said({"START", "--key-file", key, "--vehicle-id", "auv-8"}, "START: no vehicle named \"auv-8\" with this key" + heard, 1);
-  expect_said({"START", "--key-file", key}, "START: no vehicle without a name (--vehicle-id) with this key" + heard, 1);
-  expect_said({"START", "--key-file", key, "--vehicle-id", "auv-7", "--mission", key},
-              "START: no vehicle named \"auv-7\" with this key and mission" + heard, 1);
+  expect_output({"START", "--key-file", key, "--vehicle-id", "auv-8"}, "START: no vehicle named \"auv-8\" with this key" + heard, 1);
+  expect_output({"START", "--key-file", key}, "START: no vehicle without a name (--vehicle-id) with this key" + heard, 1);
+  expect_output({"START", "--key-file", key, "--vehicle-id", "auv-7", "--mission", key},
+                "START: no vehicle named \"auv-7\" with this key and mission" + heard, 1);
   EXPECT_TRUE(recorded_.empty()) << "nothing was sent that somebody could record";
-  expect_said({"START", "--key-file", key, "--vehicle-id", "auv-7", "--mission", folder_ / "mission.toml"}, "START: OBEYED\n", 0);
+  expect_output({"START", "--key-file", key, "--vehicle-id", "auv-7", "--mission", folder_ / "mission.toml"}, "START: OBEYED\n", 0);
   end();
 }
 
@@ -126,7 +126,7 @@ TEST_F(MarkedOrders, AreSentOnceASecondAndNotWithEveryFixWhileNobodyAnswers) {
 }
 
 TEST_F(MarkedOrders, AreNotObeyedAgainOnceTheVehicleHasBegunAnew) {
-  expect_said({"START", "--key-file", folder_ / "vehicle.key", "--vehicle-id", "auv-7"}, "START: OBEYED\n", 0);
+  expect_output({"START", "--key-file", folder_ / "vehicle.key", "--vehicle-id", "auv-7"}, "START: OBEYED\n", 0);
   ASSERT_FALSE(recorded_.empty());
   const std::vector<std::uint8_t> start = recorded_;
   end();

@@ -88,7 +88,7 @@ TEST(SelectionTable, IsReadFromPlainCsv) {
   const SelectionTable plain = selection_table_from("start,end,label\n12.5,13.25,\"fin, far\"\n", "t.csv");
   ASSERT_EQ(plain.selections.size(), 1U);
   EXPECT_EQ(plain.selections[0].end_s, 13.25);
-  EXPECT_FALSE(plain.selections[0].tells_channel);
+  EXPECT_FALSE(plain.selections[0].names_channel);
   EXPECT_EQ(selection_table_from("1,2,fin\n3,4,fin\n", "t.csv").selections.size(), 2U) << "without a first line of names";
   EXPECT_EQ(selection_table_from("Start (s);End (s);Common name\n1,5;2,5;Fin\n", "t.csv").selections[0].begin_s, 1.5);
   EXPECT_EQ(selection_table_from("start_sec,end_seconds\n1,2\n", "t.csv").selections[0].end_s, 2.0);
@@ -101,7 +101,7 @@ TEST(SelectionTable, IsReadFromPlainCsv) {
   ASSERT_EQ(own.selections.size(), 1U);
   EXPECT_EQ(own.selections[0].end_s, 72.0);
   EXPECT_EQ(own.selections[0].begin_file, "in/a, b.wav");
-  EXPECT_TRUE(own.selections[0].tells_offset);
+  EXPECT_TRUE(own.selections[0].names_offset);
   EXPECT_TRUE(support::tells(refusal_of("start,end\n1,x\n"), {"t.txt:2", "end", "0 to 1000000000"}));
 }
 

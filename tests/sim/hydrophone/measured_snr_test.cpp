@@ -12,16 +12,16 @@
 namespace earshot::hydrophone {
 namespace {
 
-struct Look {
+struct Measurement {
   double time_s;
   double snr_db;
   bool too_faint;
 };
 
-/// Every look of a vehicle that listens for so long, 15 km from a source of that SNR.
-std::vector<Look> looks(const detector::SoundSettings& listening, const Calls& calls, double snr_db, int seconds) {
-  const auto ears = std::make_unique<detector::SoundDetector>();
-  EXPECT_EQ(ears->configure(listening), Status::kOk);
+/// Every measurement of a vehicle that listens for so long, 15 km from a source of that SNR.
+std::vector<Measurement> measurements(const detector::SoundSettings& listening, const Calls& calls, double snr_db, int seconds) {
+  const auto sound_detector = std::make_unique<detector::SoundDetector>();
+  EXPECT_EQ(sound_detector->configure(listening), Status::kOk);
   HydrophoneSettings settings;
   settings.band = {.low = listening.band.low, .high = listening.band.high};
   settings.calls = calls;
@@ -30,42 +30,42 @@ std::vector<Look> looks(const detector::SoundSettings& listening, const Calls& c
   Situation situation{.arrivals = {}, .speed = MetersPerSecond{2.0}};
   (void)situation.arrivals.push_back({.range = Meters{15'000}, .level = settings.noise_level + Decibels{snr_db}});
   hydrophone.begin(situation);
-  std::vector<Look> seen;
+  std::vector<Measurement> seen;
   for (int t = 1; t <= seconds; ++t) {
     EXPECT_TRUE(hydrophone.hear(situation, Time{} + Duration::seconds(t)));
-    ears->hear(hydrophone.block(), hydrophone.samples());
-    while (const auto e = ears->next()) {
+    sound_detector->hear(hydrophone.block(), hydrophone.samples());
+    while (const auto e = sound_detector->next()) {
       if (e->is_measured()) seen.push_back({.time_s = (e->time - Time{}).to_seconds(), .snr_db = e->snr.value, .too_faint = e->too_faint});
     }
   }
   return seen;
 }
 
-double mean_snr(const std::vector<Look>& seen) {
+double mean_snr(const std::vector<Measurement>& seen) {
   double sum = 0.0;
   double count = 0.0;
-  for (const Look& look : seen) {
-    if (look.too_faint) continue;
-    sum += look.snr_db;
+  for (const Measurement& measurement : seen) {
+    if (measurement.too_faint) continue;
+    sum += measurement.snr_db;
     count += 1.0;
   }
   return sum / count;
 }
 
 TEST(MeasuredSnr, OfASteadyToneIsTheModelled) {
-  // From 400 independent looks of a standard deviation of 1 dB or less; the detector's noise floor and the noise's knee at 20 Hz make 0.2
-  // dB.
+  // From 400 independent measurements of a standard deviation of 1 dB or less; the detector's noise floor and the noise's knee at 20 Hz
+  // make 0.2 dB.
   for (const double snr_db : {5.0, 10.0, 20.0, 35.0})
-    EXPECT_NEAR(mean_snr(looks(detector::continuous_tone(), Tone{}, snr_db, 1700)), snr_db, 0.5) << snr_db;
+    EXPECT_NEAR(mean_snr(measurements(detector::continuous_tone(), Tone{}, snr_db, 1700)), snr_db, 0.5) << snr_db;
 }
 
 TEST(MeasuredSnr, OfASongsPulsesIsTheModelledWhenItIsLoudest) {
   const Song song{.pattern = {.interval_s = 15.0, .song_s = 1e6, .pause_s = 0.0, .listening_s = 1.0}};
   for (const double snr_db : {10.0, 20.0}) {
     std::vector<double> loudest(40, -100.0);  // pulses come at 10, 25, 40, ... s: 15 km take 10 s
-    for (const Look& look : looks(detector::fin_whale(), song, snr_db, 600)) {
-      double& so_far = loudest.at(static_cast<std::size_t>((look.time_s - 5.0) / 15.0));
-      if (!look.too_faint) so_far = std::max(so_far, look.snr_db);
+    for (const Measurement& measurement : measurements(detector::fin_whale(), song, snr_db, 600)) {
+      double& so_far = loudest.at(static_cast<std::size_t>((measurement.time_s - 5.0) / 15.0));
+      if (!measurement.too_faint) so_far = std::max(so_far, measurement.snr_db);
     }
     double sum = 0.0;
     for (std::size_t pulse = 10; pulse < 39; ++pulse) sum += loudest[pulse] / 29.0;
@@ -74,16 +74,18 @@ TEST(MeasuredSnr, OfASongsPulsesIsTheModelledWhenItIsLoudest) {
 }
 
 TEST(MeasuredSnr, OfWhatIsFarUnderTheNoiseIsTooFaint) {
-  const std::vector<Look> seen = looks(detector::continuous_tone(), Tone{}, -20.0, 1700);
-  const auto measured = std::count_if(seen.begin(), seen.end(), [](const Look& look) { return !look.too_faint; });
-  EXPECT_LT(static_cast<double>(measured), 0.01 * static_cast<double>(seen.size()));  // a thousandth by the detector's word; looks overlap
+  const std::vector<Measurement> seen = measurements(detector::continuous_tone(), Tone{}, -20.0, 1700);
+  const auto measured = std::count_if(seen.begin(), seen.end(), [](const Measurement& measurement) { return !measurement.too_faint; });
+  EXPECT_LT(static_cast<double>(measured),
+            0.01 * static_cast<double>(seen.size()));  // a thousandth by the detector's word; measurements overlap
 }
 
 TEST(MeasuredSnr, IsTheSameInTheSameSea) {
-  const auto once = looks(detector::continuous_tone(), Tone{}, 8.0, 300);
-  const auto again = looks(detector::continuous_tone(), Tone{}, 8.0, 300);
+  const auto once = measurements(detector::continuous_tone(), Tone{}, 8.0, 300);
+  const auto again = measurements(detector::continuous_tone(), Tone{}, 8.0, 300);
   ASSERT_EQ(once.size(), again.size());
-  EXPECT_TRUE(std::equal(once.begin(), once.end(), again.begin(), [](const Look& a, const Look& b) { return a.snr_db == b.snr_db; }));
+  EXPECT_TRUE(
+      std::equal(once.begin(), once.end(), again.begin(), [](const Measurement& a, const Measurement& b) { return a.snr_db == b.snr_db; }));
 }
 
 }  // namespace

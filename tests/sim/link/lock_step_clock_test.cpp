@@ -22,7 +22,7 @@ using namespace std::chrono_literals;
 using board::Clock;
 
 constexpr Time kFirstTick{7'000'000};
-constexpr auto kDelay = 400ms;  ///< of the first tick, four looks of the loop
+constexpr auto kDelay = 400ms;  ///< of the first tick, four polls of the loop
 
 /// A simulator in a process of its own (Cyclone DDS does not survive a fork, so fork before any DDS): it announces one fix and so many
 /// blocks of sound with a tick that is late.
@@ -75,10 +75,10 @@ TEST(LockStepClock, LetsNothingBeReadThatMayBelongToATickThatIsNotHereYet) {
   while (!clock.has_come(100ms)) {
   }
   const Clock::Awaited none = so_far(0, 0);
-  int looks = 0;
+  int waits = 0;
   Clock::Wake wake = clock.wait(none);
-  for (; wake == Clock::Wake::kNothing; wake = clock.wait(none)) ++looks;
-  EXPECT_GE(looks, 1) << "the tick was late";
+  for (; wake == Clock::Wake::kNothing; wake = clock.wait(none)) ++waits;
+  EXPECT_GE(waits, 1) << "the tick was late";
   EXPECT_EQ(wake, Clock::Wake::kPorts);
   EXPECT_EQ(clock.now(), kFirstTick);
   EXPECT_EQ(clock.mission_time_of(kFirstTick), kFirstTick) << "what is dated with the tick may be read now";

@@ -95,7 +95,7 @@ void answer_every_tick(std::uint64_t until) {
                .state = tick.command,
                .end_reason = static_cast<std::uint8_t>(tick.snr ? tick.snr->value : 99.0),
                .believed_source = tick.snr ? std::optional(NorthEast{Meters{1.5}, Meters{-tick.snr->value}}) : std::nullopt,
-               .surprise_bits = 0.5F * static_cast<float>(tick.number),
+               .mismatch_bits = 0.5F * static_cast<float>(tick.number),
                .is_sweeping = tick.number % 2 == 1,
                .is_found = tick.number % 3 == 0,
                .rule = tick.number % 5 == 0 ? std::optional(kRule) : std::nullopt});
@@ -129,7 +129,7 @@ TEST(LockStep, EveryTickIsAnsweredInOrderWithWhatItSaid) {
     EXPECT_EQ(answer.state, n % 4);
     EXPECT_EQ(answer.end_reason, n % 2 == 0 ? 12 : 99);
     EXPECT_EQ(answer.believed_source, n % 2 == 0 ? std::optional(NorthEast{Meters{1.5}, Meters{-12.0}}) : std::nullopt);
-    EXPECT_EQ(answer.surprise_bits, 0.5F * static_cast<float>(n));
+    EXPECT_EQ(answer.mismatch_bits, 0.5F * static_cast<float>(n));
     EXPECT_EQ(answer.is_sweeping, n % 2 == 1);
     EXPECT_EQ(answer.is_found, n % 3 == 0);
     EXPECT_EQ(answer.rule, n % 5 == 0 ? std::optional(kRule) : std::nullopt);

@@ -100,7 +100,7 @@ TEST(SoundFile, CountsTheSamplesOfAFlacThatDoesNotTellThem) {
   file.close();
   SoundFile unknown(folder / "a.flac");
   EXPECT_EQ(unknown.frames(), 3U);
-  EXPECT_EQ(unknown.told_length(), ToldLength::kUnknown) << "a recorder that was killed leaves such a file, too";
+  EXPECT_EQ(unknown.declared_length(), DeclaredLength::kUnknown) << "a recorder that was killed leaves such a file, too";
   EXPECT_EQ(all_of(unknown), (std::vector<float>{0.0F, 0.5F, -1.0F}));
 }
 
@@ -119,7 +119,7 @@ TEST(SoundFile, ReadsTheTextsThatAnIcListenWritesBeforeTheFormat) {
 
 TEST(SoundFile, TellsHowMuchIsMissingOfAFileThatWasCutShort) {
   const TemporaryFolder folder;
-  tests::write(folder / "a.wav", WavBytes{.samples = tests::int16_samples(std::array{1, 2, 3, 4}), .told_more = 12}.bytes());
+  tests::write(folder / "a.wav", WavBytes{.samples = tests::int16_samples(std::array{1, 2, 3, 4}), .declares_more = 12}.bytes());
   SoundFile file(folder / "a.wav");
   EXPECT_EQ(file.frames(), 4U);
   EXPECT_EQ(file.missing_frames(), 6U);
@@ -134,7 +134,7 @@ TEST(SoundFile, ReadsWhatStandsBehindTheEndThatTheHeaderTells) {
     bytes.replace(bytes.size() - 16, 4, tests::little_endian(2, 4));
     tests::write(folder / "a.wav", bytes);
     SoundFile file(folder / "a.wav");
-    EXPECT_EQ(file.told_length(), ToldLength::kTooShort) << kind;
+    EXPECT_EQ(file.declared_length(), DeclaredLength::kTooShort) << kind;
     EXPECT_EQ(file.frames_behind(), 5U);
     EXPECT_EQ(file.frames(), 6U);
     EXPECT_EQ(all_of(file), (std::vector<float>{0.5F, -0.5F, 0.25F, -0.25F, 0.0F, 0.0F}));
@@ -151,12 +151,12 @@ TEST(SoundFile, ReadsAllOfAFileWhoseLengthWasNeverWritten) {
       tests::little_endian(0x400000, 3) + tests::little_endian(0xC00000, 3) + tests::little_endian(0x200000, 3) + std::string(3, '\0');
   for (const WavBytes& wav :
        {WavBytes{.samples = whole}, WavBytes{.bits = 32, .format = 3, .samples = floating}, WavBytes{.bits = 24, .samples = three_bytes}}) {
-    for (const std::uint64_t told : {0ULL, 0xFFFFFFFFULL}) {
+    for (const std::uint64_t declared : {0ULL, 0xFFFFFFFFULL}) {
       std::string bytes = wav.bytes();
-      bytes.replace(bytes.size() - wav.samples.size() - 4, 4, tests::little_endian(told, 4));
+      bytes.replace(bytes.size() - wav.samples.size() - 4, 4, tests::little_endian(declared, 4));
       tests::write(folder / "a.wav", bytes);
       SoundFile file(folder / "a.wav");
-      EXPECT_EQ(file.told_length(), ToldLength::kUnknown);
+      EXPECT_EQ(file.declared_length(), DeclaredLength::kUnknown);
       EXPECT_EQ(all_of(file), (std::vector<float>{0.5F, -0.5F, 0.25F, 0.0F}));
     }
   }
@@ -179,7 +179,7 @@ TEST(SoundFile, ReadsTheTextsThatStandBehindTheSamples) {
                                      tests::chunk("guan", "GUANO|Version:1.0\nTimestamp:2021-02-05T03:59:46+10:00\n"));
   const SoundFile file(folder / "a.wav");
   EXPECT_EQ(file.frames(), 2U);
-  EXPECT_EQ(file.told_length(), ToldLength::kRight);
+  EXPECT_EQ(file.declared_length(), DeclaredLength::kRight);
   EXPECT_EQ(file.texts().origin, "2021-02-05 03:59:46");
   EXPECT_NE(file.texts().guano.find("Timestamp:2021"), std::string::npos);
 }

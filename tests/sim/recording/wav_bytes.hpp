@@ -32,17 +32,18 @@ struct WavBytes {
   std::uint32_t sample_rate = 2000;
   std::uint16_t channels = 1;
   std::uint16_t bits = 16;
-  std::uint16_t format = 1;     ///< 1: PCM, 3: IEEE float, 7: mu-law
-  std::string before_format{};  ///< chunks
-  std::string samples{};        ///< bytes
-  std::uint32_t told_more = 0;  ///< bytes that the header tells of and that are not there
+  std::uint16_t format = 1;         ///< 1: PCM, 3: IEEE float, 7: mu-law
+  std::string before_format{};      ///< chunks
+  std::string samples{};            ///< bytes
+  std::uint32_t declares_more = 0;  ///< bytes that the header tells of and that are not there
 
   [[nodiscard]] std::string bytes() const {
     const auto frame = static_cast<std::uint16_t>(channels * bits / 8);
     const std::string fmt = little_endian(format, 2) + little_endian(channels, 2) + little_endian(sample_rate, 4) +
                             little_endian(std::uint64_t{sample_rate} * frame, 4) + little_endian(frame, 2) + little_endian(bits, 2);
-    const std::string body = "WAVE" + before_format + chunk("fmt ", fmt) + "data" + little_endian(samples.size() + told_more, 4) + samples;
-    return "RIFF" + little_endian(body.size() + told_more, 4) + body;
+    const std::string body =
+        "WAVE" + before_format + chunk("fmt ", fmt) + "data" + little_endian(samples.size() + declares_more, 4) + samples;
+    return "RIFF" + little_endian(body.size() + declares_more, 4) + body;
   }
 };
 

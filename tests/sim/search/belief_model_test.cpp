@@ -59,7 +59,7 @@ TEST(BeliefModelOf, HasTheCostsThatFoundMost) {
   const policy::BeliefCosts costs = belief_model(SearchSettings{}).costs;
   EXPECT_EQ(costs.step, 10.0F);
   EXPECT_NEAR(std::exp(static_cast<double>(costs.log_step_discount)), 0.85, 1e-8);  // a float of 0.16 is good to 1e-8
-  EXPECT_EQ(costs.reach, 100.0F);
+  EXPECT_EQ(costs.find_probability, 100.0F);
 }
 
 TEST(BeliefModelOf, CostsAtTheEdgeWhatTheSearchTakesOffThere) {

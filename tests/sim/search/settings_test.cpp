@@ -102,16 +102,16 @@ TEST(SearchSettingsCheck, RefusesAStartRegionThatLiesWhollyWithinReachOfTheSourc
   EXPECT_EQ(check(s), Status::kOutOfRange);
 }
 
-TEST(LooksOnLeg, AreOneASecondBackFromItsEndAsFarAsWindowAndLegReach) {
+TEST(MeasurementsOnLeg, AreOneASecondBackFromItsEndAsFarAsWindowAndLegReach) {
   const auto window = [](std::int64_t length_s) {
     return config::ListeningWindow{.listening = config::Listening::kLoudest, .length = Duration::seconds(length_s)};
   };
-  EXPECT_EQ(looks_on_leg({}, 500.0), 1U);
-  EXPECT_EQ(looks_on_leg(window(1), 500.0), 1U);
-  EXPECT_EQ(looks_on_leg(window(15), 500.0), 15U);
-  EXPECT_EQ(looks_on_leg(window(120), 50.0), 50U);
-  EXPECT_EQ(looks_on_leg(window(120), 50.9), 50U);
-  EXPECT_EQ(looks_on_leg(window(120), 0.2), 1U);
+  EXPECT_EQ(measurements_on_leg({}, 500.0), 1U);
+  EXPECT_EQ(measurements_on_leg(window(1), 500.0), 1U);
+  EXPECT_EQ(measurements_on_leg(window(15), 500.0), 15U);
+  EXPECT_EQ(measurements_on_leg(window(120), 50.0), 50U);
+  EXPECT_EQ(measurements_on_leg(window(120), 50.9), 50U);
+  EXPECT_EQ(measurements_on_leg(window(120), 0.2), 1U);
 }
 
 TEST(CheckSettings, RefusesAWindowThatCannotBeListenedOver) {

@@ -113,8 +113,8 @@ class Asker:
         for wrong in WRONG_VALUES:
             changed = copy.deepcopy(base)
             table_at(changed, path)[key] = wrong
-            said = self._of(changed, key)
-            must = [match.group(1) for line in said if (match := re.search(r": (must .*|needs .*)$", line))]
+            stated = self._of(changed, key)
+            must = [match.group(1) for line in stated if (match := re.search(r": (must .*|needs .*)$", line))]
             if must:
                 must += self._of_items(base, path, key, must[0])
                 break
@@ -131,8 +131,8 @@ class Asker:
             return []
         changed = copy.deepcopy(base)
         table_at(changed, path)[key] = ["no number"]
-        said = [match.group(1) for line in self._of(changed, key) if (match := re.search(r": must (.*)$", line))]
-        return [f"{must}, each {allowed('must ' + said[0])}"] if said else []
+        stated = [match.group(1) for line in self._of(changed, key) if (match := re.search(r": must (.*)$", line))]
+        return [f"{must}, each {allowed('must ' + stated[0])}"] if stated else []
 
     def _of(self, root: dict[str, Any], key: str) -> list[str]:
         """What is said of the key of a file, which is refused in any case: nothing is computed."""
@@ -149,12 +149,12 @@ class Asker:
 
 def page(dictionary: Path, root: Path, programs: Path, scratch: Path) -> str:
     """The page of a dictionary. Raises Unanswered where it names a key that the program does not read."""
-    said = tomllib.loads(dictionary.read_text())
-    pieces = [f"# {said['title']}\n", said["about"].strip() + "\n"]
-    base_file = root / said["base"]
+    stated = tomllib.loads(dictionary.read_text())
+    pieces = [f"# {stated['title']}\n", stated["about"].strip() + "\n"]
+    base_file = root / stated["base"]
     base = with_whole_paths(tomllib.loads(base_file.read_text()), base_file.parent)
-    asker = Asker(programs, said["command"], scratch)
-    for table in said["table"]:
+    asker = Asker(programs, stated["command"], scratch)
+    for table in stated["table"]:
         changed = copy.deepcopy(base)
         for name in table.get("without", []):
             changed.pop(name, None)

@@ -127,7 +127,7 @@ std::uint32_t microseconds() {
   return at(kMicroseconds);
 }
 
-/// With interrupts off a byte cannot come between the look and the halt, which a pending one ends all the same.
+/// With interrupts off a byte cannot come between the check and the halt, which a pending one ends all the same.
 void wait_for_interrupt() {
   asm volatile("cpsid i" ::: "memory");
   if (ring.read.load(std::memory_order_relaxed) == ring.written.load(std::memory_order_relaxed)) asm volatile("wfi");

@@ -10,7 +10,7 @@
 #include "firmware/boards/linux/apps/vehicle_trust.hpp"
 #include "firmware/desk/checklist/chart.hpp"
 #include "firmware/desk/checklist/checklist.hpp"
-#include "firmware/desk/checklist/doubts.hpp"
+#include "firmware/desk/checklist/mission_warnings.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/output_file.hpp"
 #include "firmware/host/file/printable.hpp"
@@ -34,7 +34,7 @@ void require_room_for_journal(const Options& o) {
 
 /// Who checks a mission need not do so where it will be flown from. @return empty: none
 /// @throws host::BadInput as require_room_for_journal() of a folder that is named
-std::string doubt_about_journal(const Options& o) {
+std::string warning_about_journal(const Options& o) {
   try {
     require_room_for_journal(o);
     return {};
@@ -47,23 +47,23 @@ std::string doubt_about_journal(const Options& o) {
 }  // namespace
 
 int check(const Options& o) {
-  host::MissionJudge judge = judge_at_sea(o.vehicle, host::Counting::kJudged);
-  const host::MissionFile file = load_mission_for_sea(o, judge);
-  const host::SignedSearch search = judge.load_search(file);
+  host::MissionVerifier verifier = verifier_at_sea(o.vehicle, host::Counting::kVerified);
+  const host::MissionFile file = load_mission_for_sea(o, verifier);
+  const host::SignedSearch search = verifier.load_search(file);
   (void)make_runtime(file, search, o.mission.string());
-  const std::string about_journal = doubt_about_journal(o);
+  const std::string about_journal = warning_about_journal(o);
   if (o.chart) {
     host::require_writable(*o.chart, host::kSvgOutput, host::Replace::kOwnKind, "name another file");
     host::write_whole(*o.chart, chart(file.mission, host::printable(o.mission.filename().string())));
   }
-  program::say() << checklist(file, search, o.mission.string(), signatures_of(judge, search));
-  if (o.chart) program::say() << "chart         " << host::printable(o.chart->string()) << "\n";
-  std::vector<std::string> doubts = doubts_about(file);
-  if (!about_journal.empty()) doubts.push_back(about_journal);
+  program::print() << checklist(file, search, o.mission.string(), signatures_of(verifier, search));
+  if (o.chart) program::print() << "chart         " << host::printable(o.chart->string()) << "\n";
+  std::vector<std::string> warnings = mission_warnings(file);
+  if (!about_journal.empty()) warnings.push_back(about_journal);
   // Of a mission that is flown after `--quiet --check` nobody may say that he was not told.
-  std::ostream& told = program::talk() == program::Talk::kQuiet ? std::cerr : program::say();
-  for (const std::string& doubt : doubts) told << "doubt: " << doubt << "\n";
-  program::say() << "ready to dive" << (doubts.empty() ? "" : ", but for what is in doubt") << "\n";
+  std::ostream& destination = program::talk() == program::Talk::kQuiet ? std::cerr : program::print();
+  for (const std::string& warning : warnings) destination << "doubt: " << warning << "\n";
+  program::print() << "ready to dive" << (warnings.empty() ? "" : ", but for what is in doubt") << "\n";
   return program::kDone;
 }
 

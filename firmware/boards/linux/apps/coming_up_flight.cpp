@@ -13,10 +13,10 @@
 #include "firmware/boards/linux/apps/end_report.hpp"
 #include "firmware/boards/linux/apps/flight.hpp"
 #include "firmware/boards/linux/clock/host_mission_clock.hpp"
+#include "firmware/boards/linux/event_log/event_log.hpp"
+#include "firmware/boards/linux/event_log/line_writer.hpp"
 #include "firmware/boards/linux/mission_loop.hpp"
 #include "firmware/boards/linux/mission_turn.hpp"
-#include "firmware/boards/linux/news/flight_news.hpp"
-#include "firmware/boards/linux/news/line_writer.hpp"
 #include "firmware/boards/linux/open_ports.hpp"
 #include "firmware/boards/linux/outage/coming_up.hpp"
 #include "firmware/boards/linux/outage/kept_vehicle.hpp"
@@ -71,7 +71,7 @@ bool is_for_want_of_descriptors(const std::exception& e) {
 bool opens(const host::MissionFile& one, const HostClock& host, host::SafetyCopies& copies, PortSet& ports) {
   for (;;) {
     try {
-      open_ports(one, host, host::IfMissing::kKeepTrying, WakesFor::kLooks, ports);
+      open_ports(one, host, host::IfMissing::kKeepTrying, WakesFor::kMeasurements, ports);
       return true;
     } catch (const std::exception& e) {
       if (is_for_want_of_descriptors(e) && copies.give_up_one()) continue;
@@ -99,7 +99,7 @@ int come_up(const Options& o, host::SafetyCopies& copies, const HostClock& host,
   std::cerr << "earshotd: " << host::printable_lines(why)
             << "\nearshotd: the mission that was under way cannot go on: the vehicle is ordered to stop and come up until this program is "
                "stopped\n";
-  program::outlive_accidents();
+  program::ignore_unmeant_signals();
   program::stop_on_signals();
   const host::SafetyRecord record = copies.newest().value();
   const host::MissionFile vehicle = board::vehicle(o, copies);
@@ -124,12 +124,12 @@ int come_up(const Options& o, host::SafetyCopies& copies, const HostClock& host,
   turn.keep_safe(safety);
   turn.report_to(manager);
   std::optional<LineWriter> writer;
-  std::optional<FlightNews> news;
+  std::optional<EventLog> event_log;
   try {
     if (program::talk() != program::Talk::kQuiet) {
       writer.emplace(STDERR_FILENO);
-      news.emplace(ports, *writer, o.log_format());
-      turn.tell(*news);
+      event_log.emplace(ports, *writer, o.log_format());
+      turn.report_to(*event_log);
     }
   } catch (const std::exception& e) {  // no thread, no descriptor: the vehicle is told, a person is not
     std::cerr << "earshotd: " << host::printable(e.what()) << ": nothing more is reported here\n";

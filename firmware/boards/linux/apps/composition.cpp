@@ -14,11 +14,11 @@
 
 namespace earshot::board {
 
-host::MissionFile load_mission(const Options& o, host::MissionJudge& judge) {
+host::MissionFile load_mission(const Options& o, host::MissionVerifier& verifier) {
   require_as_signed(
-      judge,
+      verifier,
       {.policy = o.policy.has_value(), .tables = o.tables.has_value(), .public_key = o.public_key.has_value(), .seed = o.seed.has_value()});
-  host::MissionFile file = judge.load_mission(o.mission);
+  host::MissionFile file = verifier.load_mission(o.mission);
   if (o.policy) {
     file.policy = *o.policy;
     file.policy_named_at.clear();
@@ -37,9 +37,9 @@ host::MissionFile load_mission(const Options& o, host::MissionJudge& judge) {
   return file;
 }
 
-host::MissionFile load_mission_for_sea(const Options& o, host::MissionJudge& judge) {
-  require_ports_as_signed(judge, o.ports);
-  host::MissionFile file = load_mission(o, judge);
+host::MissionFile load_mission_for_sea(const Options& o, host::MissionVerifier& verifier) {
+  require_ports_as_signed(verifier, o.ports);
+  host::MissionFile file = load_mission(o, verifier);
   host::require_ports_for_sea(file, o.mission);
   return file;
 }

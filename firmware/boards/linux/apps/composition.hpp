@@ -10,7 +10,7 @@
 #include "firmware/boards/linux/core/board_core.hpp"
 #include "firmware/boards/linux/port/port_set.hpp"
 #include "firmware/host/mission/mission_file.hpp"
-#include "firmware/host/mission/mission_judge.hpp"
+#include "firmware/host/mission/mission_verifier.hpp"
 #include "firmware/host/mission/policy_file.hpp"
 #include "firmware/runtime/runtime.hpp"
 
@@ -20,10 +20,10 @@ namespace earshot::board {
 
 /// The mission of a command line, with what its options say in place of the mission's own words. Its ports are not judged yet.
 /// @throws host::BadInput naming file and key, or an option that a signed mission does not allow
-[[nodiscard]] host::MissionFile load_mission(const Options& o, host::MissionJudge& judge);
+[[nodiscard]] host::MissionFile load_mission(const Options& o, host::MissionVerifier& verifier);
 
 /// Likewise with the ports that a vehicle at sea needs, which a signed mission brings along.
-[[nodiscard]] host::MissionFile load_mission_for_sea(const Options& o, host::MissionJudge& judge);
+[[nodiscard]] host::MissionFile load_mission_for_sea(const Options& o, host::MissionVerifier& verifier);
 
 /// @throws host::BadInput when the policy does not fit the mission
 [[nodiscard]] std::unique_ptr<runtime::Runtime> make_runtime(const host::MissionFile& file, const host::SignedSearch& search,

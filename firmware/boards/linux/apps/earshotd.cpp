@@ -25,7 +25,7 @@ int run(const Options& o) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  program::PatientStreams streams;  // a vehicle waits for nobody who reads, and does not end with him
+  program::NonBlockingStdio streams;  // a vehicle waits for nobody who reads, and does not end with him
   program::CommandLine line("earshotd",
                             "earshotd flies one mission: navigation and SNR in, frozen policy, set-points out.\n"
                             "Exit status: 0 the search ended DONE, or none was under way; 1 --prove-no-alloc found an allocation;\n"
@@ -38,8 +38,9 @@ int main(int argc, char** argv) {
   bool has_begun = false;
   const int status = program::run(line, argc, argv, [&] {
     has_begun = true;
-    streams.say_errors_as(
-        [format = options.log_format()](std::string_view said, std::span<char> into) { return board::formatted(said, format, into); });
+    streams.set_error_format([format = options.log_format()](std::string_view plain_line, std::span<char> into) {
+      return board::formatted(plain_line, format, into);
+    });
     options.names_out = std::ranges::count(line.given(), "--out") > 0;
     return run(options);
   });

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "firmware/boards/linux/news/log_format.hpp"
+#include "firmware/boards/linux/event_log/log_format.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/mission/ports/port_override.hpp"
 #include "firmware/host/program/command_line.hpp"

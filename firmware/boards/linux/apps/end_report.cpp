@@ -3,7 +3,7 @@
 #include <iostream>
 #include <string>
 
-#include "firmware/boards/linux/news/health_words.hpp"
+#include "firmware/boards/linux/event_log/health_words.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/journal/words/sentences.hpp"
@@ -68,8 +68,8 @@ int report(const LoopResult& result, const Clock& clock, const PortSet& ports, c
 }
 
 int report(const MemoryProof& proof, const PortSet& ports) {
-  program::say() << proof.bill(ports);
-  (proof.holds() ? program::say() : std::cerr) << "earshotd: " << proof.verdict() << std::flush;
+  program::print() << proof.bill(ports);
+  (proof.holds() ? program::print() : std::cerr) << "earshotd: " << proof.verdict() << std::flush;
   if (const std::string remark = proof.remark(); !remark.empty()) std::cerr << "earshotd: warning: " << remark << "\n";
   return proof.holds() ? program::kDone : program::kIncomplete;
 }

@@ -18,11 +18,11 @@
 #include <vector>
 
 #include "firmware/boards/linux/apps/end_report.hpp"
+#include "firmware/boards/linux/event_log/event_log.hpp"
+#include "firmware/boards/linux/event_log/line_writer.hpp"
 #include "firmware/boards/linux/memory_proof.hpp"
 #include "firmware/boards/linux/mission_loop.hpp"
 #include "firmware/boards/linux/mission_turn.hpp"
-#include "firmware/boards/linux/news/flight_news.hpp"
-#include "firmware/boards/linux/news/line_writer.hpp"
 #include "firmware/boards/linux/outage/held_orders.hpp"
 #include "firmware/boards/linux/outage/kept_vehicle.hpp"
 #include "firmware/boards/linux/outage/meanwhile.hpp"
@@ -81,8 +81,8 @@ void keep(const host::SignedSearch& search, const std::filesystem::path& journal
   keep(search.tables.bytes, "tables", {"a .tables file", {"EARSHOTT", {}}}, journal);
 }
 
-/// A computer that cannot make its thread flies without news.
-void open_news(std::optional<LineWriter>& writer) {
+/// A computer that cannot make its thread flies without an event log.
+void open_event_log(std::optional<LineWriter>& writer) {
   try {
     writer.emplace(STDERR_FILENO);
   } catch (const std::system_error& e) {
@@ -93,11 +93,11 @@ void open_news(std::optional<LineWriter>& writer) {
 /// Flies, and tells meanwhile what changes; all of it is told when this returns.
 LoopResult fly_on(const Flight& f, MissionTurn& turn, MemoryProof& proof, const Hold& hold) {
   std::optional<LineWriter> writer;
-  std::optional<FlightNews> news;
-  if (program::talk() != program::Talk::kQuiet) open_news(writer);
+  std::optional<EventLog> event_log;
+  if (program::talk() != program::Talk::kQuiet) open_event_log(writer);
   if (writer) {
-    news.emplace(f.ports, *writer, f.options.log_format());
-    turn.tell(*news);
+    event_log.emplace(f.ports, *writer, f.options.log_format());
+    turn.report_to(*event_log);
   }
   if (f.terms.settles_memory) report_settled_memory();
   if (f.options.prove_no_alloc) proof.arm();
@@ -123,7 +123,7 @@ host::SafetyRecord counted(host::SafetyRecord record) {
 }
 
 /// Of a journal that no safety record of this vehicle names, nobody knows whose orders stand in it.
-void tell_of_others_journal(const std::filesystem::path& wanted) {
+void report_others_journal(const std::filesystem::path& wanted) {
   if (const std::optional<std::filesystem::path> newest = host::newest_journal(wanted); newest)
     std::cerr << "earshotd: warning: " << host::printable(newest->string())
               << ": no safety record of this vehicle names it: it is left, and a new mission begins\n";
@@ -135,7 +135,7 @@ constexpr std::chrono::milliseconds kBetweenTurns{100};  // a bus wants to be se
 
 /// Nothing ends a reading that is under way but the program's end; the journal is as if it had crashed.
 [[noreturn]] void stop_meanwhile(SafetyLog& safety, Meanwhile& meanwhile) {
-  for (int said = 0; said < kLastSetpoints; ++said) meanwhile.turn();
+  for (int setpoints_sent = 0; setpoints_sent < kLastSetpoints; ++setpoints_sent) meanwhile.turn();
   std::cerr << "earshotd: stopped by a signal while it read the journal; the vehicle was ordered to stop and come up\n";
   (void)safety.abort(kAshore);
   if (!safety.close(kAshore)) std::cerr << kStaysUnderWay;
@@ -167,7 +167,7 @@ std::optional<Unfinished> unfinished_mission(Flight& f, const std::filesystem::p
   f.manager.ask_for(std::chrono::minutes(30));  // the journal of a month is read again
   if (f.safety == nullptr) return find_unfinished(wanted, flown, GoOnAfter::kLastTurn);
   const host::SafetyRecord* const record = open_record(f);
-  if (!f.safety->found()) tell_of_others_journal(wanted);
+  if (!f.safety->found()) report_others_journal(wanted);
   if (record == nullptr) return std::nullopt;
   std::optional<Unfinished> unfinished;
   try {

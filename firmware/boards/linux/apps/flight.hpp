@@ -12,7 +12,7 @@
 #include "firmware/boards/linux/service/service_manager.hpp"
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/host/mission/mission_file.hpp"
-#include "firmware/host/mission/mission_judge.hpp"
+#include "firmware/host/mission/mission_verifier.hpp"
 #include "firmware/host/mission/policy_file.hpp"
 #include "firmware/host/mission/tables_file.hpp"
 #include "firmware/host/safety_record/safety_copies.hpp"

@@ -42,8 +42,8 @@ void read_copies(const Options& o, host::Claim claim, std::optional<host::Safety
 
 constexpr const char* kIsKilled = "but has been killed, and does not end: a disk hangs";
 constexpr const char* kHangs = "but has not written the record for half a minute: it hangs, or does not fly";
-/// Between two looks at a record that may be left alone, or whose killed owner may have ended by then.
-constexpr std::chrono::seconds kBetweenLooks{2};
+/// Between two readings at a record that may be left alone, or whose killed owner may have ended by then.
+constexpr std::chrono::seconds kPollInterval{2};
 
 /// For how long nobody has written it, at the least.
 Duration age_of(const host::SafetyRecord& record, const HostClock& host) {
@@ -51,11 +51,11 @@ Duration age_of(const host::SafetyRecord& record, const HostClock& host) {
   return record.boot == host.boot() ? running - record.since_boot : running;
 }
 
-/// A mission is under way, and whoever has its record has not written it for long, nor does he between two looks.
+/// A mission is under way, and whoever has its record has not written it for long, nor does he between two readings.
 bool is_left_alone(const Options& o, const HostClock& host, std::optional<host::SafetyCopies>& safety) {
   std::optional<host::SafetyRecord> first;
-  for (int look = 0; look < 2; ++look) {
-    if (look > 0) std::this_thread::sleep_for(kBetweenLooks);
+  for (int reading = 0; reading < 2; ++reading) {
+    if (reading > 0) std::this_thread::sleep_for(kPollInterval);
     read_copies(o, host::Claim::kWaived, safety);
     if (!is_under_way(*safety) || age_of(*safety->found(), host) < SafetyLog::kHangs) return false;
     if (first && !(*first == *safety->found())) return false;
@@ -76,7 +76,7 @@ void claim_copies(const Options& o, std::optional<host::SafetyCopies>& safety) {
     read_copies(o, host::Claim::kNeeded, safety);
   } catch (const host::RecordInUse& e) {
     if (!o.resume || !e.is_killed()) throw;
-    std::this_thread::sleep_for(kBetweenLooks);
+    std::this_thread::sleep_for(kPollInterval);
     read_copies(o, host::Claim::kNeeded, safety);
   }
 }
@@ -122,8 +122,8 @@ int fly_or_come_up(const Options& o, const HostClock& host, const std::function<
   for (const std::string& copy : safety->left_out())
     std::cerr << "earshotd: warning: safety record " << host::printable(copy) << ": it does not count\n";
   const SafetyFolders folders = SafetyFolders::of_this_process();
-  for (const std::string& doubt : doubts_about(safety_places(o.out, o.safety_copies, folders), folders))
-    std::cerr << "earshotd: warning: " << host::printable(doubt) << "\n";
+  for (const std::string& warning : warnings_about(safety_places(o.out, o.safety_copies, folders), folders))
+    std::cerr << "earshotd: warning: " << host::printable(warning) << "\n";
   const bool lacks_record = o.resume && !safety->found() && safety->is_damaged();  // a vehicle may be under way
   if (lacks_record) {
     if (const std::optional<host::SafetyRecord> record = record_by_journal(o.out / "journal.lcmlog"); record) {

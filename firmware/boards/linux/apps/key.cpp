@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
   line.option("FILE", &file, "secret key to make; its public half stands beside it as .pub; neither is ever replaced").required();
   return program::run(line, argc, argv, [&] {
     (void)host::make_key_pair(file, host::LonePublicHalf::kStays);
-    program::say() << file.string() << " (secret: keep it), " << host::public_file_of(file).string() << " (a vehicle trusts it)\n";
+    program::print() << file.string() << " (secret: keep it), " << host::public_file_of(file).string() << " (a vehicle trusts it)\n";
     return program::kDone;
   });
 }

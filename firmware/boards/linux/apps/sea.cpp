@@ -79,23 +79,23 @@ FlightTerms terms_of(const host::MissionFile& file) {
 }
 
 int fly(const Options& o, const HostClock& host, host::SafetyCopies& safety) {
-  host::MissionJudge judge = judge_at_sea(o.vehicle, host::Counting::kRecorded);
-  const host::MissionFile file = load_mission_for_sea(o, judge);
-  const host::SignedSearch search = judge.load_search(file);
+  host::MissionVerifier verifier = verifier_at_sea(o.vehicle, host::Counting::kRecorded);
+  const host::MissionFile file = load_mission_for_sea(o, verifier);
+  const host::SignedSearch search = verifier.load_search(file);
   std::unique_ptr<runtime::Runtime> runtime = make_runtime(file, search, o.mission.string());
   std::unique_ptr<BoardCore> board = make_board(o, file, search, kBoardPatience);
   const std::vector<host::BusLock> locks = lock_buses(file);
   PortSet ports;
-  open_ports(file, host, host::IfMissing::kKeepTrying, WakesFor::kLooks, ports);  // a link may come after the vehicle computer
+  open_ports(file, host, host::IfMissing::kKeepTrying, WakesFor::kMeasurements, ports);  // a link may come after the vehicle computer
   settle(ports);
   const Outage outage = outage_of(o, safety, host);
   const std::unique_ptr<Clock> clock = clock_at_sea(o, safety, host, outage);
   // A vehicle in mid-search must not be left alone with its last set-point because somebody's terminal closed or a key slipped.
-  program::outlive_accidents();
-  program::note_hang_ups();
+  program::ignore_unmeant_signals();
+  program::install_sighup_handler();
   program::stop_on_signals();  // up to here nothing is under way that would have to end in order
   if (const std::optional<int> status = wait_for_clock(o, {}, *clock); status) return *status;
-  judge.record_flight();
+  verifier.record_flight();
   Flight flight{.options = o,
                 .terms = terms_of(file),
                 .file = file,

@@ -12,7 +12,7 @@
 #include "firmware/host/file/output_file.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/mission/mission_file.hpp"
-#include "firmware/host/mission/mission_judge.hpp"
+#include "firmware/host/mission/mission_verifier.hpp"
 #include "firmware/host/mission/policy_file.hpp"
 #include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/program/run.hpp"
@@ -39,7 +39,7 @@ authority::MissionManifest manifest_of(const Options& o) {
                          ": policies and ocean tables carry their signature within them; earshot freeze and earshot tables make that");
   // As any vehicle reads it that asks for a signature; which commands it obeys is that vehicle's to say.
   const host::MissionFile file = host::load_mission(
-      o.mission, text, {.said_in = {}, .command_key = host::CommandKey(host::KeyBytes{}), .reads_own_command_key = false});
+      o.mission, text, {.stated_in = {}, .command_key = host::CommandKey(host::KeyBytes{}), .reads_own_command_key = false});
   host::require_named_files(file);
   const std::vector<std::uint8_t> policy = host::read_policy_bytes(file.policy);
   const std::unique_ptr<policy::FrozenPolicy> parsed = host::policy_from(policy, file.policy);
@@ -72,8 +72,8 @@ int run(const Options& o) {
   host::require_writable(output, host::kSignatureOutput, host::Replace::kOwnKind, "move it away");
   warn_of_rollback(output, manifest.counter);
   host::write_whole(output, host::to_text(host::sign(manifest, key)));
-  program::say() << output.string() << ": " << o.mission.string() << " and its policy, with its ocean tables, counter " << manifest.counter
-                 << ", by the holder of " << host::public_file_of(o.key).string() << "\n";
+  program::print() << output.string() << ": " << o.mission.string() << " and its policy, with its ocean tables, counter "
+                   << manifest.counter << ", by the holder of " << host::public_file_of(o.key).string() << "\n";
   return program::kDone;
 }
 

@@ -27,8 +27,8 @@ namespace {
 /// With a board that decides: it may be an emulator on a busy machine.
 constexpr std::chrono::seconds kBoardPatience{60};
 
-host::MissionFile load(const Options& o, host::MissionJudge& judge) {
-  host::MissionFile file = load_mission(o, judge);
+host::MissionFile load(const Options& o, host::MissionVerifier& verifier) {
+  host::MissionFile file = load_mission(o, verifier);
   if (!o.snr_from_bus) host::leave_snr_to_simulator(file);
   if (o.hear) {
     host::require_hydrophone(file, o.mission);
@@ -53,9 +53,9 @@ FlightTerms terms_of(const Options& o) {
 
 int fly_in_simulation(const Options& o) {
   const HostClock host;
-  host::MissionJudge judge = judge_in_simulation(o.vehicle);
-  const host::MissionFile file = load(o, judge);
-  const host::SignedSearch search = judge.load_search(file);
+  host::MissionVerifier verifier = verifier_in_simulation(o.vehicle);
+  const host::MissionFile file = load(o, verifier);
+  const host::SignedSearch search = verifier.load_search(file);
   std::unique_ptr<runtime::Runtime> runtime = make_runtime(file, search, o.mission.string());
   std::unique_ptr<BoardCore> board = make_board(o, file, search, kBoardPatience);
   const std::vector<host::BusLock> locks = host::lock_buses(file, host::BusPlace::kVehicle);
@@ -68,7 +68,7 @@ int fly_in_simulation(const Options& o) {
   // The journal of an earlier flight is not touched before a simulator has come, and that comes when it has judged its own input.
   const std::string whose = "a simulator in DDS domain " + std::to_string(*o.simulation);
   if (const std::optional<int> status = wait_for_clock(o, whose, *simulation.clock); status) return *status;
-  judge.record_flight();
+  verifier.record_flight();
   Flight flight{.options = o,
                 .terms = terms_of(o),
                 .file = file,

@@ -24,38 +24,38 @@ void refuse_if(bool is_given, const std::string& option) {
 
 }  // namespace
 
-host::MissionJudge judge_at_sea(const std::optional<std::filesystem::path>& vehicle, host::Counting counting) {
+host::MissionVerifier verifier_at_sea(const std::optional<std::filesystem::path>& vehicle, host::Counting counting) {
   if (const std::optional<std::filesystem::path> file = host::vehicle_file_of(vehicle); file) return {load_strictly(*file), counting};
   std::cerr << "earshotd: warning: without --vehicle any mission is flown, whoever wrote it (see Sign missions)\n";
   return {};
 }
 
-host::MissionJudge judge_in_simulation(const std::optional<std::filesystem::path>& vehicle) {
+host::MissionVerifier verifier_in_simulation(const std::optional<std::filesystem::path>& vehicle) {
   if (!vehicle) return {};
   return {host::load_vehicle(*vehicle), host::Counting::kOnlyRead};
 }
 
-void require_as_signed(const host::MissionJudge& judge, const SaidInstead& said) {
-  refuse_if(judge.has_vehicle() && said.public_key, "--public-key");
-  if (!judge.requires_signed_mission()) return;
-  refuse_if(said.policy, "--policy");
-  refuse_if(said.tables, "--tables");
-  refuse_if(said.seed, "--seed");
+void require_as_signed(const host::MissionVerifier& verifier, const CommandLineOverrides& overrides) {
+  refuse_if(verifier.has_vehicle() && overrides.public_key, "--public-key");
+  if (!verifier.requires_signed_mission()) return;
+  refuse_if(overrides.policy, "--policy");
+  refuse_if(overrides.tables, "--tables");
+  refuse_if(overrides.seed, "--seed");
 }
 
-void require_ports_as_signed(const host::MissionJudge& judge, const host::PortOverride& said) {
-  if (!judge.requires_signed_mission()) return;
-  refuse_if(said.bus.has_value(), "--bus");
-  refuse_if(said.lcm_url.has_value(), "--lcm-url");
-  refuse_if(said.hydrophone_url.has_value(), "--hydrophone-url");
-  refuse_if(said.can_interface.has_value(), "--can-interface");
+void require_ports_as_signed(const host::MissionVerifier& verifier, const host::PortOverride& overrides) {
+  if (!verifier.requires_signed_mission()) return;
+  refuse_if(overrides.bus.has_value(), "--bus");
+  refuse_if(overrides.lcm_url.has_value(), "--lcm-url");
+  refuse_if(overrides.hydrophone_url.has_value(), "--hydrophone-url");
+  refuse_if(overrides.can_interface.has_value(), "--can-interface");
 }
 
-Signatures signatures_of(const host::MissionJudge& judge, const host::SignedSearch& search) {
+Signatures signatures_of(const host::MissionVerifier& verifier, const host::SignedSearch& search) {
   return {.policy = search.policy.signer,
           .tables = search.tables.signer,
-          .mission = judge.mission_signer(),
-          .counter = judge.manifest() ? judge.manifest()->counter : 0};
+          .mission = verifier.mission_signer(),
+          .counter = verifier.manifest() ? verifier.manifest()->counter : 0};
 }
 
 }  // namespace earshot::board

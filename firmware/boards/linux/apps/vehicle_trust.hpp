@@ -5,7 +5,7 @@
 
 #include "firmware/desk/checklist/checklist.hpp"
 #include "firmware/host/mission/mission_file.hpp"
-#include "firmware/host/mission/mission_judge.hpp"
+#include "firmware/host/mission/mission_verifier.hpp"
 #include "firmware/host/mission/ports/port_override.hpp"
 
 namespace earshot::board {
@@ -14,14 +14,14 @@ namespace earshot::board {
 /// itself, which standard error warns of in one line. Nobody but root and the user of this program may be able to change the
 /// configuration, or what it names. @param counting  what becomes of the counters of what is signed
 /// @throws host::BadInput as host::load_vehicle() and host::require_strict_modes()
-[[nodiscard]] host::MissionJudge judge_at_sea(const std::optional<std::filesystem::path>& vehicle, host::Counting counting);
+[[nodiscard]] host::MissionVerifier verifier_at_sea(const std::optional<std::filesystem::path>& vehicle, host::Counting counting);
 
 /// A simulation moves no vehicle: unless a configuration is named, it flies anybody's mission.
 /// @throws host::BadInput as host::load_vehicle()
-[[nodiscard]] host::MissionJudge judge_in_simulation(const std::optional<std::filesystem::path>& vehicle);
+[[nodiscard]] host::MissionVerifier verifier_in_simulation(const std::optional<std::filesystem::path>& vehicle);
 
 /// What a command line says in place of a mission.
-struct SaidInstead {
+struct CommandLineOverrides {
   bool policy = false;
   bool tables = false;
   bool public_key = false;
@@ -30,13 +30,13 @@ struct SaidInstead {
 
 /// What is signed is flown as it stands.
 /// @throws host::BadInput naming the option
-void require_as_signed(const host::MissionJudge& judge, const SaidInstead& said);
+void require_as_signed(const host::MissionVerifier& verifier, const CommandLineOverrides& overrides);
 
 /// So are its ports at sea; a simulator has ports of its own.
 /// @throws host::BadInput naming the option
-void require_ports_as_signed(const host::MissionJudge& judge, const host::PortOverride& said);
+void require_ports_as_signed(const host::MissionVerifier& verifier, const host::PortOverride& overrides);
 
 /// Of what has been loaded and judged.
-[[nodiscard]] Signatures signatures_of(const host::MissionJudge& judge, const host::SignedSearch& search);
+[[nodiscard]] Signatures signatures_of(const host::MissionVerifier& verifier, const host::SignedSearch& search);
 
 }  // namespace earshot::board

@@ -9,7 +9,7 @@
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/file/printable.hpp"
-#include "firmware/host/mission/mission_judge.hpp"
+#include "firmware/host/mission/mission_verifier.hpp"
 #include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/policy/tables_bytes.hpp"
 #include "firmware/host/program/run.hpp"
@@ -37,16 +37,16 @@ int verify_policy(const std::filesystem::path& path, const host::VehicleFile& ve
   const host::SignedPolicy policy =
       host::signed_policy_from(host::read_policy_bytes(path), path, vehicle.policy_keys, "trust.policy_keys of " + vehicle.path.string());
   host::require_repeats_golden(*policy.policy, path);
-  program::say() << "policy   " << host::printable(path.string()) << "\n         signed by " << host::printable(policy.signer.string())
-                 << "\n";
+  program::print() << "policy   " << host::printable(path.string()) << "\n         signed by " << host::printable(policy.signer.string())
+                   << "\n";
   return program::kDone;
 }
 
 int verify_tables(const std::filesystem::path& path, const host::VehicleFile& vehicle) {
   const host::SignedTables tables =
       host::signed_tables_from(host::read_tables_bytes(path), path, vehicle.policy_keys, "trust.policy_keys of " + vehicle.path.string());
-  program::say() << "tables   " << host::printable(path.string()) << "\n         signed by " << host::printable(tables.signer.string())
-                 << "\n";
+  program::print() << "tables   " << host::printable(path.string()) << "\n         signed by " << host::printable(tables.signer.string())
+                   << "\n";
   return program::kDone;
 }
 
@@ -54,17 +54,18 @@ int verify_tables(const std::filesystem::path& path, const host::VehicleFile& ve
 int verify_mission(const std::filesystem::path& path, const host::VehicleFile& vehicle) {
   std::error_code error;
   const bool has_counter = vehicle.requires_signed_mission && std::filesystem::exists(vehicle.counter_file, error);
-  host::MissionJudge judge(vehicle, has_counter ? host::Counting::kOnlyRead : host::Counting::kLeftOut);
-  const host::MissionFile file = judge.load_mission(path);
-  const host::SignedSearch search = judge.load_search(file);
+  host::MissionVerifier verifier(vehicle, has_counter ? host::Counting::kOnlyRead : host::Counting::kLeftOut);
+  const host::MissionFile file = verifier.load_mission(path);
+  const host::SignedSearch search = verifier.load_search(file);
   const host::SignedPolicy& policy = search.policy;
   host::require_repeats_golden(*policy.policy, file.policy);
   host::check_fits(*policy.policy, file.policy, file.mission, path);
-  std::ostream& out = program::say();
+  std::ostream& out = program::print();
   out << "mission  " << host::printable(path.string()) << "\n";
-  if (judge.manifest()) {
-    out << "         signed by " << host::printable(judge.mission_signer().string()) << "\ncounter  " << judge.manifest()->counter << "\n";
-    if (has_counter) out << "         flown last: " << judge.flown_last().counter << "\n";
+  if (verifier.manifest()) {
+    out << "         signed by " << host::printable(verifier.mission_signer().string()) << "\ncounter  " << verifier.manifest()->counter
+        << "\n";
+    if (has_counter) out << "         flown last: " << verifier.flown_last().counter << "\n";
   } else {
     out << "         needs no signature: trust.require_signed_mission is false\n";
   }
@@ -72,7 +73,7 @@ int verify_mission(const std::filesystem::path& path, const host::VehicleFile& v
   if (!search.tables_file.empty())
     out << "tables   " << host::printable(search.tables_file.string()) << "\n         signed by "
         << host::printable(search.tables.signer.string()) << "\n";
-  if (has_counter || !judge.manifest()) return program::kDone;
+  if (has_counter || !verifier.manifest()) return program::kDone;
   std::cerr << "earshot verify: " << host::printable(vehicle.counter_file.string())
             << ": no such file: whether a later mission has flown was not judged\n";
   return program::kIncomplete;
@@ -84,8 +85,8 @@ void set_counter(const host::VehicleFile& vehicle, const Options& o) {
     throw host::BadInput(vehicle.path.string() + ": trust.counter_file is missing: there is no name for it");
   if (o.new_counter) host::begin_counter(vehicle.counter_file, *o.new_counter);
   if (o.raised_counter) host::raise_counter(vehicle.counter_file, *o.raised_counter);
-  program::say() << host::printable(vehicle.counter_file.string()) << ": missions with a counter above "
-                 << (o.new_counter ? *o.new_counter : *o.raised_counter) << " may be flown\n";
+  program::print() << host::printable(vehicle.counter_file.string()) << ": missions with a counter above "
+                   << (o.new_counter ? *o.new_counter : *o.raised_counter) << " may be flown\n";
 }
 
 int run(const Options& o) {

@@ -32,8 +32,9 @@ std::size_t frames_together(std::span<const n2k::Frame> frames) {
   return count;
 }
 
-bool is_news(const std::optional<messages::Health>& told, const messages::Health& health) {
-  return !told || told->state != health.state || told->end_reason != health.end_reason || told->steps_taken != health.steps_taken;
+bool is_new(const std::optional<messages::Health>& published, const messages::Health& health) {
+  return !published || published->state != health.state || published->end_reason != health.end_reason ||
+         published->steps_taken != health.steps_taken;
 }
 
 bool starts(const messages::CommandAcknowledgement& acknowledgement) {
@@ -115,8 +116,8 @@ void CanPort::collect(Clock& clock, InputSink& sink) {
     if (received_utc < Time{}) received_utc = host_.utc();  // the kernel does not say
     take(heard, {.utc = received_utc, .mission = clock.arrival_of(received_utc)}, clock, sink);
   }
-  tell_vehicle_status(clock.now(), sink);
-  tell_troubles(clock.now(), sink);
+  report_vehicle_status(clock.now(), sink);
+  report_troubles(clock.now(), sink);
 }
 
 void CanPort::take(const n2k::HeardFrame& heard, const Arrival& arrival, Clock& clock, InputSink& sink) {
@@ -151,25 +152,25 @@ void CanPort::take_navigation(const n2k::HeardFrame& heard, const Arrival& arriv
 
 void CanPort::take_snr(const n2k::HeardFrame& heard, const Arrival& arrival, InputSink& sink) {
   const n2k::Identifier& identifier = heard.identifier.value();
-  const Result<n2k::HeardSnr> said = n2k::read_snr(heard.frame.bytes());
+  const Result<n2k::HeardSnr> condition = n2k::read_snr(heard.frame.bytes());
   const Result<bool> deaf = n2k::read_deaf(heard.frame.bytes());
-  note_refusal(said.ok() || said.status() == Status::kNotReady ? deaf.status() : said.status());
-  if (!said.ok() && !deaf.ok()) return;
+  note_refusal(condition.ok() || condition.status() == Status::kNotReady ? deaf.status() : condition.status());
+  if (!condition.ok() && !deaf.ok()) return;
   const n2k::Origin origin{.pgn = identifier.pgn, .address = identifier.source, .instance = {}};
   const n2k::Directory& directory = receiver_.sensors().directory();
-  const n2k::Standing standing = snr_gate_.standing(origin, directory, arrival.mission, n2k::table::kSnr.handover);
-  if (standing == n2k::Standing::kNotChosen && said.ok()) ++snr_not_chosen_;
-  if (standing == n2k::Standing::kNotChosen || standing == n2k::Standing::kIsAnothers) return;
-  tell_hearing(deaf, said.ok(), origin.address, arrival, sink);
-  if (!said.ok()) return;
+  const n2k::SourceStatus source_status = snr_gate_.status_of(origin, directory, arrival.mission, n2k::table::kSnr.handover);
+  if (source_status == n2k::SourceStatus::kNotChosen && condition.ok()) ++snr_not_chosen_;
+  if (source_status == n2k::SourceStatus::kNotChosen || source_status == n2k::SourceStatus::kHeldByAnother) return;
+  report_hearing(deaf, condition.ok(), origin.address, arrival, sink);
+  if (!condition.ok()) return;
   snr_gate_.hold(origin, directory, arrival.mission);
-  ++looks_;
+  ++measurements_;
   ++report_.received;
-  sink.take(index(), n2k::measurement_of(said.value(), arrival.mission));
+  sink.take(index(), n2k::measurement_of(condition.value(), arrival.mission));
 }
 
 /// Of the hydrophone that the SNR is taken from. Once another is, which does not say of itself, the deafness of the one before is over.
-void CanPort::tell_hearing(const Result<bool>& deaf, bool has_snr, std::uint8_t source, const Arrival& arrival, InputSink& sink) {
+void CanPort::report_hearing(const Result<bool>& deaf, bool has_snr, std::uint8_t source, const Arrival& arrival, InputSink& sink) {
   const bool is_replaced = has_snr && deaf_address_ && *deaf_address_ != source;
   if (!deaf.ok() && !is_replaced) return;
   const bool is_deaf = deaf.ok() && deaf.value();
@@ -182,7 +183,7 @@ void CanPort::take_hull(const n2k::HeardFrame& heard, const Arrival& arrival) {
 }
 
 /// Given at the end of a reading, so that a status holds all that has come.
-void CanPort::tell_vehicle_status(Time now, InputSink& sink) {
+void CanPort::report_vehicle_status(Time now, InputSink& sink) {
   messages::VehicleStatus status;
   if (condition_.give(receiver_.sensors(), now, status) != Status::kOk) return;
   ++report_.received;
@@ -191,16 +192,17 @@ void CanPort::tell_vehicle_status(Time now, InputSink& sink) {
 
 void CanPort::take_autopilot_status(const n2k::HeardFrame& heard, const Arrival& arrival, InputSink& sink) {
   const n2k::Identifier& identifier = heard.identifier.value();
-  const Result<n2k::AutopilotCondition> said = n2k::read_autopilot_status(heard.frame.bytes());
-  note_refusal(said.status());
-  if (!said.ok()) return;
+  const Result<n2k::AutopilotCondition> condition = n2k::read_autopilot_status(heard.frame.bytes());
+  note_refusal(condition.status());
+  if (!condition.ok()) return;
   const n2k::Origin origin{.pgn = identifier.pgn, .address = identifier.source, .instance = {}};
   const n2k::Directory& directory = receiver_.sensors().directory();
-  const n2k::Standing standing = autopilot_gate_.standing(origin, directory, arrival.mission, n2k::table::kAutopilotStatus.handover);
-  if (standing == n2k::Standing::kNotChosen || standing == n2k::Standing::kIsAnothers) return;
+  const n2k::SourceStatus source_status =
+      autopilot_gate_.status_of(origin, directory, arrival.mission, n2k::table::kAutopilotStatus.handover);
+  if (source_status == n2k::SourceStatus::kNotChosen || source_status == n2k::SourceStatus::kHeldByAnother) return;
   autopilot_gate_.hold(origin, directory, arrival.mission);
   ++report_.received;
-  sink.take(index(), messages::AutopilotStatus{.time = arrival.mission, .follows_setpoints = said.value().follows_setpoints});
+  sink.take(index(), messages::AutopilotStatus{.time = arrival.mission, .follows_setpoints = condition.value().follows_setpoints});
 }
 
 /// Another maker's message is none, nor is a device's that says it has no value.
@@ -216,30 +218,30 @@ std::uint64_t CanPort::publish(Time now, const runtime::Outputs& outputs) {
     const auto compose = [&](std::uint8_t address, n2k::SetpointFrames& frames) {
       return n2k::compose_setpoint(*outputs.setpoint, address, sequences_.setpoint++, frames);
     };
-    if (say<n2k::SetpointFrames>(compose, {.kept = host::WhileWaiting::kKeepNewest})) ++setpoints;
+    if (send_composed<n2k::SetpointFrames>(compose, {.kept = host::WhileWaiting::kKeepNewest})) ++setpoints;
   }
   if (has(host::Role::kOperator)) {
     acknowledge(outputs);
-    tell_challenge(now);
+    publish_challenge(now);
   }
-  if (has(host::Role::kStatus)) tell_status(now, outputs);
+  if (has(host::Role::kStatus)) publish_status(now, outputs);
   return setpoints;
 }
 
-void CanPort::tell_status(Time now, const runtime::Outputs& outputs) {
+void CanPort::publish_status(Time now, const runtime::Outputs& outputs) {
   if (outputs.decision) {
-    say<n2k::FastPacketFrames>([&](std::uint8_t address, n2k::FastPacketFrames& frames) {
+    send_composed<n2k::FastPacketFrames>([&](std::uint8_t address, n2k::FastPacketFrames& frames) {
       return n2k::compose_decision(*outputs.decision, {.source = address, .sequence = sequences_.decision++}, frames);
     });
   }
-  if (!is_news(told_, outputs.health) && now - told_at_ < kStatusPeriod) return;
-  told_ = outputs.health;
-  told_at_ = now;
-  say<n2k::FastPacketFrames>([&](std::uint8_t address, n2k::FastPacketFrames& frames) {
+  if (!is_new(published_health_, outputs.health) && now - published_at_ < kStatusPeriod) return;
+  published_health_ = outputs.health;
+  published_at_ = now;
+  send_composed<n2k::FastPacketFrames>([&](std::uint8_t address, n2k::FastPacketFrames& frames) {
     return n2k::compose_health(outputs.health, now, {.source = address, .sequence = sequences_.health++}, frames);
   });
   for (const messages::PortReport& port : outputs.health.ports) {
-    say<n2k::FastPacketFrames>([&](std::uint8_t address, n2k::FastPacketFrames& frames) {
+    send_composed<n2k::FastPacketFrames>([&](std::uint8_t address, n2k::FastPacketFrames& frames) {
       return n2k::compose_port_health(port, {.source = address, .sequence = sequences_.port_health++}, frames);
     });
   }
@@ -284,7 +286,7 @@ BusSigns CanPort::signs() const {
           .frames_lost = now.lost,
           .unsent = now.unsent - without_address_,
           .fixes = fixes_,
-          .looks = looks_,
+          .measurements = measurements_,
           .no_variation = sensors.no_variation,
           .not_chosen = {.position = not_chosen(n2k::Measured::kPosition),
                          .heading = not_chosen(n2k::Measured::kHeading),
@@ -293,19 +295,19 @@ BusSigns CanPort::signs() const {
           .readings = receiver_.sensors().readings()};
 }
 
-void CanPort::tell_troubles(Time mission_now, InputSink& sink) {
+void CanPort::report_troubles(Time mission_now, InputSink& sink) {
   // Of a missing interface the link's own line tells; a controller that has left the bus says so here.
   const bool sees_bus = socket_.is_up() || socket_.controller_state() == n2k::ControllerState::kBusOff;
   const TroubleWatch::Now now{.host = host_now(), .mission = mission_now};
   if (sees_bus && !saw_bus_) watch_.restart(signs(), now);
   saw_bus_ = sees_bus;
   if (!sees_bus) return;
-  const BusTroubles troubles = watch_.look(signs(), now);
-  const BusTroubles changed = troubles ^ told_troubles_;
+  const BusTroubles troubles = watch_.check(signs(), now);
+  const BusTroubles changed = troubles ^ reported_troubles_;
   for (std::size_t i = 0; i < kBusTroubleCount; ++i) {
-    if (changed[i]) sink.tell_trouble(index(), static_cast<BusTrouble>(i), troubles[i]);
+    if (changed[i]) sink.report_trouble(index(), static_cast<BusTrouble>(i), troubles[i]);
   }
-  told_troubles_ = troubles;
+  reported_troubles_ = troubles;
   met_troubles_ |= troubles;
 }
 

@@ -77,21 +77,21 @@ class CanPort final : public Port {
   void take_snr(const n2k::HeardFrame& heard, const Arrival& arrival, InputSink& sink);
   void take_hull(const n2k::HeardFrame& heard, const Arrival& arrival);
   void take_autopilot_status(const n2k::HeardFrame& heard, const Arrival& arrival, InputSink& sink);
-  void tell_hearing(const Result<bool>& deaf, bool has_snr, std::uint8_t source, const Arrival& arrival, InputSink& sink);
-  void tell_vehicle_status(Time now, InputSink& sink);
+  void report_hearing(const Result<bool>& deaf, bool has_snr, std::uint8_t source, const Arrival& arrival, InputSink& sink);
+  void report_vehicle_status(Time now, InputSink& sink);
   void note_refusal(Status status);
   void take_order(const n2k::HeardFrame& heard, const Arrival& arrival, Clock& clock, InputSink& sink);
   void zero_pressure(Time now, const runtime::Outputs& outputs);
   [[nodiscard]] bool send(std::span<const n2k::Frame> frames, const host::Waiting& waiting = {});
   /// Sends one message, or counts that it could not. @param compose  Status(address to send from, Frames&)
   template <class Frames, class Compose>
-  bool say(Compose compose, const host::Waiting& waiting = {});
+  bool send_composed(Compose compose, const host::Waiting& waiting = {});
   void answer_unreadable(Time now, const messages::OperatorCommand& command, std::uint8_t sender);
   void acknowledge(const runtime::Outputs& outputs);
-  void tell_challenge(Time now);
-  void tell_status(Time now, const runtime::Outputs& outputs);
+  void publish_challenge(Time now);
+  void publish_status(Time now, const runtime::Outputs& outputs);
   [[nodiscard]] BusSigns signs() const;
-  void tell_troubles(Time mission_now, InputSink& sink);
+  void report_troubles(Time mission_now, InputSink& sink);
 
   std::string name_;
   std::string interface_;
@@ -112,7 +112,7 @@ class CanPort final : public Port {
   n2k::SourceGate autopilot_gate_;
   n2k::OrderReceiver orders_;
   std::uint64_t fixes_ = 0;
-  std::uint64_t looks_ = 0;
+  std::uint64_t measurements_ = 0;
   std::uint64_t own_refused_ = 0;                            ///< messages of Earshot's own groups whose numbers cannot be
   std::optional<std::uint8_t> deaf_address_;                 ///< of the hydrophone that said last that it is deaf
   std::uint64_t snr_not_chosen_ = 0;                         ///< of hydrophones that the mission does not name
@@ -121,18 +121,18 @@ class CanPort final : public Port {
   Sequences sequences_;
   std::uint64_t without_address_ = 0;  ///< messages that were not sent for want of one
   TroubleWatch watch_;
-  BusTroubles told_troubles_;
-  BusTroubles met_troubles_;              ///< ever
-  std::optional<messages::Health> told_;  ///< the status told last
-  Time told_at_;
-  Time challenge_told_at_;
+  BusTroubles reported_troubles_;
+  BusTroubles met_troubles_;                          ///< ever
+  std::optional<messages::Health> published_health_;  ///< the status told last
+  Time published_at_;
+  Time challenge_published_at_;
   messages::MissionState state_ = messages::MissionState::kStandby;  ///< after the last turn
   bool zero_is_due_ = false;
   bool is_zeroed_ = false;
 };
 
 template <class Frames, class Compose>
-bool CanPort::say(Compose compose, const host::Waiting& waiting) {
+bool CanPort::send_composed(Compose compose, const host::Waiting& waiting) {
   const std::optional<std::uint8_t> address = node_.address();
   if (!address && socket_.is_up()) ++without_address_;
   Frames frames;

@@ -22,11 +22,11 @@ void CanPort::take_order(const n2k::HeardFrame& heard, const Arrival& arrival, C
   const Status status = orders_.accept(heard, arrival.utc, node_.address().value_or(n2k::kNullAddress), command, sender);
   if (status == Status::kNotReady) return;
   if (status != Status::kOk) {
-    sink.tell_order_trouble(index(), OrderTrouble::kUnreadable);
+    sink.report_order_trouble(index(), OrderTrouble::kUnreadable);
     answer_unreadable(clock.now(), command, sender);
     return;
   }
-  if (orders_.counters().cut != cut) sink.tell_order_trouble(index(), OrderTrouble::kCutAbort);
+  if (orders_.counters().cut != cut) sink.report_order_trouble(index(), OrderTrouble::kCutAbort);
   judge_mark(command_proof_, command, sink);
   command.time = clock.mission_time_of(command.time);
   command.expiry = clock.mission_time_of(command.expiry);
@@ -38,7 +38,7 @@ void CanPort::take_order(const n2k::HeardFrame& heard, const Arrival& arrival, C
 /// At once, and from here: what is no order is no input. A flood is answered no more often than orders are.
 void CanPort::answer_unreadable(Time now, const messages::OperatorCommand& command, std::uint8_t sender) {
   if (++unreadable_answered_ > config::kMaxAcknowledgements) return;
-  say<n2k::FastPacketFrames>([&](std::uint8_t address, n2k::FastPacketFrames& frames) {
+  send_composed<n2k::FastPacketFrames>([&](std::uint8_t address, n2k::FastPacketFrames& frames) {
     const n2k::Route route{.source = address, .destination = sender, .sequence = sequences_.acknowledgement++};
     const messages::CommandAcknowledgement answer{.time = now,
                                                   .port = index(),
@@ -62,7 +62,7 @@ void CanPort::acknowledge(const runtime::Outputs& outputs) {
     const auto asker = std::find_if(askers_.begin() + next, askers_.end(), is_asker);
     if (asker == askers_.end()) continue;
     next = static_cast<std::size_t>(asker - askers_.begin()) + 1;
-    say<n2k::FastPacketFrames>([&](std::uint8_t address, n2k::FastPacketFrames& frames) {
+    send_composed<n2k::FastPacketFrames>([&](std::uint8_t address, n2k::FastPacketFrames& frames) {
       const n2k::Route route{.source = address, .destination = asker->address, .sequence = sequences_.acknowledgement++};
       return n2k::compose_acknowledgement(acknowledgement, route, frames);
     });
@@ -70,11 +70,11 @@ void CanPort::acknowledge(const runtime::Outputs& outputs) {
   askers_.clear();
 }
 
-void CanPort::tell_challenge(Time now) {
-  if (!command_proof_ || now - challenge_told_at_ < kChallengePeriod) return;
-  challenge_told_at_ = now;
-  say<n2k::FastPacketFrames>([&](std::uint8_t address, n2k::FastPacketFrames& frames) {
-    return n2k::compose_challenge(command_proof_->told(host_.utc()), {.source = address, .sequence = sequences_.challenge++}, frames);
+void CanPort::publish_challenge(Time now) {
+  if (!command_proof_ || now - challenge_published_at_ < kChallengePeriod) return;
+  challenge_published_at_ = now;
+  send_composed<n2k::FastPacketFrames>([&](std::uint8_t address, n2k::FastPacketFrames& frames) {
+    return n2k::compose_challenge(command_proof_->published(host_.utc()), {.source = address, .sequence = sequences_.challenge++}, frames);
   });
 }
 

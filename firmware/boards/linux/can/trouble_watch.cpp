@@ -9,7 +9,7 @@ void set(BusTroubles& troubles, BusTrouble trouble, bool is_there) {
 
 }  // namespace
 
-void TroubleWatch::Growth::look(std::uint64_t count, Now now) {
+void TroubleWatch::Growth::check(std::uint64_t count, Now now) {
   if (count_ == count) return;
   grown_ = count_ ? count > *count_ : count > 0;
   count_ = count;
@@ -24,22 +24,22 @@ void TroubleWatch::Growth::restart(std::uint64_t count, Now now) {
 
 void TroubleWatch::restart(const BusSigns& signs, Now now) {
   fixes_.restart(signs.fixes, now);
-  looks_.restart(signs.looks, now);
+  measurements_.restart(signs.measurements, now);
   lost_.restart(signs.frames_lost, now);
   unsent_.restart(signs.unsent, now);
   without_address_since_.reset();
 }
 
-BusTroubles TroubleWatch::look(const BusSigns& signs, Now now) {
-  fixes_.look(signs.fixes, now);
-  looks_.look(signs.looks, now);
-  no_variation_.look(signs.no_variation, now);
-  other_positions_.look(signs.not_chosen.position, now);
-  other_headings_.look(signs.not_chosen.heading, now);
-  other_pressures_.look(signs.not_chosen.pressure, now);
-  other_looks_.look(signs.not_chosen.snr, now);
-  lost_.look(signs.frames_lost, now);
-  unsent_.look(signs.unsent, now);
+BusTroubles TroubleWatch::check(const BusSigns& signs, Now now) {
+  fixes_.check(signs.fixes, now);
+  measurements_.check(signs.measurements, now);
+  no_variation_.check(signs.no_variation, now);
+  other_positions_.check(signs.not_chosen.position, now);
+  other_headings_.check(signs.not_chosen.heading, now);
+  other_pressures_.check(signs.not_chosen.pressure, now);
+  other_measurements_.check(signs.not_chosen.snr, now);
+  lost_.check(signs.frames_lost, now);
+  unsent_.check(signs.unsent, now);
   if (signs.has_address) without_address_since_.reset();
   if (!signs.has_address && !without_address_since_) without_address_since_ = now.host;
   BusTroubles troubles;
@@ -50,13 +50,13 @@ BusTroubles TroubleWatch::look(const BusSigns& signs, Now now) {
   set(troubles, BusTrouble::kFramesLost, lost_.has_grown_within(kLossTime, now));
   set(troubles, BusTrouble::kUnsent, unsent_.has_grown_within(kPatience, now));
   if (roles_.has(host::Role::kSnr))
-    set(troubles, missing(BusTrouble::kNoSnr, BusTrouble::kOtherSnr, other_looks_, now), looks_.is_silent(now));
-  if (roles_.has(host::Role::kNavigation) && fixes_.is_silent(now)) look_for_parts(signs.readings, now, troubles);
+    set(troubles, missing(BusTrouble::kNoSnr, BusTrouble::kOtherSnr, other_measurements_, now), measurements_.is_silent(now));
+  if (roles_.has(host::Role::kNavigation) && fixes_.is_silent(now)) note_missing_parts(signs.readings, now, troubles);
   return troubles;
 }
 
 /// What a fix is waiting for.
-void TroubleWatch::look_for_parts(const n2k::Readings& readings, Now now, BusTroubles& troubles) const {
+void TroubleWatch::note_missing_parts(const n2k::Readings& readings, Now now, BusTroubles& troubles) const {
   const bool has_position = n2k::is_fresh(readings.position, now.mission, kPatience);
   const Time position = has_position ? readings.position->time : now.mission;
   const bool has_heading = n2k::is_fresh(readings.heading, position, oldest_part_);

@@ -19,7 +19,7 @@ struct BusSigns {
   std::uint64_t frames_lost = 0;
   std::uint64_t unsent = 0;
   std::uint64_t fixes = 0;
-  std::uint64_t looks = 0;         ///< SNR
+  std::uint64_t measurements = 0;  ///< SNR
   std::uint64_t no_variation = 0;  ///< magnetic headings that could not be made true
   struct NotChosen {
     std::uint64_t position = 0;
@@ -48,7 +48,7 @@ class TroubleWatch {
     Time mission;
   };
   /// To be called whenever the bus has been read, while the link is up.
-  [[nodiscard]] BusTroubles look(const BusSigns& signs, Now now);
+  [[nodiscard]] BusTroubles check(const BusSigns& signs, Now now);
   /// The link has come back: what happened while it was down was the link's trouble.
   void restart(const BusSigns& signs, Now now);
 
@@ -56,7 +56,7 @@ class TroubleWatch {
   /// When a counter was last seen to grow, or first looked at.
   class Growth {
    public:
-    void look(std::uint64_t count, Now now);
+    void check(std::uint64_t count, Now now);
     void restart(std::uint64_t count, Now now);
     /// Whether it has stood still for so long.
     [[nodiscard]] bool is_silent(Now now) const { return now.host - last_.host >= kPatience && now.mission - last_.mission >= kPatience; }
@@ -72,17 +72,17 @@ class TroubleWatch {
   [[nodiscard]] static BusTrouble missing(BusTrouble nobodys, BusTrouble others, const Growth& not_chosen, Now now) {
     return not_chosen.has_grown_within(kPatience, now) ? others : nobodys;
   }
-  void look_for_parts(const n2k::Readings& readings, Now now, BusTroubles& troubles) const;
+  void note_missing_parts(const n2k::Readings& readings, Now now, BusTroubles& troubles) const;
 
   host::Roles roles_;
   Duration oldest_part_;
   Growth fixes_;
-  Growth looks_;
+  Growth measurements_;
   Growth no_variation_;
   Growth other_positions_;
   Growth other_headings_;
   Growth other_pressures_;
-  Growth other_looks_;
+  Growth other_measurements_;
   Growth lost_;
   Growth unsent_;
   std::optional<Time> without_address_since_;

@@ -7,7 +7,7 @@
 namespace earshot::board {
 namespace {
 
-constexpr Duration kLookUp = Duration::milliseconds(100);  ///< how often a waiting loop looks whether it is to stop
+constexpr Duration kPollInterval = Duration::milliseconds(100);  ///< how often a waiting loop looks whether it is to stop
 
 /// Exact where nothing is scaled.
 Duration scaled(Duration duration, double factor) {
@@ -79,7 +79,7 @@ Time HostMissionClock::mission_time_at(const Moment& moment) const {
 
 Clock::Wake HostMissionClock::wait(const Awaited& awaited) {
   const Duration left = scaled(awaited.next_turn - now(), 1.0 / speed_);
-  if (left > Duration{}) wait_for_ports(awaited.ports, std::min(left, kLookUp));
+  if (left > Duration{}) wait_for_ports(awaited.ports, std::min(left, kPollInterval));
   return now() >= awaited.next_turn ? Wake::kTurn : Wake::kPorts;
 }
 

@@ -128,9 +128,9 @@ void BoardCore::send_pieces(std::string_view channel, std::span<const std::uint8
 bool BoardCore::receive(wire::FramedRecord& record, std::chrono::milliseconds patience) {
   for (;;) {
     while (read_ < received_size_) {
-      const wire::CobsReader::Said said = reader_.take(received_[read_++]);
-      if (said == wire::CobsReader::Said::kNothing) continue;
-      if (said == wire::CobsReader::Said::kFrame && wire::read_record_frame(reader_.frame(), record) == Status::kOk) return true;
+      const wire::CobsReader::Outcome outcome = reader_.take(received_[read_++]);
+      if (outcome == wire::CobsReader::Outcome::kNothing) continue;
+      if (outcome == wire::CobsReader::Outcome::kFrame && wire::read_record_frame(reader_.frame(), record) == Status::kOk) return true;
       ++frames_refused_;
     }
     read_ = 0;

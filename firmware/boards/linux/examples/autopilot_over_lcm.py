@@ -20,7 +20,7 @@ parser = argparse.ArgumentParser(description="A vehicle that follows Earshot's s
 parser.add_argument("url")
 Marker.add_options(parser)
 parser.add_argument("--speed", type=float, default=1.0, help="of a rehearsal, as earshotd's: it sails so much faster")
-said = parser.parse_args()
+options = parser.parse_args()
 
 vehicle = nav_state_t()
 vehicle.utime = time.time_ns() // 1000
@@ -28,7 +28,7 @@ vehicle.north_m = vehicle.east_m = 12_500.0  # the middle of the mission's area
 start = operator_command_t()
 start.issuer, start.number, start.command = random.getrandbits(31), 1, operator_command_t.START
 start.max_depth_m = start.max_speed_mps = start.max_time_s = math.nan  # a START tightens nothing
-marker = Marker(said)
+marker = Marker(options)
 answers: list[str] = []
 released: list[bool] = []
 
@@ -51,7 +51,7 @@ def on_acknowledgement(_channel, data):
 
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C ends it without a traceback
-bus = lcm.LCM(said.url)
+bus = lcm.LCM(options.url)
 bus.subscribe("EARSHOT_SETPOINT", on_setpoint)
 bus.subscribe("EARSHOT_COMMAND_ACKNOWLEDGEMENT", on_acknowledgement)
 marker.subscribe(bus)
@@ -59,7 +59,7 @@ next_start = time.monotonic()
 while True:
     bus.handle_timeout(100)
     now = time.time_ns() // 1000
-    travelled_m = said.speed * vehicle.speed_mps * (now - vehicle.utime) * 1e-6
+    travelled_m = options.speed * vehicle.speed_mps * (now - vehicle.utime) * 1e-6
     vehicle.north_m += travelled_m * math.cos(vehicle.heading_rad)
     vehicle.east_m += travelled_m * math.sin(vehicle.heading_rad)
     vehicle.utime = now

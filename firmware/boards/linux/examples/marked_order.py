@@ -49,7 +49,7 @@ def blake2b(key: bytes, *parts: bytes) -> bytes:
     return hashlib.blake2b(b"".join(parts), key=key, digest_size=16).digest()
 
 
-def told(challenge: challenge_t) -> bytes:
+def challenge_bytes(challenge: challenge_t) -> bytes:
     """What marks are made for besides the order: this start of this vehicle, with this mission."""
     return bytes(challenge.nonce) + bytes(challenge.vehicle) + bytes(challenge.mission)
 
@@ -75,11 +75,11 @@ class Marker:
 
     MOST_TRIES = 12  # of one start, while the vehicle refuses the marks
 
-    def __init__(self, said: argparse.Namespace):
+    def __init__(self, options: argparse.Namespace):
         """From the options of add_options()."""
-        self.key = read_key(said.key_file) if said.key_file else None
-        self.vehicle = said.vehicle_id.encode("ascii", "replace").ljust(32, b"\0")
-        self.mission = hashlib.sha256(said.mission.read_bytes()).digest() if said.mission else None
+        self.key = read_key(options.key_file) if options.key_file else None
+        self.vehicle = options.vehicle_id.encode("ascii", "replace").ljust(32, b"\0")
+        self.mission = hashlib.sha256(options.mission.read_bytes()).digest() if options.mission else None
         self.starts: dict[bytes, Start] = {}  # by nonce
         self.count = 0  # of challenges that were kept
         self.heard: set[str] = set()
@@ -108,7 +108,7 @@ class Marker:
             return
         name = bytes(challenge.vehicle).rstrip(b"\0").decode("ascii", "replace")
         self.heard.add("".join(letter if letter.isprintable() else "?" for letter in name))  # anybody may say so
-        true_mark = blake2b(self.key, b"EARSHOT CHALLENGE1", struct.pack("<q", challenge.utime), told(challenge))
+        true_mark = blake2b(self.key, b"EARSHOT CHALLENGE1", struct.pack("<q", challenge.utime), challenge_bytes(challenge))
         is_true = hmac.compare_digest(bytes(challenge.mark), true_mark) and bytes(challenge.vehicle) == self.vehicle
         if not is_true or self.mission not in (None, bytes(challenge.mission)):
             return
@@ -152,5 +152,5 @@ class Marker:
         if start is None:
             return False
         start.tries += 1
-        order.mark = blake2b(self.key, b"EARSHOT ORDER2", told(start.challenge), order_bytes(order))
+        order.mark = blake2b(self.key, b"EARSHOT ORDER2", challenge_bytes(start.challenge), order_bytes(order))
         return True

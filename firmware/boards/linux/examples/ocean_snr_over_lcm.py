@@ -21,9 +21,9 @@ parser.add_argument("snr", type=pathlib.Path, help="snr.csv of a flight: SNR aga
 parser.add_argument("north_m", type=float, help="of the source")
 parser.add_argument("east_m", type=float)
 parser.add_argument("--floor-db", type=float, default=-math.inf, help="what is fainter is reported as too faint")
-said = parser.parse_args()
+options = parser.parse_args()
 
-with said.snr.open(newline="", encoding="utf-8") as table:
+with options.snr.open(newline="", encoding="utf-8") as table:
     rows = [(float(row["range_m"]), float(row["snr_db"])) for row in csv.DictReader(table)]
 
 
@@ -40,14 +40,14 @@ def on_fix(_channel, data):
     fix = nav_state_t.decode(data)
     estimate = snr_estimate_t()
     estimate.utime = fix.utime  # what is heard where the vehicle was at that time
-    snr_db = snr_at(math.hypot(said.north_m - fix.north_m, said.east_m - fix.east_m))
-    estimate.too_faint = snr_db < said.floor_db
-    estimate.snr_db = max(snr_db, said.floor_db)
+    snr_db = snr_at(math.hypot(options.north_m - fix.north_m, options.east_m - fix.east_m))
+    estimate.too_faint = snr_db < options.floor_db
+    estimate.snr_db = max(snr_db, options.floor_db)
     bus.publish("EARSHOT_SNR_ESTIMATE", estimate.encode())
 
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C ends it without a traceback
-bus = lcm.LCM(said.url)
+bus = lcm.LCM(options.url)
 bus.subscribe("EARSHOT_NAV_STATE", on_fix)
 while True:
     bus.handle()

@@ -29,13 +29,13 @@ parser.add_argument("--max-depth", type=float, default=math.nan)
 parser.add_argument("--max-speed", type=float, default=math.nan)
 parser.add_argument("--max-time", type=float, default=math.nan)
 Marker.add_options(parser)
-said = parser.parse_args()
+options = parser.parse_args()
 
 order = operator_command_t()
 order.issuer, order.number = random.getrandbits(31), 1
-order.command = getattr(order, said.order)
-order.max_depth_m, order.max_speed_mps, order.max_time_s = said.max_depth, said.max_speed, said.max_time
-marker = Marker(said)
+order.command = getattr(order, options.order)
+order.max_depth_m, order.max_speed_mps, order.max_time_s = options.max_depth, options.max_speed, options.max_time
+marker = Marker(options)
 answers: list[str] = []
 refusals: list[str] = []
 
@@ -48,7 +48,7 @@ def on_acknowledgement(_channel, data):
 
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C ends it without a traceback
-bus = lcm.LCM(said.url)
+bus = lcm.LCM(options.url)
 bus.subscribe("EARSHOT_COMMAND_ACKNOWLEDGEMENT", on_acknowledgement)
 marker.subscribe(bus)
 deadline = time.monotonic() + WAIT_S
@@ -57,11 +57,11 @@ while not answers and time.monotonic() < deadline:
     order.utime = time.time_ns() // 1000
     order.expiry_utime = order.utime + 600_000_000  # a START waits so long for navigation and SNR
     # The same numbers once a second: obeyed once however often it arrives. An ABORT needs no mark.
-    if time.monotonic() >= next_order and (marker.mark(order) or said.order == "ABORT"):
+    if time.monotonic() >= next_order and (marker.mark(order) or options.order == "ABORT"):
         bus.publish("EARSHOT_OPERATOR_COMMAND", order.encode())
         next_order = time.monotonic() + (0.25 if refusals else 1.0)
     bus.handle_timeout(200)
 silence = marker.silence(WAIT_S) if marker.key is not None and not marker.starts else "nobody answers"
 outcome = (answers + refusals + [silence])[0]
-print(f"{said.order}:", outcome)
+print(f"{options.order}:", outcome)
 sys.exit(0 if outcome in ("OBEYED", "OBEYED_NOT_DURABLE", "REPEATED") else 1)

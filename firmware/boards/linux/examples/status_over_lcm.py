@@ -22,16 +22,16 @@ parser.add_argument("--leak", action="store_true", help="there is water in the h
 parser.add_argument("--ground-fault", action="store_true", help="current flows between battery and hull")
 parser.add_argument("--disengaged", action="store_true", help="the autopilot follows no set-points")
 parser.add_argument("--deaf", action="store_true", help="the hydrophone hears nothing")
-said = parser.parse_args()
+options = parser.parse_args()
 
 vehicle, autopilot, hydrophone = vehicle_status_t(), autopilot_status_t(), hydrophone_status_t()
-vehicle.altitude_m, vehicle.battery_percent = said.altitude, said.battery
-vehicle.leak, vehicle.ground_fault = said.leak, said.ground_fault
-autopilot.follows_setpoints = not said.disengaged
-hydrophone.deaf = said.deaf
+vehicle.altitude_m, vehicle.battery_percent = options.altitude, options.battery
+vehicle.leak, vehicle.ground_fault = options.leak, options.ground_fault
+autopilot.follows_setpoints = not options.disengaged
+hydrophone.deaf = options.deaf
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C ends it without a traceback
-bus = lcm.LCM(said.url)
+bus = lcm.LCM(options.url)
 while True:
     vehicle.utime = autopilot.utime = hydrophone.utime = time.time_ns() // 1000
     bus.publish("EARSHOT_VEHICLE_STATUS", vehicle.encode())

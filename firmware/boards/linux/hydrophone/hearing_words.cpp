@@ -45,7 +45,7 @@ std::string seconds(Duration duration) {
   return host::decimals(duration.to_seconds(), duration < Duration::seconds(10) ? 1 : 0) + " s";
 }
 
-Duration sum_of(const Ear::Account& account) {
+Duration sum_of(const HydrophoneProcessor::Account& account) {
   Duration sum;
   for (const Duration sound : account.sound) sum = sum + sound;
   return sum;
@@ -53,10 +53,10 @@ Duration sum_of(const Ear::Account& account) {
 
 }  // namespace
 
-std::string to_string(const Ear::Account& account) {
+std::string to_string(const HydrophoneProcessor::Account& account) {
   const auto of = [&account](Hearing hearing) { return account.sound.at(static_cast<std::size_t>(hearing)); };
   std::string text = "it heard " + seconds(of(Hearing::kHears)) + " of " + seconds(sum_of(account)) +
-                     " of sound: " + std::to_string(account.looks) + " SNR measurements, " + std::to_string(account.too_faint) +
+                     " of sound: " + std::to_string(account.measurements) + " SNR measurements, " + std::to_string(account.too_faint) +
                      " of them too faint to measure, and " + std::to_string(account.detections) + " detections";
   if (account.left_out > 0) text += ", of which " + std::to_string(account.left_out) + " came faster than they were taken";
   const char* before = "; not heard: ";

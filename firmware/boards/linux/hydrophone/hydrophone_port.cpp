@@ -20,24 +20,24 @@ HydrophonePort::HydrophonePort(std::uint8_t index, const host::PortSettings& set
       name_(settings.name),
       address_(settings.address),
       hears_(hearing ? to_string(*hearing) : std::string()),
-      ear_(hearing, wakes),
-      receiver_(settings.address, ear_, if_missing) {}
+      processor_(hearing, wakes),
+      receiver_(settings.address, processor_, if_missing) {}
 
 void HydrophonePort::collect(Clock& clock, InputSink& sink) {
-  ear_.answer();
+  processor_.clear();
   if (!clock.takes_sound_now()) return;
-  for (HeardChain chain; ear_.take(chain);) sink.tell_chain(index(), chain);
-  for (messages::HydrophoneStatus status; ear_.take(status);) {
+  for (HeardChain chain; processor_.take(chain);) sink.report_chain(index(), chain);
+  for (messages::HydrophoneStatus status; processor_.take(status);) {
     status.time = clock.now();
     sink.take(index(), status);
   }
-  for (messages::SnrMeasurement look; ear_.take(look);) {
-    look.time = clock.time_heard(look.time);
-    sink.take(index(), look);
+  for (messages::SnrMeasurement measurement; processor_.take(measurement);) {
+    measurement.time = clock.time_heard(measurement.time);
+    sink.take(index(), measurement);
   }
-  for (messages::SoundDetection detection; ear_.take(detection);) {
+  for (messages::SoundDetection detection; processor_.take(detection);) {
     detection.begin = clock.time_heard(detection.begin);
-    sink.tell_detection(index(), detection);
+    sink.report_detection(index(), detection);
   }
 }
 
@@ -47,7 +47,7 @@ std::string HydrophonePort::description() const {
 
 messages::PortReport HydrophonePort::report() const {
   const HydrophoneReceiver::Counters received = receiver_.counters();
-  const SampleMeter::Reading metered = ear_.account();
+  const SampleMeter::Reading metered = processor_.account();
   messages::PortReport report = report_;
   report.link_up = received.link_up;
   report.received = metered.samples_heard;
@@ -58,14 +58,14 @@ messages::PortReport HydrophonePort::report() const {
 
 std::string HydrophonePort::remark() const {
   const HydrophoneReceiver::Counters received = receiver_.counters();
-  const SampleMeter::Reading metered = ear_.account();
+  const SampleMeter::Reading metered = processor_.account();
   const auto count = [](std::uint64_t n, const char* what) { return std::to_string(n) + what; };
   return name_ + ": of each channel " + count(metered.samples_heard, " samples heard, ") + count(lost_of(metered, received), " lost (") +
          count(metered.missing_at_sender, " by the sender, ") + count(received.samples_overrun, " because the listener was slow); ") +
          count(metered.overflows, " clipped, ") + count(metered.gain_changes, " changes of gain, ") +
          count(metered.beginnings, " beginnings, ") + count(metered.jumps, " jumps that no ADC makes, ") +
          count(received.malformed, " malformed messages, ") + count(received.datagrams_overrun, " datagrams overrun") +
-         (hears_.empty() ? std::string() : "; " + to_string(ear_.heard()));
+         (hears_.empty() ? std::string() : "; " + to_string(processor_.heard()));
 }
 
 }  // namespace earshot::board

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "firmware/boards/linux/hydrophone/ear.hpp"
+#include "firmware/boards/linux/hydrophone/hydrophone_processor.hpp"
 #include "firmware/boards/linux/hydrophone/hydrophone_receiver.hpp"
 #include "firmware/boards/linux/port/port.hpp"
 
@@ -21,12 +21,12 @@ class HydrophonePort final : public Port {
 
   void collect(Clock& clock, InputSink& sink) override;
   std::uint64_t publish(Time /*now*/, const runtime::Outputs& /*outputs*/) override { return 0; }
-  [[nodiscard]] int file_descriptor() const override { return ear_.file_descriptor(); }
-  [[nodiscard]] std::uint64_t blocks_heard() const override { return ear_.blocks_heard(); }
+  [[nodiscard]] int file_descriptor() const override { return processor_.file_descriptor(); }
+  [[nodiscard]] std::uint64_t blocks_heard() const override { return processor_.blocks_heard(); }
   [[nodiscard]] messages::PortReport report() const override;
   [[nodiscard]] std::string label() const override { return name_ + ", hydrophone, LCM " + address_; }
   [[nodiscard]] std::string description() const override;
-  void note_speed(MetersPerSecond speed) override { ear_.note_speed(speed); }
+  void note_speed(MetersPerSecond speed) override { processor_.note_speed(speed); }
   [[nodiscard]] std::size_t memory() const override { return sizeof *this + receiver_.memory(); }
   [[nodiscard]] std::string remark() const override;
 
@@ -34,7 +34,7 @@ class HydrophonePort final : public Port {
   std::string name_;
   std::string address_;
   std::string hears_;  ///< in words; empty: nothing
-  Ear ear_;
+  HydrophoneProcessor processor_;
   HydrophoneReceiver receiver_;  ///< after what it uses
 };
 

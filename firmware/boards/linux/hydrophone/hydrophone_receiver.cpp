@@ -19,8 +19,8 @@ constexpr std::chrono::seconds kTendEvery{1};
 
 }  // namespace
 
-HydrophoneReceiver::HydrophoneReceiver(const std::string& url, SampleListener& listener, host::IfMissing if_missing)
-    : listener_(listener),
+HydrophoneReceiver::HydrophoneReceiver(const std::string& url, SampleSink& sink, host::IfMissing if_missing)
+    : sink_(sink),
       endpoint_(host::parse_lcm_url(url), {wire::kHydrophoneBlockChannel}, nullptr, if_missing),
       interfaces_(endpoint_.interfaces()),
       link_up_(endpoint_.is_up()),
@@ -28,7 +28,7 @@ HydrophoneReceiver::HydrophoneReceiver(const std::string& url, SampleListener& l
       receiving_([this](const std::stop_token& stop) { receive(stop); }) {}
 
 void HydrophoneReceiver::receive(const std::stop_token& stop) {
-  const std::stop_callback waking(stop, [this] { stop_receiving_.ring(); });
+  const std::stop_callback waking(stop, [this] { stop_receiving_.signal(); });
   using std::chrono::steady_clock;
   (void)::pthread_setname_np(::pthread_self(), "receive sound");  // for who looks at the threads of a flight
   auto next_tending = steady_clock::now() + kTendEvery;
@@ -66,7 +66,7 @@ void HydrophoneReceiver::put(const wire::Lc02Message& message) {
   wire::copy_samples(read, room);
   ring_.put(read.block);
   blocks_.add(1);
-  put_.ring();
+  put_.signal();
 }
 
 void HydrophoneReceiver::note_transport() {
@@ -77,14 +77,14 @@ void HydrophoneReceiver::note_transport() {
 }
 
 void HydrophoneReceiver::listen(const std::stop_token& stop) {
-  const std::stop_callback waking(stop, [this] { put_.ring(); });
+  const std::stop_callback waking(stop, [this] { put_.signal(); });
   (void)::pthread_setname_np(::pthread_self(), "hear sound");
   for (bool is_last = false; !is_last;) {
     pollfd waiting{.fd = put_.file_descriptor(), .events = POLLIN, .revents = 0};
     (void)::poll(&waiting, 1, -1);
-    put_.answer();
+    put_.clear();
     is_last = stop.stop_requested();  // before the ring is emptied: what was put before it is heard
-    for (BlockRing::SampledBlock oldest; ring_.take(oldest); ring_.release()) listener_.hear(oldest.block, oldest.samples);
+    for (BlockRing::SampledBlock oldest; ring_.take(oldest); ring_.release()) sink_.hear(oldest.block, oldest.samples);
   }
 }
 

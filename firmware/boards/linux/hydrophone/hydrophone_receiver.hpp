@@ -7,27 +7,27 @@
 #include <thread>
 
 #include "firmware/boards/linux/hydrophone/block_ring.hpp"
-#include "firmware/boards/linux/hydrophone/sample_listener.hpp"
+#include "firmware/boards/linux/hydrophone/sample_sink.hpp"
 #include "firmware/boards/linux/hydrophone/shared_counter.hpp"
-#include "firmware/host/transport/doorbell.hpp"
 #include "firmware/host/transport/lcm_endpoint.hpp"
+#include "firmware/host/transport/wake_event.hpp"
 
 namespace earshot::board {
 
 /// Takes hydrophone_block_t off an LCM bus, beside the mission's loop: one thread receives, one listens, a ring between them. Nothing
-/// allocates after construction. At its end the listener hears all that has been received.
+/// allocates after construction. At its end the sink hears all that has been received.
 class HydrophoneReceiver {
  public:
-  /// @param listener  must outlive it
+  /// @param sink  must outlive it
   /// @throws std::system_error, std::invalid_argument as LcmEndpoint and parse_lcm_url do.
-  HydrophoneReceiver(const std::string& url, SampleListener& listener, host::IfMissing if_missing = host::IfMissing::kRefuse);
+  HydrophoneReceiver(const std::string& url, SampleSink& sink, host::IfMissing if_missing = host::IfMissing::kRefuse);
   ~HydrophoneReceiver() = default;
   HydrophoneReceiver(const HydrophoneReceiver&) = delete;
   HydrophoneReceiver& operator=(const HydrophoneReceiver&) = delete;
 
   struct Counters {
     std::uint64_t blocks = 0;             ///< put into the ring
-    std::uint64_t samples_overrun = 0;    ///< of each channel, in blocks for which the ring had no room: the listener is too slow
+    std::uint64_t samples_overrun = 0;    ///< of each channel, in blocks for which the ring had no room: the sink is too slow
     std::uint64_t malformed = 0;          ///< messages and datagrams
     std::uint64_t datagrams_overrun = 0;  ///< dropped by the kernel, or parts of blocks that never got whole: this thread is too slow
     bool link_up = true;
@@ -46,19 +46,19 @@ class HydrophoneReceiver {
   void note_transport();
   void listen(const std::stop_token& stop);
 
-  SampleListener& listener_;
+  SampleSink& sink_;
   host::LcmEndpoint endpoint_;  ///< of the receiving thread alone
   std::string interfaces_;
   BlockRing ring_;
-  host::Doorbell stop_receiving_;
-  host::Doorbell put_;  ///< a block, or the end
+  host::WakeEvent stop_receiving_;
+  host::WakeEvent put_;  ///< a block, or the end
   SharedCounter blocks_;
   SharedCounter samples_overrun_;
   SharedCounter malformed_blocks_;
   SharedCounter malformed_datagrams_;
   SharedCounter datagrams_overrun_;
   std::atomic<bool> link_up_;
-  // Last, and in this order: each is told to stop and waited for as it goes, also when the next cannot be started; the listener goes after
+  // Last, and in this order: each is told to stop and waited for as it goes, also when the next cannot be started; the sink goes after
   // who fills its ring, so that it hears all that was received.
   std::jthread listening_;
   std::jthread receiving_;

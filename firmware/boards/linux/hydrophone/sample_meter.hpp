@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "firmware/boards/linux/hydrophone/sample_listener.hpp"
+#include "firmware/boards/linux/hydrophone/sample_sink.hpp"
 #include "firmware/boards/linux/hydrophone/shared_counter.hpp"
 
 namespace earshot::board {
@@ -12,7 +12,7 @@ namespace earshot::board {
 /// The sample counter tells what is missing, the sequence of blocks where it got lost: on its way, or before it was sent. A counter that
 /// goes back, another sample rate or another number of channels is a sender's new beginning, at which nothing is missing. So is a counter
 /// that jumps further than its ADC can have counted meanwhile: a block of nonsense must not spoil the account of a whole mission.
-class SampleMeter final : public SampleListener {
+class SampleMeter final : public SampleSink {
  public:
   struct Reading {
     std::uint64_t samples_heard = 0;      ///< of each channel

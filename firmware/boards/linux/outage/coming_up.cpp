@@ -118,7 +118,7 @@ messages::Setpoint ComingUp::setpoint(Time now) {
   setpoint.speed = must_move ? vehicle.ascent_speed : MetersPerSecond{0.0};
   setpoint.depth = Meters{0.0};
   setpoint.release_weight = is_released_;
-  depth_.tell(now, setpoint, vehicle);
+  depth_.note_order(now, setpoint, vehicle);
   return setpoint;
 }
 

@@ -40,30 +40,30 @@ messages::CommandOutcome Meanwhile::obey(std::uint8_t port, const messages::Oper
   return safety_.abort(kPatience) ? CommandOutcome::kObeyed : CommandOutcome::kObeyedNotDurable;
 }
 
-void Meanwhile::tell_detection(std::uint8_t port, const messages::SoundDetection& detection) {
-  if (mission_ != nullptr) mission_->tell_detection(port, detection);
+void Meanwhile::report_detection(std::uint8_t port, const messages::SoundDetection& detection) {
+  if (mission_ != nullptr) mission_->report_detection(port, detection);
 }
 
-void Meanwhile::tell_chain(std::uint8_t port, const HeardChain& chain) {
-  if (mission_ != nullptr) mission_->tell_chain(port, chain);
+void Meanwhile::report_chain(std::uint8_t port, const HeardChain& chain) {
+  if (mission_ != nullptr) mission_->report_chain(port, chain);
 }
 
-void Meanwhile::tell_trouble(std::uint8_t port, BusTrouble trouble, bool is_there) {
-  if (mission_ != nullptr) mission_->tell_trouble(port, trouble, is_there);
+void Meanwhile::report_trouble(std::uint8_t port, BusTrouble trouble, bool is_there) {
+  if (mission_ != nullptr) mission_->report_trouble(port, trouble, is_there);
 }
 
-void Meanwhile::tell_order_trouble(std::uint8_t port, OrderTrouble trouble) {
-  if (mission_ != nullptr) mission_->tell_order_trouble(port, trouble);
+void Meanwhile::report_order_trouble(std::uint8_t port, OrderTrouble trouble) {
+  if (mission_ != nullptr) mission_->report_order_trouble(port, trouble);
 }
 
 void Meanwhile::turn() {
   ports_.collect(clock_, *this);
   ports_.serve();
   ports_.tend();
-  say();
+  publish_state();
 }
 
-void Meanwhile::say() {
+void Meanwhile::publish_state() {
   const Time now = clock_.now();
   runtime::Outputs outputs = core_.step(now);
   outputs.acknowledgements = acknowledgements_;

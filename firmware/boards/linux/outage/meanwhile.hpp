@@ -32,14 +32,14 @@ class Meanwhile final : public InputSink {
       : ports_(ports), clock_(clock), safety_(safety), before_(safety.record()), core_(mission, before_) {}
 
   void take(std::uint8_t port, const Value& value) override;
-  void tell_detection(std::uint8_t port, const messages::SoundDetection& detection) override;
-  void tell_chain(std::uint8_t port, const HeardChain& chain) override;
-  void tell_trouble(std::uint8_t port, BusTrouble trouble, bool is_there) override;
-  void tell_order_trouble(std::uint8_t port, OrderTrouble trouble) override;
+  void report_detection(std::uint8_t port, const messages::SoundDetection& detection) override;
+  void report_chain(std::uint8_t port, const HeardChain& chain) override;
+  void report_trouble(std::uint8_t port, BusTrouble trouble, bool is_there) override;
+  void report_order_trouble(std::uint8_t port, OrderTrouble trouble) override;
   /// Reads what the ports bring, and tells them what the vehicle is to do.
   void turn();
   /// Tells them again what it is to do.
-  void say();
+  void publish_state();
   /// From now on the mission takes whatever comes, orders too, and this only looks at the vehicle's heading. @param mission  must outlive
   /// it
   void pass_on_to(InputSink& mission) { mission_ = &mission; }

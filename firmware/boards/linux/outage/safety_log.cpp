@@ -42,7 +42,7 @@ bool SafetyLog::begin(Time now, const config::Mission& mission, std::uint32_t jo
 bool SafetyLog::note(Time turn, const runtime::Outputs& outputs, const config::Mission& mission, std::chrono::milliseconds patience) {
   const bool has_changed = put_standing(outputs, mission, record_);
   vehicle_ = mission.safety.vehicle;
-  if (outputs.setpoint) depth_.tell(turn, *outputs.setpoint, vehicle_);
+  if (outputs.setpoint) depth_.note_order(turn, *outputs.setpoint, vehicle_);
   const Duration running = host_.since_boot();
   const Duration since = running - record_.since_boot;
   const bool is_stamp_due = record_.state != messages::MissionState::kStandby && since >= kBetweenStamps;
@@ -86,9 +86,9 @@ void SafetyLog::start_from(Meters deepest) {
   messages::Navigation fix;
   fix.depth = deepest;
   depth_.take(fix);
-  messages::Setpoint told;
-  told.depth = deepest;
-  depth_.tell(record_.mission_time, told, vehicle_);
+  messages::Setpoint ordered;
+  ordered.depth = deepest;
+  depth_.note_order(record_.mission_time, ordered, vehicle_);
 }
 
 void SafetyLog::date() {

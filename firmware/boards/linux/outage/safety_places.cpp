@@ -42,8 +42,8 @@ host::RecordOwner record_owner(const fs::path& out, const ComputerFiles& files) 
   std::error_code error;
   const std::string machine_id = text_of(files.machine_id);
   const bool is_of_this_start = fs::exists(files.transient_machine_id, error) || machine_id == "uninitialized";  // as machine-id(5) says
-  const std::string told_by = (is_of_this_start ? std::string() : machine_id) + text_of(files.serial_number);
-  return {.computer = told_by.empty() ? 0 : host::crc32_of(told_by), .folder = host::crc32_of(lexically_whole(out).string())};
+  const std::string identity = (is_of_this_start ? std::string() : machine_id) + text_of(files.serial_number);
+  return {.computer = identity.empty() ? 0 : host::crc32_of(identity), .folder = host::crc32_of(lexically_whole(out).string())};
 }
 
 SafetyFolders SafetyFolders::of_this_process() {
@@ -51,7 +51,7 @@ SafetyFolders SafetyFolders::of_this_process() {
 }
 
 std::vector<host::SafetyCopy> safety_places(const fs::path& out, const std::vector<std::string>& asked_for, const SafetyFolders& folders,
-                                            TellsMemory is_in_memory) {
+                                            DetectsMemory is_in_memory) {
   const fs::path folder = lexically_whole(out);
   const std::string name = folder.filename().string() + "-" + host::crc32_text(host::crc32_of(folder.string())) + kEnding;
   std::vector<host::SafetyCopy> places{{.file = folder / (std::string("journal") + kEnding)}};
@@ -63,19 +63,19 @@ std::vector<host::SafetyCopy> safety_places(const fs::path& out, const std::vect
   return places;
 }
 
-std::vector<std::string> doubts_about(const std::vector<host::SafetyCopy>& places, const SafetyFolders& folders) {
-  std::vector<std::string> doubts;
+std::vector<std::string> warnings_about(const std::vector<host::SafetyCopy>& places, const SafetyFolders& folders) {
+  std::vector<std::string> warnings;
   for (const host::SafetyCopy& copy : places) {
     const bool is_to_be_in_memory = folders.runtime && copy.file.parent_path() == lexically_whole(*folders.runtime);
     if (!copy.survives_power_cut && !is_to_be_in_memory)
-      doubts.push_back("safety record " + copy.file.string() + ": it is in memory (tmpfs), and gone with a power cut");
+      warnings.push_back("safety record " + copy.file.string() + ": it is in memory (tmpfs), and gone with a power cut");
   }
   if (std::ranges::none_of(places, &host::SafetyCopy::survives_power_cut))
-    doubts.emplace_back(
+    warnings.emplace_back(
         "no copy of the safety record is on a disk: every order is OBEYED_NOT_DURABLE, and a restart after a power cut knows of no "
         "mission; "
         "--safety-copy names a folder on a disk");
-  return doubts;
+  return warnings;
 }
 
 }  // namespace earshot::board

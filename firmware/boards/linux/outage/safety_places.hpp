@@ -30,7 +30,7 @@ struct ComputerFiles {
 [[nodiscard]] host::RecordOwner record_owner(const std::filesystem::path& out, const ComputerFiles& files = {});
 
 /// Tells whether a folder is in memory alone.
-using TellsMemory = bool (*)(const std::filesystem::path& folder);
+using DetectsMemory = bool (*)(const std::filesystem::path& folder);
 
 /// One beside the journal, one in each folder that is asked for or, where none is, in the service's state folder, and one in memory. Where
 /// there is none on another disk a second one stands beside the journal: a file that is removed, or damaged, is then not the only one.
@@ -38,9 +38,9 @@ using TellsMemory = bool (*)(const std::filesystem::path& folder);
 /// One in a folder that is in memory alone survives no power cut either, whoever asked for it.
 /// @param out  the journal's folder
 [[nodiscard]] std::vector<host::SafetyCopy> safety_places(const std::filesystem::path& out, const std::vector<std::string>& asked_for,
-                                                          const SafetyFolders& folders, TellsMemory is_in_memory = &host::is_in_memory);
+                                                          const SafetyFolders& folders, DetectsMemory is_in_memory = &host::is_in_memory);
 
 /// What a person should know of them: those of a disk that is in memory alone, and that none survives a power cut.
-[[nodiscard]] std::vector<std::string> doubts_about(const std::vector<host::SafetyCopy>& places, const SafetyFolders& folders);
+[[nodiscard]] std::vector<std::string> warnings_about(const std::vector<host::SafetyCopy>& places, const SafetyFolders& folders);
 
 }  // namespace earshot::board

@@ -21,7 +21,7 @@ struct HeardChain {
   std::uint8_t channels = 0;
   Decibels full_scale_level;  ///< of a sample of 1.0, dB re 1 uPa peak
   Decibels adc_noise_level;   ///< in the band, dB re 1 uPa
-  double delay_s = 0.0;       ///< of the filters: looks are dated by so much earlier
+  double delay_s = 0.0;       ///< of the filters: measurements are dated by so much earlier
   friend constexpr bool operator==(const HeardChain&, const HeardChain&) = default;
 };
 

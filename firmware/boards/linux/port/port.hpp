@@ -33,13 +33,13 @@ class InputSink {
   /// @param value  its date on the mission clock
   virtual void take(std::uint8_t port, const Value& value) = 0;
   /// A sound heard from its beginning to its end. It is told, and steers nothing.
-  virtual void tell_detection(std::uint8_t /*port*/, const messages::SoundDetection& /*detection*/) {}
+  virtual void report_detection(std::uint8_t /*port*/, const messages::SoundDetection& /*detection*/) {}
   /// With what chain sound is heard from now on, or why it is not.
-  virtual void tell_chain(std::uint8_t /*port*/, const HeardChain& /*chain*/) {}
+  virtual void report_chain(std::uint8_t /*port*/, const HeardChain& /*chain*/) {}
   /// Something is wrong with a port from now on, or no longer.
-  virtual void tell_trouble(std::uint8_t /*port*/, BusTrouble /*trouble*/, bool /*is_there*/) {}
+  virtual void report_trouble(std::uint8_t /*port*/, BusTrouble /*trouble*/, bool /*is_there*/) {}
   /// Something was wrong with an order that a port brought.
-  virtual void tell_order_trouble(std::uint8_t /*port*/, OrderTrouble /*trouble*/) {}
+  virtual void report_order_trouble(std::uint8_t /*port*/, OrderTrouble /*trouble*/) {}
 };
 
 /// One way in and out of the vehicle computer. After construction nothing allocates and nothing waits.
@@ -97,7 +97,7 @@ class Port {
     if (!proof) return;
     proof->judge(command);
     if (command.is_verified || command.order == messages::Order::kAbort) return;
-    sink.tell_order_trouble(index(), command.has_old_mark ? OrderTrouble::kOldMark : OrderTrouble::kNoMark);
+    sink.report_order_trouble(index(), command.has_old_mark ? OrderTrouble::kOldMark : OrderTrouble::kNoMark);
   }
 
   messages::PortReport report_;

@@ -65,12 +65,12 @@ void PortSet::serve() {
 }
 
 void PortSet::settle(std::chrono::milliseconds most) {
-  constexpr Duration kLookUp = Duration::milliseconds(10);
+  constexpr Duration kPollInterval = Duration::milliseconds(10);
   for (const auto deadline = std::chrono::steady_clock::now() + most; std::chrono::steady_clock::now() < deadline;) {
     // Every port is asked every time: one that waits for an address must go on claiming it beside another.
     const auto unsettled = std::ranges::count_if(ports_, [](const auto& port) { return !port->settle(); });
     if (unsettled == 0) return;
-    wait_for_ports({}, kLookUp);
+    wait_for_ports({}, kPollInterval);
   }
 }
 

@@ -107,8 +107,8 @@ void Playback::step(Time now) {
   expected_.clear();
   compared_ = 0;
   const bool is_new_state = memory_.recorded_state != outputs_.health.state;
-  for_each_record(outputs_, is_new_state, [this, now](std::string_view channel, const auto& message, host::Weight weight) {
-    expected_.push_back({.channel = channel, .message = wire::Encoded(message, now), .weight = weight, .time = now});
+  for_each_record(outputs_, is_new_state, [this, now](std::string_view channel, const auto& message, host::Priority priority) {
+    expected_.push_back({.channel = channel, .message = wire::Encoded(message, now), .priority = priority, .time = now});
   });
   memory_.note(now, outputs_);
   ++turns_;
@@ -137,7 +137,7 @@ void Playback::compare_end(const host::JournalRecord& record) {
       .time = record.time,
       .data = record.data,
       .now = Unwritten{
-          .channel = wire::kJournalEndChannel, .message = wire::Encoded(now), .weight = host::Weight::kOrder, .time = record.time}};
+          .channel = wire::kJournalEndChannel, .message = wire::Encoded(now), .priority = host::Priority::kOrder, .time = record.time}};
 }
 
 }  // namespace earshot::board

@@ -32,7 +32,7 @@ class Playback {
   struct Unwritten {
     std::string_view channel;
     wire::Encoded message;
-    host::Weight weight;
+    host::Priority priority;
     Time time;  ///< of its turn, which every record of it bears
   };
   /// A record that the runtime does not give again, byte for byte; or a closing record that tells of another end.

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "firmware/boards/linux/news/health_words.hpp"
+#include "firmware/boards/linux/event_log/health_words.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/host/journal/journal_name.hpp"
@@ -36,7 +36,7 @@ struct Ending {
 
 /// An order, a rule that acts, another process that went on: what no mission may forget; and what nobody can read, which may be one of
 /// these.
-bool is_weighty(const journal::Content& content) {
+bool is_urgent(const journal::Content& content) {
   if (const auto* const input = std::get_if<messages::Input>(&content))
     return std::holds_alternative<messages::OperatorCommand>(input->value);
   return std::holds_alternative<messages::CommandAcknowledgement>(content) || std::holds_alternative<messages::SafetyEvent>(content) ||
@@ -54,7 +54,7 @@ class Tail {
     ended_ = time;
     const auto* const health = std::get_if<messages::Health>(&content);
     const bool is_new_state = health != nullptr && !(last_ && health->state == last_->state);
-    is_light_ = is_light_ && !is_new_state && !is_weighty(content);
+    is_light_ = is_light_ && !is_new_state && !is_urgent(content);
   }
 
   /// No order, rule that acts or change of state would be forgotten. @return nothing: it cannot be done without

@@ -12,7 +12,7 @@
 #include <system_error>
 #include <utility>
 
-#include "firmware/boards/linux/news/text_line.hpp"
+#include "firmware/boards/linux/event_log/text_line.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/messages/dictionary/health_words.hpp"
 
@@ -71,21 +71,21 @@ ServiceManager::ServiceManager(const ServiceEnvironment& environment) {
   complaint_ = "NOTIFY_SOCKET=" + host::printable(environment.socket) + ": " + why + ": the service manager is given nothing";
 }
 
-void ServiceManager::say(std::string_view message) const {
+void ServiceManager::notify(std::string_view message) const {
   if (socket_.number() < 0) return;
   (void)::send(socket_.number(), message.data(), message.size(), MSG_DONTWAIT | MSG_NOSIGNAL);  // where it cannot be told nobody listens
 }
 
-void ServiceManager::say_state(const messages::Health& health) const {
+void ServiceManager::notify_state(const messages::Health& health) const {
   TextLine message;
   message << (is_ready_ ? "" : "READY=1\n") << "STATUS=" << messages::to_string(health.state);
   if (health.end_reason != messages::EndReason::kNone) message << ", " << messages::to_string(health.end_reason);
   message << ", after " << Counted{health.steps_taken, "step"};
-  say(message.text());
+  notify(message.text());
 }
 
 void ServiceManager::note_turn(const messages::Health& health, SteadyClock::time_point now) {
-  if (!is_ready_ || state_ != health.state || steps_taken_ != health.steps_taken) say_state(health);
+  if (!is_ready_ || state_ != health.state || steps_taken_ != health.steps_taken) notify_state(health);
   is_ready_ = true;
   state_ = health.state;
   steps_taken_ = health.steps_taken;
@@ -93,19 +93,19 @@ void ServiceManager::note_turn(const messages::Health& health, SteadyClock::time
   turn_ = health.turn;
   if (!between_meals_ || !beats || (fed_ && now - *fed_ < *between_meals_)) return;
   fed_ = now;
-  say("WATCHDOG=1");
+  notify("WATCHDOG=1");
 }
 
 void ServiceManager::note_stop() {
   if (std::exchange(is_stopping_, true)) return;
-  say("STOPPING=1");
+  notify("STOPPING=1");
 }
 
 void ServiceManager::ask_for(std::chrono::seconds more) {
   if (is_ready_) return;
   TextLine message;
   message << "EXTEND_TIMEOUT_USEC=" << std::chrono::microseconds(more).count();
-  say(message.text());
+  notify(message.text());
 }
 
 }  // namespace earshot::board

@@ -46,8 +46,8 @@ class ServiceManager {
   void ask_for(std::chrono::seconds more);
 
  private:
-  void say(std::string_view message) const;
-  void say_state(const messages::Health& health) const;
+  void notify(std::string_view message) const;
+  void notify_state(const messages::Health& health) const;
 
   host::FileDescriptor socket_;
   std::string complaint_;

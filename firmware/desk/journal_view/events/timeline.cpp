@@ -26,10 +26,10 @@ const char* link_to_string(const messages::PortReport& report) {
 
 }  // namespace
 
-bool Timeline::Grown::is_news(std::uint64_t now) {
+bool Timeline::Grown::has_grown(std::uint64_t now) {
   const bool grows = now > seen;
   seen = now;
-  return grows && !std::exchange(is_told, is_told || grows);
+  return grows && !std::exchange(is_reported, is_reported || grows);
 }
 
 std::string to_line(const Event& event, Time began) {
@@ -47,40 +47,39 @@ std::vector<Event> Timeline::take(const Entry& entry) {
 
 std::vector<Event> Timeline::finish(const std::optional<TornEnd>& torn) {
   events_.clear();
-  tell_repetitions();
-  if (torn) tell_lack(to_string(*torn));
+  add_repetitions();
+  if (torn) add_lack(to_string(*torn));
   if (!is_closed_ && !is_bus_log_)
-    tell_lack(
-        "the journal's end is missing: its program was killed, lost its power, met an error, or still writes (--follow waits for it)");
+    add_lack("the journal's end is missing: its program was killed, lost its power, met an error, or still writes (--follow waits for it)");
   return std::move(events_);
 }
 
-void Timeline::tell_order(Severity severity, std::string text) {
+void Timeline::add_order(Severity severity, std::string text) {
   const auto known = std::ranges::find(orders_, text, &Order::text);
   if (known != orders_.end()) {
     ++known->times;
     return;
   }
-  tell(severity, text);
+  add(severity, text);
   if (orders_.size() == kRememberedOrders) orders_.pop_front();
   orders_.push_back({.severity = severity, .text = std::move(text)});
 }
 
-void Timeline::tell_repetitions() {
+void Timeline::add_repetitions() {
   for (Order& order : orders_) {
-    if (order.times == order.told_times) continue;
-    order.told_times = order.times;
+    if (order.times == order.reported_times) continue;
+    order.reported_times = order.times;
     events_.push_back({.severity = order.severity, .time = now_, .text = order.text + " (" + host::counted(order.times, "time") + ")"});
   }
 }
 
-void Timeline::tell(Severity severity, std::string text, bool is_lack) {
-  tell_repetitions();
+void Timeline::add(Severity severity, std::string text, bool is_lack) {
+  add_repetitions();
   events_.push_back({.severity = severity, .time = now_, .text = std::move(text), .is_lack = is_lack});
 }
 
-void Timeline::tell_lack(std::string text) {
-  tell(Severity::kError, std::move(text), true);
+void Timeline::add_lack(std::string text) {
+  add(Severity::kError, std::move(text), true);
 }
 
 void Timeline::note(const Record& record) {
@@ -90,30 +89,30 @@ void Timeline::note(const Record& record) {
 }
 
 void Timeline::note(const MissingRecords& missing) {
-  tell_lack(to_string(missing));
+  add_lack(to_string(missing));
 }
 
 void Timeline::note(const DamagedBytes& damage) {
-  tell_lack(to_string(damage));
+  add_lack(to_string(damage));
 }
 
 void Timeline::note(const NumbersGoBack& numbers) {
-  tell_lack(to_string(numbers));
+  add_lack(to_string(numbers));
 }
 
 void Timeline::note(const BusLog& /*log*/) {
   is_bus_log_ = true;
-  tell_lack(
+  add_lack(
       "no mission record, no checksums: this is no journal of Earshot, but a log of a bus (lcm-logger); what was not on that bus is not "
       "in it, and nobody would notice if a byte of it were another");
 }
 
 void Timeline::note_content(const Unreadable& unreadable, const Record& record) {
   if (is_bus_log_ && !unreadable.is_known_channel) return;  // others', and sound: a bus is for everybody
-  if (!unreadable_.is_news(unreadable_.seen + 1)) return;
-  tell_lack("record " + std::to_string(record.number) + " on " + host::printable(record.channel) + " cannot be read: " +
-            (unreadable.is_known_channel ? "its message is of another version of Earshot" : "this program knows no such channel") +
-            "; of more like it nothing is printed");
+  if (!unreadable_.has_grown(unreadable_.seen + 1)) return;
+  add_lack("record " + std::to_string(record.number) + " on " + host::printable(record.channel) + " cannot be read: " +
+           (unreadable.is_known_channel ? "its message is of another version of Earshot" : "this program knows no such channel") +
+           "; of more like it nothing is printed");
 }
 
 void Timeline::note_content(const messages::MissionRecord& mission, const Record& /*record*/) {
@@ -133,11 +132,11 @@ void Timeline::note_content(const TablesBytes& tables, const Record& /*record*/)
 
 /// @param named  by the mission
 void Timeline::note_bytes(const std::string& text, std::uint32_t crc32, std::optional<std::uint32_t> named) {
-  const std::string told = text + ", CRC-32 " + host::crc32_text(crc32);
+  const std::string described = text + ", CRC-32 " + host::crc32_text(crc32);
   if (named && *named != crc32)
-    tell_lack(told + ", which is not the " + host::crc32_text(*named) + " that its mission names");
+    add_lack(described + ", which is not the " + host::crc32_text(*named) + " that its mission names");
   else
-    inform(told);
+    inform(described);
 }
 
 void Timeline::note_content(const messages::Input& input, const Record& /*record*/) {
@@ -154,50 +153,50 @@ void Timeline::note_content(const messages::Decision& decision, const Record& /*
 
 void Timeline::note_content(const messages::SafetyEvent& event, const Record& /*record*/) {
   const bool ends_it = event.response >= config::Response::kAbort;
-  tell(!event.begins ? Severity::kInformation : ends_it ? Severity::kError : Severity::kWarning, to_string(event));
+  add(!event.begins ? Severity::kInformation : ends_it ? Severity::kError : Severity::kWarning, to_string(event));
 }
 
 void Timeline::note_content(const messages::CommandAcknowledgement& acknowledgement, const Record& /*record*/) {
   const messages::CommandOutcome outcome = acknowledgement.outcome;
   const bool is_good = messages::was_obeyed(outcome) || outcome == messages::CommandOutcome::kRepeated;
-  tell_order(is_good ? Severity::kInformation : Severity::kWarning, to_string(acknowledgement));
+  add_order(is_good ? Severity::kInformation : Severity::kWarning, to_string(acknowledgement));
 }
 
 void Timeline::note_content(const messages::Health& health, const Record& /*record*/) {
   if (mission_state_.changes_to(health.state)) {
     for (Grown* counter : {&navigation_refused_, &snr_refused_, &status_refused_, &bearings_refused_, &bearings_of_others_})
-      counter->is_told = false;
-    for (Port& port : ports_) port.failures.is_told = false;
-    if (health.state == messages::MissionState::kSearch) is_surprise_told_ = false;
+      counter->is_reported = false;
+    for (Port& port : ports_) port.failures.is_reported = false;
+    if (health.state == messages::MissionState::kSearch) is_mismatch_reported_ = false;
   }
   const bool is_abort = health.state == messages::MissionState::kAbort;
-  const bool is_surprised = health.surprise_bits >= messages::kSurprising_bits;
-  if (const std::string state = to_string(health, is_surprise_told_ || is_surprised, aborted_by_); state_.changes_to(state))
-    tell(is_abort ? Severity::kWarning : Severity::kInformation, state);
-  if (is_surprised && !std::exchange(is_surprise_told_, true))
-    warn(std::string(messages::kIsSurprised) + " (model-mismatch score " + host::decimals(double{health.surprise_bits}, 1) + " bits)");
+  const bool is_mismatched = health.mismatch_bits >= messages::kMismatchThreshold_bits;
+  if (const std::string state = to_string(health, is_mismatch_reported_ || is_mismatched, aborted_by_); state_.changes_to(state))
+    add(is_abort ? Severity::kWarning : Severity::kInformation, state);
+  if (is_mismatched && !std::exchange(is_mismatch_reported_, true))
+    warn(std::string(messages::kIsMismatched) + " (model-mismatch score " + host::decimals(double{health.mismatch_bits}, 1) + " bits)");
   is_over_ = health.end_reason != messages::EndReason::kNone;
   note_refused(health);
 }
 
 void Timeline::note_refused(const messages::Health& health) {
-  const auto tell_of = [this](Grown& counter, std::uint64_t count, const char* what) {
-    if (counter.is_news(count))
+  const auto add_growth = [this](Grown& counter, std::uint64_t count, const char* what) {
+    if (counter.has_grown(count))
       warn(std::string(what) + ": " + host::counted(counter.seen, "message") +
            " refused so far, for their date, their order or what is in them");
   };
-  tell_of(navigation_refused_, health.counters.navigation_refused, "navigation");
-  tell_of(snr_refused_, health.counters.snr_refused, "SNR");
-  tell_of(status_refused_, health.counters.status_refused, "status");
-  tell_of(bearings_refused_, health.counters.bearings_refused, "bearing");
-  if (bearings_of_others_.is_news(health.counters.bearings_of_others))
+  add_growth(navigation_refused_, health.counters.navigation_refused, "navigation");
+  add_growth(snr_refused_, health.counters.snr_refused, "SNR");
+  add_growth(status_refused_, health.counters.status_refused, "status");
+  add_growth(bearings_refused_, health.counters.bearings_refused, "bearing");
+  if (bearings_of_others_.has_grown(health.counters.bearings_of_others))
     warn("bearing: " + host::counted(bearings_of_others_.seen, "message") + " of a second sender not taken so far");
 }
 
 void Timeline::note_content(const messages::ClosingRecord& closing, const Record& /*record*/) {
   is_closed_ = true;
   if (closing.lost.all() > 0)
-    tell_lack(to_string(closing, aborted_by_));
+    add_lack(to_string(closing, aborted_by_));
   else
     inform(to_string(closing, aborted_by_));
 }
@@ -207,7 +206,7 @@ void Timeline::note_content(const messages::JournalResumed& resumed, const Recor
 }
 
 void Timeline::note_content(const messages::ControllerTrouble& trouble, const Record& /*record*/) {
-  tell(trouble.is_there ? Severity::kWarning : Severity::kInformation, to_string(trouble));
+  add(trouble.is_there ? Severity::kWarning : Severity::kInformation, to_string(trouble));
 }
 
 void Timeline::note_input(const messages::PortReport& report, std::uint8_t /*port*/) {
@@ -215,14 +214,14 @@ void Timeline::note_input(const messages::PortReport& report, std::uint8_t /*por
   Port& port = ports_.at(report.port);
   const std::string name = report.port == 0 ? "the journal: " : "port " + std::to_string(report.port) + ": ";
   if (port.is_down.changes_to(!report.link_up))
-    tell(report.link_up ? Severity::kInformation : Severity::kWarning, name + link_to_string(report));
-  if (port.failures.is_news(report.lost + report.malformed + report.unsent))
+    add(report.link_up ? Severity::kInformation : Severity::kWarning, name + link_to_string(report));
+  if (port.failures.has_grown(report.lost + report.malformed + report.unsent))
     warn(name + "so far " + std::to_string(report.lost) + " lost, " + std::to_string(report.malformed) + " malformed and " +
          std::to_string(report.unsent) + " not sent");
 }
 
 void Timeline::note_input(const messages::UnsentSetpoints& unsent, std::uint8_t /*port*/) {
-  if (unsent_setpoints_.is_news(unsent.count)) warn("so far " + host::counted(unsent.count, "set-point") + " could not be sent");
+  if (unsent_setpoints_.has_grown(unsent.count)) warn("so far " + host::counted(unsent.count, "set-point") + " could not be sent");
 }
 
 void Timeline::note_input(const messages::VehicleStatus& status, std::uint8_t /*port*/) {
@@ -242,7 +241,7 @@ void Timeline::note_input(const messages::HydrophoneStatus& status, std::uint8_t
 void Timeline::note_input(const messages::OperatorCommand& command, std::uint8_t port) {
   // By port 0 come the program's own: also what its safety record held, given again after an outage.
   if (port == 0 && command.order == messages::Order::kAbort && !is_over_) aborted_by_ = AbortedBy::kProgram;
-  tell_order(Severity::kInformation, to_string(command, port));
+  add_order(Severity::kInformation, to_string(command, port));
 }
 
 }  // namespace earshot::journal

@@ -44,7 +44,7 @@ class Timeline {
  private:
   /// Something that is said anew whenever it changes; what it was before it was first heard of needs no words.
   template <class Value>
-  struct Told {
+  struct Reported {
     Value value{};
     [[nodiscard]] bool changes_to(const Value& now) {
       const bool is_new = value != now;
@@ -55,8 +55,8 @@ class Timeline {
   /// A counter of what went wrong that only grows: told when it first does in a state of the mission.
   struct Grown {
     std::uint64_t seen = 0;
-    bool is_told = false;
-    [[nodiscard]] bool is_news(std::uint64_t now);
+    bool is_reported = false;
+    [[nodiscard]] bool has_grown(std::uint64_t now);
   };
 
   /// An order, or what came of it: who gives one sends it until it is answered, and each time it is answered.
@@ -64,18 +64,18 @@ class Timeline {
     Event::Severity severity;
     std::string text;
     std::uint64_t times = 1;
-    std::uint64_t told_times = 1;
+    std::uint64_t reported_times = 1;
   };
   static constexpr std::size_t kRememberedOrders = 16;  ///< full: the oldest would be told as a new one
 
-  void tell(Event::Severity severity, std::string text, bool is_lack = false);
+  void add(Event::Severity severity, std::string text, bool is_lack = false);
   /// At once the first time; how often it came once something else happens.
-  void tell_order(Event::Severity severity, std::string text);
-  void tell_repetitions();
-  void inform(std::string text) { tell(Event::Severity::kInformation, std::move(text)); }
+  void add_order(Event::Severity severity, std::string text);
+  void add_repetitions();
+  void inform(std::string text) { add(Event::Severity::kInformation, std::move(text)); }
   /// Of the journal itself.
-  void tell_lack(std::string text);
-  void warn(std::string text) { tell(Event::Severity::kWarning, std::move(text)); }
+  void add_lack(std::string text);
+  void warn(std::string text) { add(Event::Severity::kWarning, std::move(text)); }
 
   void note(const Record& record);
   void note(const MissingRecords& missing);
@@ -104,13 +104,13 @@ class Timeline {
   void note_input(const messages::AutopilotStatus& status, std::uint8_t port);
   void note_input(const messages::HydrophoneStatus& status, std::uint8_t port);
   void note_input(const messages::OperatorCommand& command, std::uint8_t port);
-  /// Fixes and looks.
+  /// Fixes and measurements.
   template <class Stream>
   void note_input(const Stream& /*value*/, std::uint8_t /*port*/) {}
   void note_refused(const messages::Health& health);
 
   struct Port {
-    Told<bool> is_down;
+    Reported<bool> is_down;
     Grown failures;  ///< messages lost, malformed or not sent
   };
 
@@ -120,18 +120,18 @@ class Timeline {
   Time now_;
   bool is_bus_log_ = false;
   bool is_closed_ = false;
-  bool is_over_ = false;           ///< the mission
-  bool is_surprise_told_ = false;  ///< in this search
+  bool is_over_ = false;               ///< the mission
+  bool is_mismatch_reported_ = false;  ///< in this search
   AbortedBy aborted_by_ = AbortedBy::kOperator;
   std::optional<std::uint32_t> policy_crc32_;  ///< that the mission names
   std::optional<std::uint32_t> tables_crc32_;  ///< likewise
-  Told<std::string> state_;
-  Told<std::optional<messages::MissionState>> mission_state_;
-  Told<bool> releases_weight_;
-  Told<bool> has_leak_;
-  Told<bool> has_ground_fault_;
-  Told<std::optional<bool>> follows_;
-  Told<bool> is_deaf_;
+  Reported<std::string> state_;
+  Reported<std::optional<messages::MissionState>> mission_state_;
+  Reported<bool> releases_weight_;
+  Reported<bool> has_leak_;
+  Reported<bool> has_ground_fault_;
+  Reported<std::optional<bool>> follows_;
+  Reported<bool> is_deaf_;
   Grown navigation_refused_;
   Grown snr_refused_;
   Grown status_refused_;

@@ -55,10 +55,10 @@ Json json_in(const messages::Scalar<Place>& line, const auto& message) {
   using Value = typename messages::Scalar<Place>::Value;
   const Value* const value = messages::Scalar<Place>::value_in(message);
   if constexpr (std::is_same_v<Value, std::uint32_t>) {
-    if (line.told.is_checksum && value != nullptr) return host::crc32_text(*value);
+    if (line.format.is_checksum && value != nullptr) return host::crc32_text(*value);
   }
   if constexpr (std::is_integral_v<Value> && !std::is_same_v<Value, bool>) {
-    if (line.told.counts_from_one_in_files && value != nullptr) return *value + 1;
+    if (line.format.counts_from_one_in_files && value != nullptr) return *value + 1;
   }
   if constexpr (std::is_same_v<Value, bool>) {
     return value != nullptr && *value;
@@ -121,11 +121,11 @@ Json json_in(const messages::RuleColumns& /*line*/, const messages::MissionRecor
 
 /// "vehicle_turn_radius_m" in the group "vehicle" is its "turn_radius_m".
 void put(const messages::Line& line, Json value, Json& json) {
-  const std::string key(line.told.key.empty() ? line.name : line.told.key);
-  if (line.told.group.empty())
+  const std::string key(line.format.key.empty() ? line.name : line.format.key);
+  if (line.format.group.empty())
     json[key] = std::move(value);
   else
-    json[std::string(line.told.group)][key.substr(line.told.group.size() + 1)] = std::move(value);
+    json[std::string(line.format.group)][key.substr(line.format.group.size() + 1)] = std::move(value);
 }
 
 void add(const auto& line, const auto& message, Json& json) {
@@ -146,7 +146,7 @@ template <messages::IsDescribed Message>
 Json fields(const Message& message) {
   Json json = Json::object();
   messages::for_each_line<Message>([&](const auto& line) {
-    if (line.told.is_in_files) add(line, message, json);
+    if (line.format.is_in_files) add(line, message, json);
   });
   return json;
 }

@@ -44,7 +44,7 @@ void for_each_further(Take&& take) {
   messages::for_each_line<Message>([&](const auto& line) {
     using Line = std::remove_cvref_t<decltype(line)>;
     if constexpr (requires(const Message& message) { Line::value_in(message); }) {
-      if (line.told.is_in_files && std::ranges::find(kAbove<Message>, line.name) == kAbove<Message>.end()) take(line);
+      if (line.format.is_in_files && std::ranges::find(kAbove<Message>, line.name) == kAbove<Message>.end()) take(line);
     }
   });
 }
@@ -52,7 +52,8 @@ void for_each_further(Take&& take) {
 template <class Message>
 std::string further_columns() {
   std::string names;
-  for_each_further<Message>([&names](const auto& line) { names += "," + std::string(line.told.key.empty() ? line.name : line.told.key); });
+  for_each_further<Message>(
+      [&names](const auto& line) { names += "," + std::string(line.format.key.empty() ? line.name : line.format.key); });
   return names;
 }
 
@@ -174,7 +175,7 @@ void TurnTable::write_row(Time time, const messages::Health& health) {
   else
     row.empty(5);
   row.cell(status_.altitude.value, kHundredths).cell(status_.battery_percent, kHundredths);
-  row.cell(health.surprise_bits, kHundredths).cell(health.is_sweeping ? "1" : "0").cell(health.is_found ? "1" : "0");
+  row.cell(health.mismatch_bits, kHundredths).cell(health.is_sweeping ? "1" : "0").cell(health.is_found ? "1" : "0");
   put_further(row, fix_);
   put_further(row, snr_);
   put_further(row, setpoint_);

@@ -41,9 +41,9 @@ std::optional<Record> RecordSource::next_record() {
 }
 
 void RecordSource::keep(host::JournalRecord record) {
-  const bool was_damaged = reader_.damages().size() > damages_told_;
-  for (; damages_told_ < reader_.damages().size(); ++damages_told_) {
-    const host::JournalDamage& damage = reader_.damages()[damages_told_];
+  const bool was_damaged = reader_.damages().size() > damages_reported_;
+  for (; damages_reported_ < reader_.damages().size(); ++damages_reported_) {
+    const host::JournalDamage& damage = reader_.damages()[damages_reported_];
     waiting_.emplace_back(damage);
   }
   keep_gap_before(record.number, was_damaged);
@@ -68,17 +68,17 @@ void RecordSource::keep_gap_before(std::uint32_t number, bool was_damaged) {
     return;
   }
   MissingRecords missing{.first = expected_number_, .count = count, .was_damaged = was_damaged};
-  if (const int part = reader_.part(); part != part_told_) {
+  if (const int part = reader_.part(); part != part_reported_) {
     missing.parts = reader_.parts_missing_before();
     missing.first_part = part - missing.parts;
-    part_told_ = part;
+    part_reported_ = part;
   }
   waiting_.emplace_back(missing);
 }
 
 std::optional<TornEnd> RecordSource::torn_end() const {
   using End = host::JournalReader::End;
-  if (reader_.end() == End::kWhole || reader_.damages().size() <= damages_told_) return std::nullopt;
+  if (reader_.end() == End::kWhole || reader_.damages().size() <= damages_reported_) return std::nullopt;
   const host::JournalDamage& damage = reader_.damages().back();
   return TornEnd{.where = damage, .is_cut = reader_.end() == End::kCut};
 }

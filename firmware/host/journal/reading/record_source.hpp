@@ -27,7 +27,7 @@ class RecordSource {
   [[nodiscard]] std::optional<Record> next_record();
 
   /// Once next() has come to the end: of a journal that is being written more may have come.
-  void look_again() { reader_.look_again(); }
+  void resume_reading() { reader_.resume_reading(); }
 
   /// Once next() has come to the end: what stands behind the last record, if anything does.
   [[nodiscard]] std::optional<TornEnd> torn_end() const;
@@ -44,8 +44,8 @@ class RecordSource {
 
   host::JournalReader reader_;
   std::deque<Entry> waiting_;  ///< a record, behind what was found before it
-  std::size_t damages_told_ = 0;
-  int part_told_ = 1;  ///< of what is missing before it, all was told
+  std::size_t damages_reported_ = 0;
+  int part_reported_ = 1;  ///< of what is missing before it, all was told
   std::uint32_t expected_number_ = 0;
   std::uint64_t records_ = 0;
 };

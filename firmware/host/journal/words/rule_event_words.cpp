@@ -35,17 +35,17 @@ std::optional<MeasureWords> words_of_measure(config::Condition condition) {
     case config::Condition::kNavigationDisputed:
       return MeasureWords{.before = "late fixes lie ",
                           .behind = " m from those believed of their time",
-                          .look_at = "two senders give places (earshot journal --jsonl has the ports)"};
+                          .hint = "two senders give places (earshot journal --jsonl has the ports)"};
     case config::Condition::kPlaceUnexplained:
       return MeasureWords{.before = "the place went ",
                           .behind = " m further than speed, heading, current and their errors explain",
-                          .look_at = "check navigation, log and compass"};
+                          .hint = "check navigation, log and compass"};
     case config::Condition::kDepthUnexplained:
       return MeasureWords{.before = "the depth is ",
                           .behind = " m further from its set-points than it may be",
-                          .look_at = "check the depth sensor and whether the autopilot obeys"};
+                          .hint = "check the depth sensor and whether the autopilot obeys"};
     case config::Condition::kSetpointsUnsent:
-      return MeasureWords{.before = "no set-point could be sent for ", .behind = " s", .look_at = "check the port's bus and its address"};
+      return MeasureWords{.before = "no set-point could be sent for ", .behind = " s", .hint = "check the port's bus and its address"};
     default:
       return std::nullopt;
   }
@@ -68,7 +68,7 @@ std::string to_string(const messages::SafetyEvent& event) {
   if (names_limit(event))
     text += (traits.kind == ConditionTraits::Kind::kAbove ? ", above " : ", below ") + host::decimals(event.limit, places);
   text += ": " + std::string(config::kResponseWords.at(response));
-  return words ? text + "; " + std::string(words->look_at) : text;
+  return words ? text + "; " + std::string(words->hint) : text;
 }
 
 }  // namespace earshot::journal

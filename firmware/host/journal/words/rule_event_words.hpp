@@ -16,7 +16,7 @@ namespace earshot::journal {
 struct MeasureWords {
   std::string_view before;
   std::string_view behind;
-  std::string_view look_at;
+  std::string_view hint;
 };
 /// Nothing: "310.0, above 300.0" says it.
 [[nodiscard]] std::optional<MeasureWords> words_of_measure(config::Condition condition);

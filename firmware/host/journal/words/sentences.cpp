@@ -23,10 +23,10 @@ std::string command_name(messages::Order order, std::uint32_t number, std::uint3
 
 std::string limits_in(const messages::OperatorLimits& limits) {
   std::string text;
-  const auto say = [&text](const std::string& limit) { text += (text.empty() ? " to " : ", ") + limit; };
-  if (limits.max_depth) say(host::decimals(limits.max_depth->value, 1) + " m depth");
-  if (limits.max_speed) say(host::decimals(limits.max_speed->value, 2) + " m/s");
-  if (limits.max_time_s) say(host::decimals(*limits.max_time_s, 0) + " s of search");
+  const auto add_limit = [&text](const std::string& limit) { text += (text.empty() ? " to " : ", ") + limit; };
+  if (limits.max_depth) add_limit(host::decimals(limits.max_depth->value, 1) + " m depth");
+  if (limits.max_speed) add_limit(host::decimals(limits.max_speed->value, 2) + " m/s");
+  if (limits.max_time_s) add_limit(host::decimals(*limits.max_time_s, 0) + " s of search");
   return text;
 }
 
@@ -98,9 +98,9 @@ std::string to_string(MissionState state, EndReason reason, std::uint32_t steps,
   return messages::counts_steps(reason) ? text + ", after " + host::counted(steps, "step") : text;
 }
 
-std::string to_string(const messages::Health& m, bool was_surprised, AbortedBy by) {
+std::string to_string(const messages::Health& m, bool was_mismatched, AbortedBy by) {
   if (m.end_reason != EndReason::kNone) return to_string(m.state, m.end_reason, m.steps_taken, by);
-  const std::string_view remark = messages::remark_on(m, was_surprised);
+  const std::string_view remark = messages::remark_on(m, was_mismatched);
   return messages::to_string(m.state) + (remark.empty() ? "" : ", " + std::string(remark));
 }
 

@@ -35,7 +35,7 @@ enum class AbortedBy : std::uint8_t { kOperator, kProgram };
 [[nodiscard]] std::string to_string(messages::MissionState state, messages::EndReason reason, std::uint32_t steps, AbortedBy by);
 
 /// Likewise, and of one that is not over what else there is to say: "SEARCH, listening: it commands nothing"
-[[nodiscard]] std::string to_string(const messages::Health& health, bool was_surprised, AbortedBy by = AbortedBy::kOperator);
+[[nodiscard]] std::string to_string(const messages::Health& health, bool was_mismatched, AbortedBy by = AbortedBy::kOperator);
 
 /// "2 of navigation, SNR and health, 0 set-points and decisions, 1 orders and changes of state"
 [[nodiscard]] std::string to_string(const messages::LostRecords& lost);

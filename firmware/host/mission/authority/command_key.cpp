@@ -15,7 +15,7 @@ namespace {
 
 using messages::CommandMark;
 
-constexpr std::uint64_t kNotSaid = 0x7ff8'0000'0000'0000U;
+constexpr std::uint64_t kNotGiven = 0x7ff8'0000'0000'0000U;
 constexpr std::string_view kOrderDomain = "EARSHOT ORDER2";
 constexpr std::string_view kChallengeDomain = "EARSHOT CHALLENGE1";
 
@@ -40,9 +40,9 @@ class MarkedBytes {
         .number(command.issuer, 4)
         .number(command.number, 4)
         .number(static_cast<std::uint64_t>(command.order), 1)
-        .number(limits.max_depth ? std::bit_cast<std::uint64_t>(limits.max_depth->value) : kNotSaid, 8)
-        .number(limits.max_speed ? std::bit_cast<std::uint64_t>(limits.max_speed->value) : kNotSaid, 8)
-        .number(limits.max_time_s ? std::bit_cast<std::uint64_t>(*limits.max_time_s) : kNotSaid, 8);
+        .number(limits.max_depth ? std::bit_cast<std::uint64_t>(limits.max_depth->value) : kNotGiven, 8)
+        .number(limits.max_speed ? std::bit_cast<std::uint64_t>(limits.max_speed->value) : kNotGiven, 8)
+        .number(limits.max_time_s ? std::bit_cast<std::uint64_t>(*limits.max_time_s) : kNotGiven, 8);
   }
   [[nodiscard]] CommandMark mark(const KeyBytes& key) const {
     static_assert(sizeof(CommandMark) == crypto_generichash_BYTES_MIN);
@@ -88,8 +88,8 @@ CommandMark CommandKey::old_mark_of(const messages::OperatorCommand& command) co
   return MarkedBytes().order(command).mark(*key_);
 }
 
-CommandMark CommandKey::mark_of(const messages::Challenge& challenge, Time told) const {
-  return MarkedBytes().text(kChallengeDomain).number(static_cast<std::uint64_t>(told.us), 8).challenge(challenge).mark(*key_);
+CommandMark CommandKey::mark_of(const messages::Challenge& challenge, Time published) const {
+  return MarkedBytes().text(kChallengeDomain).number(static_cast<std::uint64_t>(published.us), 8).challenge(challenge).mark(*key_);
 }
 
 bool CommandKey::verifies(const messages::OperatorCommand& command, const messages::Challenge& challenge) const {
@@ -100,8 +100,8 @@ bool CommandKey::verifies_old(const messages::OperatorCommand& command) const {
   return is_same(old_mark_of(command), command.mark);
 }
 
-bool CommandKey::verifies(const messages::ToldChallenge& told) const {
-  return is_same(mark_of(told.challenge, told.time), told.mark);
+bool CommandKey::verifies(const messages::PublishedChallenge& published) const {
+  return is_same(mark_of(published.challenge, published.time), published.mark);
 }
 
 }  // namespace earshot::host

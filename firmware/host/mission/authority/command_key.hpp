@@ -30,12 +30,12 @@ class CommandKey {
 
   [[nodiscard]] messages::CommandMark mark_of(const messages::OperatorCommand& command, const messages::Challenge& challenge) const;
   [[nodiscard]] messages::CommandMark old_mark_of(const messages::OperatorCommand& command) const;
-  [[nodiscard]] messages::CommandMark mark_of(const messages::Challenge& challenge, Time told) const;
+  [[nodiscard]] messages::CommandMark mark_of(const messages::Challenge& challenge, Time published) const;
 
   // Each in a time that does not tell how much of the mark is right.
   [[nodiscard]] bool verifies(const messages::OperatorCommand& command, const messages::Challenge& challenge) const;
   [[nodiscard]] bool verifies_old(const messages::OperatorCommand& command) const;
-  [[nodiscard]] bool verifies(const messages::ToldChallenge& told) const;
+  [[nodiscard]] bool verifies(const messages::PublishedChallenge& published) const;
 
   /// A key that nobody drew.
   [[nodiscard]] bool is_all_zero() const { return *key_ == KeyBytes{}; }

@@ -25,7 +25,7 @@ void CommandProof::judge(messages::OperatorCommand& command) const {
   command.has_old_mark = is_old && !command.is_verified;
 }
 
-messages::ToldChallenge CommandProof::told(Time utc) const {
+messages::PublishedChallenge CommandProof::published(Time utc) const {
   return {.time = utc, .challenge = challenge, .mark = key.mark_of(challenge, utc)};
 }
 

@@ -28,7 +28,7 @@ struct CommandProof {
   /// Says of an order, whose dates are still the sender's, what its mark is worth.
   void judge(messages::OperatorCommand& command) const;
   /// @param utc  by the wall clock, as the bus is told
-  [[nodiscard]] messages::ToldChallenge told(Time utc) const;
+  [[nodiscard]] messages::PublishedChallenge published(Time utc) const;
 };
 
 }  // namespace earshot::host

@@ -11,7 +11,7 @@ namespace earshot::policy {
 // Probabilities as whole numbers: their logarithm to base 2 in units of 1/512. Sixteen bits hold 128 powers of two, a product is a sum of
 // integers, and every machine has the same bits.
 
-/// Units in a factor of two. One unit is 0.14 %; a hundred looks, each rounded, are 0.4 % off in the mean square.
+/// Units in a factor of two. One unit is 0.14 %; a hundred measurements, each rounded, are 0.4 % off in the mean square.
 inline constexpr int kOctave = 512;
 
 /// Coefficients of a cubic that is as far from 2^f as it must be nowhere in [0, 1): 7.5e-5 of it; that of f^0 first.

@@ -6,19 +6,19 @@
 
 namespace earshot::n2k {
 
-Status compose_challenge(const messages::ToldChallenge& told, const Route& route, FastPacketFrames& frames) {
+Status compose_challenge(const messages::PublishedChallenge& published, const Route& route, FastPacketFrames& frames) {
   MessageWriter writer = begin_own(table::kChallenge);
-  write_fields(told, {}, writer);
+  write_fields(published, {}, writer);
   if (writer.status() != Status::kOk) return writer.status();
   return compose_fast_packet(writer.identifier(route.source, route.destination), route.sequence, writer.bytes(), frames);
 }
 
-Result<messages::ToldChallenge> read_challenge(std::span<const std::uint8_t> bytes) {
+Result<messages::PublishedChallenge> read_challenge(std::span<const std::uint8_t> bytes) {
   if (!is_ours(table::kChallenge, bytes)) return Status::kUnsupported;
   MessageReader reader(table::kChallenge, bytes);
-  messages::ToldChallenge told;
-  if (const Status status = read_fields(reader, told); status != Status::kOk) return status;
-  return told;
+  messages::PublishedChallenge published;
+  if (const Status status = read_fields(reader, published); status != Status::kOk) return status;
+  return published;
 }
 
 }  // namespace earshot::n2k

@@ -14,12 +14,12 @@ Result<bool> yes_or_no(const Signal& signal, Bytes bytes) {
   return raw.value() == 1;
 }
 
-std::optional<bool> if_any(const Result<bool>& said) {
-  return said.ok() ? std::optional(said.value()) : std::nullopt;
+std::optional<bool> if_any(const Result<bool>& reading) {
+  return reading.ok() ? std::optional(reading.value()) : std::nullopt;
 }
 
-std::optional<std::uint8_t> if_any(const Result<std::int64_t>& said) {
-  return said.ok() ? std::optional(static_cast<std::uint8_t>(said.value())) : std::nullopt;
+std::optional<std::uint8_t> if_any(const Result<std::int64_t>& reading) {
+  return reading.ok() ? std::optional(static_cast<std::uint8_t>(reading.value())) : std::nullopt;
 }
 
 }  // namespace

@@ -30,19 +30,19 @@ void for_each_line(Take&& take) {
 }
 
 template <class Message, std::size_t kLine>
-consteval messages::Told told() {
-  return std::get<kLine>(messages::Described<Message>::kFields).told;
+consteval messages::FieldFormat format_of() {
+  return std::get<kLine>(messages::Described<Message>::kFields).format;
 }
 
 /// The key of the i-th word of a line's bytes.
 template <class Message, std::size_t kLine, std::size_t kWord>
 consteval FieldName word_name() {
-  return FieldName(told<Message, kLine>().bus_words.signals[kWord].key);
+  return FieldName(format_of<Message, kLine>().bus_words.signals[kWord].key);
 }
 
 template <class Message, std::size_t kLine>
 void write_words(const auto& bytes, MessageWriter& writer) {
-  constexpr std::size_t kCount = told<Message, kLine>().bus_words.count;
+  constexpr std::size_t kCount = format_of<Message, kLine>().bus_words.count;
   static_assert(kCount * 4 == std::tuple_size_v<std::remove_cvref_t<decltype(bytes)>>);
   [&]<std::size_t... kWords>(std::index_sequence<kWords...>) {
     const auto word = [&bytes](std::size_t at) {
@@ -57,7 +57,7 @@ void write_words(const auto& bytes, MessageWriter& writer) {
 
 template <class Message, std::size_t kLine>
 void read_words(MessageReader& reader, auto& bytes) {
-  constexpr std::size_t kCount = told<Message, kLine>().bus_words.count;
+  constexpr std::size_t kCount = format_of<Message, kLine>().bus_words.count;
   [&]<std::size_t... kWords>(std::index_sequence<kWords...>) {
     const auto put = [&bytes](std::size_t at, std::int64_t value) {
       for (std::size_t i = 0; i < 4; ++i) bytes[4 * at + i] = static_cast<std::uint8_t>(value >> (8 * i));
@@ -70,18 +70,18 @@ void read_words(MessageReader& reader, auto& bytes) {
 /// One number, by its type.
 template <class Message, std::size_t kLine, class Value>
 void write_value(const Value& value, MessageWriter& writer) {
-  constexpr messages::Told kTold = told<Message, kLine>();
-  constexpr FieldName kName(kTold.bus.key);
+  constexpr messages::FieldFormat kFormat = format_of<Message, kLine>();
+  constexpr FieldName kName(kFormat.bus.key);
   if constexpr (std::is_floating_point_v<messages::Plain<Value>>) {
     auto number = static_cast<double>(messages::plain(value));
-    if constexpr (kTold.saturates_on_bus) {
+    if constexpr (kFormat.saturates_on_bus) {
       if (number != number) return;  // stays "not available"
-      number = std::clamp(number, kTold.bus.lowest, kTold.bus.highest);
+      number = std::clamp(number, kFormat.bus.lowest, kFormat.bus.highest);
     }
     writer.set(kName, number);
   } else if constexpr (std::is_same_v<Value, std::uint64_t>) {
     // A counter that is beyond its place stays at its highest.
-    writer.set_raw(kName, static_cast<std::int64_t>(std::min(value, static_cast<std::uint64_t>(kTold.bus.highest_raw))));
+    writer.set_raw(kName, static_cast<std::int64_t>(std::min(value, static_cast<std::uint64_t>(kFormat.bus.highest_raw))));
   } else if constexpr (std::is_same_v<Value, Time>) {
     writer.set_raw(kName, value.us);
   } else {
@@ -108,19 +108,19 @@ bool put(std::int64_t raw, Value& value) {
 
 template <class Message, std::size_t kLine, class Value>
 bool read_value(MessageReader& reader, Value& value) {
-  constexpr messages::Told kTold = told<Message, kLine>();
-  constexpr FieldName kName(kTold.bus.key);
+  constexpr messages::FieldFormat kFormat = format_of<Message, kLine>();
+  constexpr FieldName kName(kFormat.bus.key);
   if constexpr (std::is_floating_point_v<messages::Plain<Value>>) {
     using Plain = messages::Plain<Value>;
-    if constexpr (kTold.is_later_on_bus) {
-      if (const std::optional<double> said = reader.value_if_any(kName)) value = messages::made_of<Value>(static_cast<Plain>(*said));
+    if constexpr (kFormat.is_later_on_bus) {
+      if (const std::optional<double> reading = reader.value_if_any(kName)) value = messages::made_of<Value>(static_cast<Plain>(*reading));
     } else {
       value = messages::made_of<Value>(static_cast<Plain>(reader.value(kName)));
     }
     return true;
-  } else if constexpr (kTold.is_later_on_bus) {
-    const std::optional<std::int64_t> said = reader.raw_if_any(kName);
-    return !said || put(*said, value);
+  } else if constexpr (kFormat.is_later_on_bus) {
+    const std::optional<std::int64_t> reading = reader.raw_if_any(kName);
+    return !reading || put(*reading, value);
   } else {
     return put(reader.raw(kName), value);
   }
@@ -133,15 +133,15 @@ bool read_value(MessageReader& reader, Value& value) {
 template <messages::IsDescribed Message>
 void write_fields(const Message& message, Time sent, MessageWriter& writer) {
   detail::for_each_line<Message>([&]<class Line, std::size_t kLine>() {
-    constexpr messages::Told kTold = detail::told<Message, kLine>();
-    if constexpr (kTold.bus_words.count > 0) {
+    constexpr messages::FieldFormat kFormat = detail::format_of<Message, kLine>();
+    if constexpr (kFormat.bus_words.count > 0) {
       detail::write_words<Message, kLine>(*Line::Place::in(message), writer);
-    } else if constexpr (kTold.bus.key == 0) {
+    } else if constexpr (kFormat.bus.key == 0) {
       return;
     } else if constexpr (std::is_same_v<Line, messages::SentTime>) {
-      writer.set_raw(FieldName(kTold.bus.key), sent.us);
+      writer.set_raw(FieldName(kFormat.bus.key), sent.us);
     } else if constexpr (requires { Line::kIsCount; }) {
-      writer.set_raw(FieldName(kTold.bus.key), static_cast<std::int64_t>(Line::Place::in(message)->size()));
+      writer.set_raw(FieldName(kFormat.bus.key), static_cast<std::int64_t>(Line::Place::in(message)->size()));
     } else {
       if (const auto* const value = Line::value_in(message)) detail::write_value<Message, kLine>(*value, writer);
     }
@@ -154,17 +154,17 @@ template <messages::IsDescribed Message>
 [[nodiscard]] Status read_fields(MessageReader& reader, Message& message, Time* sent = nullptr) {
   bool is_known = true;
   detail::for_each_line<Message>([&]<class Line, std::size_t kLine>() {
-    constexpr messages::Told kTold = detail::told<Message, kLine>();
-    if constexpr (kTold.bus_words.count > 0) {
+    constexpr messages::FieldFormat kFormat = detail::format_of<Message, kLine>();
+    if constexpr (kFormat.bus_words.count > 0) {
       detail::read_words<Message, kLine>(reader, *Line::Place::in(message));
-    } else if constexpr (kTold.bus.key == 0 || requires { Line::kIsCount; }) {
+    } else if constexpr (kFormat.bus.key == 0 || requires { Line::kIsCount; }) {
       return;
     } else if constexpr (std::is_same_v<Line, messages::SentTime>) {
-      const Time told{reader.raw(FieldName(kTold.bus.key))};
-      if (sent != nullptr) *sent = told;
+      const Time date{reader.raw(FieldName(kFormat.bus.key))};
+      if (sent != nullptr) *sent = date;
     } else if constexpr (requires { Line::kIsOptional; }) {
-      reader.take_if_any(FieldName(kTold.bus.key),
-                         [&message](double said) { *Line::Place::in(message) = messages::made_of<typename Line::Value>(said); });
+      reader.take_if_any(FieldName(kFormat.bus.key),
+                         [&message](double reading) { *Line::Place::in(message) = messages::made_of<typename Line::Value>(reading); });
     } else {
       if (auto* const value = Line::value_in(message)) is_known = detail::read_value<Message, kLine>(reader, *value) && is_known;
     }

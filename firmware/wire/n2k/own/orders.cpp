@@ -13,10 +13,10 @@ using messages::CommandAcknowledgement;
 using messages::OperatorCommand;
 using messages::Order;
 
-template <class Told>
-Status compose(const Message& message, const Told& told, const Route& route, FastPacketFrames& frames) {
+template <class FieldFormat>
+Status compose(const Message& message, const FieldFormat& format, const Route& route, FastPacketFrames& frames) {
   MessageWriter writer = begin_own(message);
-  write_fields(told, {}, writer);
+  write_fields(format, {}, writer);
   if (writer.status() != Status::kOk) return writer.status();
   return compose_fast_packet(writer.identifier(route.source, route.destination), route.sequence, writer.bytes(), frames);
 }
@@ -32,7 +32,7 @@ OperatorCommand head_of(std::span<const std::uint8_t> bytes, Time arrival) {
 }
 
 /// In whichever of its two forms.
-bool says_abort(std::span<const std::uint8_t> bytes) {
+bool is_abort_order(std::span<const std::uint8_t> bytes) {
   return is_ours(table::kAbort, bytes) || (is_ours(table::kCommand, bytes) && head_of(bytes, Time{}).order == Order::kAbort);
 }
 
@@ -91,7 +91,7 @@ Status OrderReceiver::accept(const HeardFrame& heard, Time now, std::uint8_t add
   Assembled message;
   const Status status = assembly_.accept(identifier, frame, now, message);
   if (status != Status::kOk) return Status::kNotReady;
-  if (identifier.destination == kBroadcast && !says_abort(message.bytes)) {
+  if (identifier.destination == kBroadcast && !is_abort_order(message.bytes)) {
     ++counters_.other;
     return Status::kNotReady;
   }

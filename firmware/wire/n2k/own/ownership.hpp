@@ -13,11 +13,12 @@ namespace earshot::n2k {
   constexpr Signal kMaker = table::manufacturer();
   constexpr Signal kIndustry = table::industry();
   constexpr Signal kKind = table::message_kind();
-  const auto says = [bytes](const Signal& signal, std::int64_t expected) {
+  const auto holds = [bytes](const Signal& signal, std::int64_t expected) {
     const Result<std::int64_t> raw = decode_raw(signal, bytes);
     return raw.ok() && raw.value() == expected;
   };
-  return says(kMaker, table::kManufacturer) && says(kIndustry, table::kMarineIndustry) && (message.kind == 0 || says(kKind, message.kind));
+  return holds(kMaker, table::kManufacturer) && holds(kIndustry, table::kMarineIndustry) &&
+         (message.kind == 0 || holds(kKind, message.kind));
 }
 
 /// A message of ours with its head written.

@@ -26,7 +26,7 @@ struct Sender {
 [[nodiscard]] Status compose_health(const messages::Health& health, Time now, const Sender& sender, FastPacketFrames& frames);
 struct HealthReport {
   Time time;
-  messages::Health health;  ///< without its ports, and without what older vehicles do not say: found, sweeping, surprise, response
+  messages::Health health;  ///< without its ports, and without what older vehicles do not say: found, sweeping, mismatch, response
   std::uint8_t port_count = 0;
 };
 [[nodiscard]] Result<HealthReport> read_health(std::span<const std::uint8_t> bytes);

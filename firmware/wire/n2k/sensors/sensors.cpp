@@ -16,9 +16,9 @@ template <auto kRead>
 constexpr auto by = [](std::span<const std::uint8_t> bytes) { return kRead(bytes); };
 
 /// What was read already.
-auto value_of(const Result<fields::Sourced>& said) {
-  return [&said](std::span<const std::uint8_t> /*bytes*/) {
-    return said.ok() ? Result<double>(said.value().value) : Result<double>(said.status());
+auto value_of(const Result<fields::Sourced>& field) {
+  return [&field](std::span<const std::uint8_t> /*bytes*/) {
+    return field.ok() ? Result<double>(field.value().value) : Result<double>(field.status());
   };
 }
 
@@ -113,24 +113,24 @@ Status Sensors::keep_admitted(Measured measured, const Arrival& arrival, Duratio
                               const Read& read, std::optional<std::uint8_t> instance) {
   SourceGate& gate = gates_[static_cast<std::size_t>(measured)];
   const Origin origin{.pgn = arrival.identifier.pgn, .address = arrival.identifier.source, .instance = instance};
-  const Standing standing = gate.standing(origin, directory_, arrival.time, handover);
-  if (standing == Standing::kNotChosen) ++counters_.not_chosen[static_cast<std::size_t>(measured)];
-  if (standing == Standing::kNotChosen || standing == Standing::kIsAnothers) {
+  const SourceStatus source_status = gate.status_of(origin, directory_, arrival.time, handover);
+  if (source_status == SourceStatus::kNotChosen) ++counters_.not_chosen[static_cast<std::size_t>(measured)];
+  if (source_status == SourceStatus::kNotChosen || source_status == SourceStatus::kHeldByAnother) {
     ++counters_.other_device;
     return Status::kNotReady;
   }
   const Result<T> value = read(arrival.bytes);
   if (value.ok() || value.status() == Status::kNotReady) heard_[static_cast<std::size_t>(measured)] = arrival.time;
   if (value.ok()) gate.hold(origin, directory_, arrival.time);
-  if (standing == Standing::kHolds || value.ok()) return keep<T>(reading, value, arrival.time);
+  if (source_status == SourceStatus::kHolds || value.ok()) return keep<T>(reading, value, arrival.time);
   if (value.status() == Status::kNotReady) ++counters_.unavailable;
   return value.status();
 }
 
 Result<Radians> Sensors::true_heading(Bytes bytes, Time now) {
-  const Result<fields::Heading> said = fields::heading(bytes);
-  if (!said.ok()) return said.status();
-  const fields::Heading& heading = said.value();
+  const Result<fields::Heading> field = fields::heading(bytes);
+  if (!field.ok()) return field.status();
+  const fields::Heading& heading = field.value();
   if (heading.is_true) return wrap_to_pi(heading.value);
   if (heading.variation) return wrap_to_pi(heading.value + *heading.variation);
   if (!is_fresh(readings_.variation, now, table::timeout_of(table::kVariation))) {
@@ -151,14 +151,14 @@ Status Sensors::take_packet(const Identifier& identifier, const Frame& frame, Ti
 }
 
 Status Sensors::take_pressure(const Arrival& arrival) {
-  const Result<fields::Sourced> said = fields::pressure(arrival.bytes);
-  if (!said.ok() && said.status() != Status::kNotReady) return said.status();
-  if (said.ok() && !said.value().is_water) {
+  const Result<fields::Sourced> field = fields::pressure(arrival.bytes);
+  if (!field.ok() && field.status() != Status::kNotReady) return field.status();
+  if (field.ok() && !field.value().is_water) {
     ++counters_.of_no_interest;
     return Status::kNotReady;
   }
   const Status kept = keep_admitted(Measured::kPressure, arrival, table::handover_of(table::kPressure), readings_.pressure_pa,
-                                    value_of(said), fields::pressure_instance(arrival.bytes));
+                                    value_of(field), fields::pressure_instance(arrival.bytes));
   if (!readings_.pressure_pa) readings_.depth.reset();
   if (kept != Status::kOk) return kept;
   if (pressure_kind_ == PressureKind::kAbsolute && !surface_pa_) {
@@ -183,23 +183,23 @@ Status Sensors::zero_at_surface() {
 }
 
 Status Sensors::take_temperature(const Arrival& arrival) {
-  const Result<fields::Sourced> said = fields::temperature(arrival.bytes);
-  if (said.ok() && !said.value().is_water) {
+  const Result<fields::Sourced> field = fields::temperature(arrival.bytes);
+  if (field.ok() && !field.value().is_water) {
     ++counters_.of_no_interest;
     return Status::kNotReady;
   }
-  if (!said.ok() && said.status() != Status::kNotReady) return said.status();
+  if (!field.ok() && field.status() != Status::kNotReady) return field.status();
   return keep_admitted(Measured::kTemperature, arrival, table::handover_of(table::kTemperature), readings_.water_temperature_k,
-                       value_of(said), fields::temperature_instance(arrival.bytes));
+                       value_of(field), fields::temperature_instance(arrival.bytes));
 }
 
 Status Sensors::take_charge(const Arrival& arrival) {
-  const Result<std::optional<double>> said = fields::charge(arrival.bytes);
-  if (said.ok() && !said.value()) {
+  const Result<std::optional<double>> field = fields::charge(arrival.bytes);
+  if (field.ok() && !field.value()) {
     ++counters_.of_no_interest;
     return Status::kNotReady;
   }
-  const auto read = [&said](Bytes /*bytes*/) { return said.ok() ? Result<double>(*said.value()) : Result<double>(said.status()); };
+  const auto read = [&field](Bytes /*bytes*/) { return field.ok() ? Result<double>(*field.value()) : Result<double>(field.status()); };
   return keep_admitted(Measured::kCharge, arrival, table::handover_of(table::kCharge), readings_.charge_percent, read,
                        fields::charge_instance(arrival.bytes));
 }

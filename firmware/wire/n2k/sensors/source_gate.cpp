@@ -7,13 +7,13 @@ bool SourceGate::is_same(const Holder& holder, const Origin& origin, std::option
   return holder.name ? holder.name == name : holder.origin.address == origin.address;
 }
 
-Standing SourceGate::standing(const Origin& origin, const Directory& directory, Time now, Duration handover) const {
+SourceStatus SourceGate::status_of(const Origin& origin, const Directory& directory, Time now, Duration handover) const {
   const std::optional<Name> name = directory.name_of(origin.address);
-  if (choice_.instance && choice_.instance != origin.instance) return Standing::kNotChosen;
-  if (choice_.name && choice_.name != name) return Standing::kNotChosen;
-  if (!holder_) return Standing::kIsFree;
-  if (is_same(*holder_, origin, name)) return Standing::kHolds;
-  return lies_within(holder_->last, now, handover) ? Standing::kIsAnothers : Standing::kIsFree;
+  if (choice_.instance && choice_.instance != origin.instance) return SourceStatus::kNotChosen;
+  if (choice_.name && choice_.name != name) return SourceStatus::kNotChosen;
+  if (!holder_) return SourceStatus::kIsFree;
+  if (is_same(*holder_, origin, name)) return SourceStatus::kHolds;
+  return lies_within(holder_->last, now, handover) ? SourceStatus::kHeldByAnother : SourceStatus::kIsFree;
 }
 
 void SourceGate::hold(const Origin& origin, const Directory& directory, Time now) {

@@ -22,11 +22,11 @@ struct Origin {
 };
 
 /// How a device stands to a quantity.
-enum class Standing : std::uint8_t {
-  kHolds,       ///< the quantity is taken from it
-  kIsFree,      ///< from nobody now, and it may be taken from this one
-  kIsAnothers,  ///< from another device
-  kNotChosen,   ///< the mission names another one
+enum class SourceStatus : std::uint8_t {
+  kHolds,          ///< the quantity is taken from it
+  kIsFree,         ///< from nobody now, and it may be taken from this one
+  kHeldByAnother,  ///< from another device
+  kNotChosen,      ///< the mission names another one
 };
 
 /// Lets the messages of one device pass, so that two of a kind are never mixed. Without a choice the first that has a value is the one,
@@ -36,7 +36,7 @@ class SourceGate {
   SourceGate() = default;
   explicit SourceGate(const SourceChoice& choice) : choice_(choice) {}
 
-  [[nodiscard]] Standing standing(const Origin& origin, const Directory& directory, Time now, Duration handover) const;
+  [[nodiscard]] SourceStatus status_of(const Origin& origin, const Directory& directory, Time now, Duration handover) const;
   /// It has given a value. Only for one that holds, or where nobody does.
   void hold(const Origin& origin, const Directory& directory, Time now);
 

@@ -150,7 +150,7 @@ consteval n2k::Message peers(std::string_view name, Direction direction, std::st
 inline constexpr Message kHealth = own<messages::Health>("EarshotHealth", kHealthPgn, kSecond);
 inline constexpr Message kPortHealth = own<messages::PortReport>("EarshotPortHealth", kPortHealthPgn, kSecond);
 inline constexpr Message kDecision = own<messages::Decision>("EarshotDecision", kDecisionPgn, kOnOccasion);
-inline constexpr Message kChallenge = own<messages::ToldChallenge>("EarshotChallenge", kChallengePgn, kSecond);
+inline constexpr Message kChallenge = own<messages::PublishedChallenge>("EarshotChallenge", kChallengePgn, kSecond);
 inline constexpr Message kCommand = peers<messages::OperatorCommand>("EarshotCommand", kToRuntime, "command");
 inline constexpr Message kCommandAcknowledgement =
     peers<messages::CommandAcknowledgement>("EarshotCommandAcknowledgement", kFromRuntime, "acknowledgement");

@@ -32,7 +32,7 @@ inline constexpr std::array<Choice, messages::WordsOf<Enum>::kTable.size()> kCho
 /// A field's place with the names of its values, where its type has some.
 template <class Line>
 constexpr Signal named(const Line& line) {
-  Signal signal = line.told.bus;
+  Signal signal = line.format.bus;
   if constexpr (requires { typename Line::Value; }) {
     using Value = typename Line::Value;
     if constexpr (std::is_same_v<Value, bool>) {
@@ -47,7 +47,8 @@ constexpr Signal named(const Line& line) {
 template <messages::IsDescribed Message>
 consteval std::size_t signal_count() {
   std::size_t count = 0;
-  messages::for_each_line<Message>([&count](const auto& line) { count += line.told.bus_words.count + (line.told.bus.key != 0 ? 1 : 0); });
+  messages::for_each_line<Message>(
+      [&count](const auto& line) { count += line.format.bus_words.count + (line.format.bus.key != 0 ? 1 : 0); });
   return count;
 }
 
@@ -58,8 +59,8 @@ consteval std::array<Signal, kHead + signal_count<Message>()> group_of(const Sig
   std::size_t at = 0;
   for (const Signal& signal : head) signals[at++] = signal;
   messages::for_each_line<Message>([&](const auto& line) {
-    if (line.told.bus.key != 0) signals[at++] = named(line);
-    for (std::size_t i = 0; i < line.told.bus_words.count; ++i) signals[at++] = line.told.bus_words.signals[i];
+    if (line.format.bus.key != 0) signals[at++] = named(line);
+    for (std::size_t i = 0; i < line.format.bus_words.count; ++i) signals[at++] = line.format.bus_words.signals[i];
   });
   std::ranges::sort(signals, {}, &Signal::first_bit);
   return signals;

@@ -61,11 +61,12 @@ std::string SpectrogramStrip::table() const {
   return text;
 }
 
-void HearingRecord::add(const detector::Estimate& look, const policy::Reception& modelled) {
-  ++looks_;
-  too_faint_ += look.too_faint ? 1U : 0U;
-  rows_ += host::formatted("%.6f,%.4f,%d,%.4f,%d,%.3f,%.3f\n", (look.time - Time{}).to_seconds(), look.snr.value, look.too_faint ? 1 : 0,
-                           modelled.snr.value, modelled.too_faint ? 1 : 0, look.level.value, look.floor.value);
+void HearingRecord::add(const detector::Estimate& measurement, const policy::Reception& modelled) {
+  ++measurements_;
+  too_faint_ += measurement.too_faint ? 1U : 0U;
+  rows_ += host::formatted("%.6f,%.4f,%d,%.4f,%d,%.3f,%.3f\n", (measurement.time - Time{}).to_seconds(), measurement.snr.value,
+                           measurement.too_faint ? 1 : 0, modelled.snr.value, modelled.too_faint ? 1 : 0, measurement.level.value,
+                           measurement.floor.value);
 }
 
 void HearingRecord::write(const std::filesystem::path& folder) const {

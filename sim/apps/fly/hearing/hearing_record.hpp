@@ -50,10 +50,10 @@ class HearingRecord {
 
   /// A block that went over the bus.
   void take(const messages::HydrophoneBlock& block, std::span<const float> samples) { strip_.take(block, samples); }
-  /// A look that the vehicle's policy may take. @param modelled  at the vehicle's place then
-  void add(const detector::Estimate& look, const policy::Reception& modelled);
+  /// A measurement that the vehicle's policy may take. @param modelled  at the vehicle's place then
+  void add(const detector::Estimate& measurement, const policy::Reception& modelled);
 
-  [[nodiscard]] std::uint64_t looks() const { return looks_; }
+  [[nodiscard]] std::uint64_t measurements() const { return measurements_; }
   [[nodiscard]] std::uint64_t too_faint() const { return too_faint_; }
   /// Throws as host::write_whole does.
   void write(const std::filesystem::path& folder) const;
@@ -61,7 +61,7 @@ class HearingRecord {
  private:
   SpectrogramStrip strip_;
   std::string rows_;
-  std::uint64_t looks_ = 0;
+  std::uint64_t measurements_ = 0;
   std::uint64_t too_faint_ = 0;
 };
 

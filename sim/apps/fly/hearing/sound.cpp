@@ -39,16 +39,17 @@ Sound::Sound(const SoundSetup& setup, const search::Surroundings& surroundings, 
     : setup_(setup),
       noise_level_(setup.noise_levels.at(surroundings.ocean())),
       hydrophone_(settings_of(setup, noise_level_, tick), setup.seed),
-      ears_(std::make_unique<detector::SoundDetector>()),
+      sound_detector_(std::make_unique<detector::SoundDetector>()),
       record_(kSampleRate, full_scale_level(setup.listening.calibration, Decibels{})) {
-  if (ears_->configure(setup.listening) != Status::kOk) throw std::runtime_error("the mission's hydrophone cannot be listened to");
+  if (sound_detector_->configure(setup.listening) != Status::kOk)
+    throw std::runtime_error("the mission's hydrophone cannot be listened to");
 }
 
 void Sound::pass(Time now, const search::Arrivals& arrivals, const policy::Reception& modelled, MetersPerSecond speed) {
   hydrophone::Situation situation{.arrivals = {}, .speed = speed};
   for (const search::Arrival& arrival : arrivals)
     (void)situation.arrivals.push_back({.range = arrival.range, .level = arrival.snr + noise_level_, .sung_s = arrival.sung_s});
-  looks_.clear();
+  measurements_.clear();
   if (!has_begun_) {
     hydrophone_.begin(situation);
     has_begun_ = true;
@@ -65,11 +66,11 @@ void Sound::pass(Time now, const search::Arrivals& arrivals, const policy::Recep
 
 void Sound::hear(const policy::Reception& modelled) {
   record_.take(hydrophone_.block(), hydrophone_.samples());
-  ears_->hear(hydrophone_.block(), hydrophone_.samples());
-  while (const std::optional<detector::Estimate> estimate = ears_->next()) {
+  sound_detector_->hear(hydrophone_.block(), hydrophone_.samples());
+  while (const std::optional<detector::Estimate> estimate = sound_detector_->next()) {
     hearing_ = estimate->hearing;
-    if (!estimate->is_look()) continue;  // as the vehicle hands over its looks
-    looks_.push_back(estimate->measurement());
+    if (!estimate->is_snr_measurement()) continue;  // as the vehicle hands over its measurements
+    measurements_.push_back(estimate->measurement());
     record_.add(*estimate, modelled);
   }
 }

@@ -47,12 +47,12 @@ class Sound {
   /// Throws std::runtime_error when the bus cannot carry it.
   void pass(Time now, const search::Arrivals& arrivals, const policy::Reception& modelled, MetersPerSecond speed);
   /// How the vehicle says that it moves, as its detector is told at the end of a turn.
-  void note_motion(MetersPerSecond speed) { ears_->note_motion(speed, 0.0); }
+  void note_motion(MetersPerSecond speed) { sound_detector_->note_motion(speed, 0.0); }
 
-  /// The looks that came of the last tick.
-  [[nodiscard]] std::span<const messages::SnrMeasurement> looks() const { return looks_; }
-  [[nodiscard]] bool has_heard() const { return record_.looks() > 0; }
-  /// So long a detector that hears at all has given a look.
+  /// The measurements that came of the last tick.
+  [[nodiscard]] std::span<const messages::SnrMeasurement> measurements() const { return measurements_; }
+  [[nodiscard]] bool has_heard() const { return record_.measurements() > 0; }
+  /// So long a detector that hears at all has given a measurement.
   [[nodiscard]] Duration patience() const { return setup_.listening.floor_window + Duration::seconds(60); }
   [[nodiscard]] const char* in_the_way() const { return detector::to_string(hearing_); }
   [[nodiscard]] std::uint64_t blocks() const { return setup_.bus.blocks(); }
@@ -65,9 +65,9 @@ class Sound {
   const SoundSetup& setup_;
   Decibels noise_level_;
   hydrophone::Hydrophone hydrophone_;
-  std::unique_ptr<detector::SoundDetector> ears_;
+  std::unique_ptr<detector::SoundDetector> sound_detector_;
   HearingRecord record_;
-  std::vector<messages::SnrMeasurement> looks_;
+  std::vector<messages::SnrMeasurement> measurements_;
   detector::Hearing hearing_ = detector::Hearing::kFillingUp;  ///< of the last estimate
   std::uint64_t lost_blocks_ = 0;
   bool has_begun_ = false;

@@ -29,14 +29,14 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-struct Said {
+struct Sent {
   std::string channel;
   Time time;
   Bytes data;
-  friend bool operator==(const Said&, const Said&) = default;
+  friend bool operator==(const Sent&, const Sent&) = default;
 };
-std::ostream& operator<<(std::ostream& out, const Said& said) {
-  return out << said.channel << " at " << said.time.us << " us, " << said.data.size() << " bytes";
+std::ostream& operator<<(std::ostream& out, const Sent& sent_record) {
+  return out << sent_record.channel << " at " << sent_record.time.us << " us, " << sent_record.data.size() << " bytes";
 }
 
 Bytes big_endian(std::uint64_t value, std::size_t size) {
@@ -55,9 +55,11 @@ Bytes written(const Message& message, Time sent = {}) {
 }
 
 template <class Message>
-Message message_in(const Said& said) {
+Message message_in(const Sent& sent_record) {
   Message message{};
-  EXPECT_EQ(message.decode(said.data.data(), 0, static_cast<int>(said.data.size())), static_cast<int>(said.data.size())) << said.channel;
+  EXPECT_EQ(message.decode(sent_record.data.data(), 0, static_cast<int>(sent_record.data.size())),
+            static_cast<int>(sent_record.data.size()))
+      << sent_record.channel;
   return message;
 }
 
@@ -69,12 +71,12 @@ class FlightBoardTest : public testing::Test {
   void send(Time time, std::string_view channel, const Bytes& data) { board_->take(wire::RecordFrame(time, channel, data).bytes()); }
 
   /// What the board has said since it was last asked.
-  std::vector<Said> said() {
-    std::vector<Said> all;
+  std::vector<Sent> sent_since() {
+    std::vector<Sent> all;
     Bytes room(wire::kFrameBytes);
     wire::CobsReader reader(room);
     for (const std::uint8_t byte : machine::fake().sent) {
-      if (reader.take(byte) != wire::CobsReader::Said::kFrame) continue;
+      if (reader.take(byte) != wire::CobsReader::Outcome::kFrame) continue;
       wire::FramedRecord record;
       EXPECT_EQ(wire::read_record_frame(reader.frame(), record), Status::kOk);
       all.push_back({std::string(record.channel), record.time, {record.data.begin(), record.data.end()}});
@@ -84,7 +86,7 @@ class FlightBoardTest : public testing::Test {
   }
   /// The event of the only thing that it said.
   int event() {
-    const std::vector<Said> all = said();
+    const std::vector<Sent> all = sent_since();
     if (all.size() != 1 || all[0].channel != wire::kBoardChannel) return -1;
     last_ = message_in<board_t>(all[0]);
     return last_.event;
@@ -186,8 +188,8 @@ TEST_F(FlightBoardTest, RefusesAMissionWhosePolicyOrTablesItsStoreDoesNotHold) {
 }
 
 /// What turns of a runtime in this process say, as their records.
-std::vector<Said> said_by(const runtime::Outputs& outputs, Time now) {
-  std::vector<Said> all;
+std::vector<Sent> sent_by(const runtime::Outputs& outputs, Time now) {
+  std::vector<Sent> all;
   if (outputs.setpoint) all.push_back({std::string(wire::kJournalledSetpointChannel), now, written(*outputs.setpoint, now)});
   if (outputs.decision) all.push_back({std::string(wire::kDecisionChannel), now, written(*outputs.decision)});
   for (const messages::SafetyEvent& event : outputs.safety_events)
@@ -220,11 +222,11 @@ TEST_F(FlightBoardTest, SaysByteForByteWhatARuntimeOfThisProcessSays) {
       give(input);
     }
     turn(now);
-    std::vector<Said> records = said();
-    std::erase_if(records, [](const Said& record) { return record.channel == wire::kBoardChannel; });
+    std::vector<Sent> records = sent_since();
+    std::erase_if(records, [](const Sent& record) { return record.channel == wire::kBoardChannel; });
     const runtime::Outputs outputs = own.step(now);
     decisions += outputs.decision ? 1 : 0;
-    ASSERT_EQ(records, said_by(outputs, now)) << second << " s";
+    ASSERT_EQ(records, sent_by(outputs, now)) << second << " s";
   }
   EXPECT_EQ(decisions, 3);  // at once, and a kilometre at 2 m/s after the other
 }
@@ -233,12 +235,12 @@ TEST_F(FlightBoardTest, NoticesInTheNextTurnThatAnInputWasLost) {
   arm();
   ++sent_;  // one that never came
   turn(Time{1'000'000'000});
-  const std::vector<Said> records = said();
+  const std::vector<Sent> records = sent_since();
   ASSERT_EQ(records.size(), 2U);
   EXPECT_EQ(message_in<board_t>(records[0]).event, int{board_t::INPUTS_LOST});
   EXPECT_EQ(records[1].channel, wire::kHealthChannel);
   turn(Time{1'001'000'000});
-  EXPECT_EQ(said().size(), 1U) << "it says so once";
+  EXPECT_EQ(sent_since().size(), 1U) << "it says so once";
 }
 
 TEST_F(FlightBoardTest, CountsWhatIsTornOnTheLine) {
@@ -279,7 +281,7 @@ std::vector<hydrophone_block_t> second_of_sound(std::int64_t second, double ampl
 }
 
 /// What a detector of this process makes of it, as records of port 3.
-std::vector<Said> heard_by(detector::SoundDetector& detector, const hydrophone_block_t& message, Time now) {
+std::vector<Sent> heard_by(detector::SoundDetector& detector, const hydrophone_block_t& message, Time now) {
   const messages::HydrophoneBlock block{.time = {message.utime},
                                         .sequence = message.sequence,
                                         .first_sample = message.first_sample,
@@ -288,11 +290,12 @@ std::vector<Said> heard_by(detector::SoundDetector& detector, const hydrophone_b
                                         .samples_per_channel = static_cast<std::uint32_t>(message.sample_count),
                                         .overflow_count = 0,
                                         .channels = 1};
-  std::vector<Said> looks;
+  std::vector<Sent> measurements;
   detector.hear(block, message.samples);
   while (const std::optional<detector::Estimate> estimate = detector.next())
-    if (estimate->is_look()) looks.push_back({std::string(wire::kSnrEstimateChannel) + ".3", now, written(estimate->measurement())});
-  return looks;
+    if (estimate->is_snr_measurement())
+      measurements.push_back({std::string(wire::kSnrEstimateChannel) + ".3", now, written(estimate->measurement())});
+  return measurements;
 }
 
 TEST_F(FlightBoardTest, HearsInItsHydrophonesBlocksWhatADetectorOfThisProcessHears) {
@@ -301,27 +304,27 @@ TEST_F(FlightBoardTest, HearsInItsHydrophonesBlocksWhatADetectorOfThisProcessHea
   detector::SoundDetector detector;
   ASSERT_EQ(detector.configure(hearing()), Status::kOk);
   support::GaussianNoise noise(5);
-  std::size_t looks = 0;
+  std::size_t measurements = 0;
   for (std::int64_t second = 0; second < 120; ++second) {
     const Time now{Duration::seconds(second + 1).us};
     for (const hydrophone_block_t& block : second_of_sound(second, second % 15 == 0 ? 1e-3 : 0.0, noise)) {
       send(now, "EARSHOT_HYDROPHONE_BLOCK.3", bytes_of(block));
       ++sent_;
-      const std::vector<Said> expected = heard_by(detector, block, now);
-      looks += expected.size();
-      ASSERT_EQ(said(), expected) << second << " s";
+      const std::vector<Sent> expected = heard_by(detector, block, now);
+      measurements += expected.size();
+      ASSERT_EQ(sent_since(), expected) << second << " s";
     }
   }
-  EXPECT_GT(looks, 50U);
+  EXPECT_GT(measurements, 50U);
   turn(Time{Duration::seconds(121).us});
-  EXPECT_EQ(said().size(), 1U) << "blocks count among what the turn says that came";
+  EXPECT_EQ(sent_since().size(), 1U) << "blocks count among what the turn says that came";
 }
 
 TEST_F(FlightBoardTest, GivesItsRuntimeWhatItHears) {
   send({}, wire::kHearingChannel, written(hearing()));
   arm();
   support::GaussianNoise noise(5);
-  std::vector<Said> all;
+  std::vector<Sent> all;
   for (std::int64_t second = 0; second < 100; ++second) {
     const Time now{Duration::seconds(second + 1).us};
     for (const hydrophone_block_t& block : second_of_sound(second, 0.0, noise)) {
@@ -332,23 +335,23 @@ TEST_F(FlightBoardTest, GivesItsRuntimeWhatItHears) {
                   .time = now, .position = {Meters{7000}, Meters{12000}}, .depth = Meters{0}, .heading = Radians{0.5}, .speed = {}});
     if (second == 90) give(now, runtime::command_of(messages::Order::kStart, now));
     turn(now);
-    const std::vector<Said> records = said();
+    const std::vector<Sent> records = sent_since();
     all.insert(all.end(), records.begin(), records.end());
   }
-  EXPECT_TRUE(std::ranges::any_of(all, [](const Said& record) { return record.channel == wire::kDecisionChannel; }))
+  EXPECT_TRUE(std::ranges::any_of(all, [](const Sent& record) { return record.channel == wire::kDecisionChannel; }))
       << "a search begins when there is an SNR";
 }
 
 TEST_F(FlightBoardTest, SaysOnceThatItsHydrophoneIsDeaf) {
   send({}, wire::kHearingChannel, written(hearing()));
   support::GaussianNoise noise(5);
-  std::vector<Said> all;
+  std::vector<Sent> all;
   for (std::int64_t second = 0; second < 20; ++second) {
     for (hydrophone_block_t block : second_of_sound(second, 0.0, noise)) {
       std::ranges::fill(block.samples, 0.25F);  // shorted
       send(Time{Duration::seconds(second).us}, "EARSHOT_HYDROPHONE_BLOCK.3", bytes_of(block));
     }
-    const std::vector<Said> records = said();
+    const std::vector<Sent> records = sent_since();
     all.insert(all.end(), records.begin(), records.end());
   }
   ASSERT_EQ(all.size(), 1U);

@@ -33,8 +33,8 @@
 namespace earshot::board {
 namespace {
 
-using host::PerWeight;
-using host::Weight;
+using host::PerPriority;
+using host::Priority;
 using messages::Order;
 
 constexpr std::uint64_t kSmall_bytes = 256 * 1024;
@@ -100,7 +100,7 @@ class FullDisk : public testing::Test {
     turn_->record_mission(mission, {.policy = bytes, .tables = {}, .build = "of a test"});
     make_turn(1);
     order(Order::kStart);
-    while (of(journal_->counters().lost, Weight::kStream) == 0) make_turn(500);
+    while (of(journal_->counters().lost, Priority::kStream) == 0) make_turn(500);
     for (int i = 0; i < 100; ++i) make_turn(100);
     ASSERT_GT(setpoints_, 100U);
   }
@@ -165,10 +165,10 @@ TEST_F(FullDisk, WhenAnAbortComesAndThenRoomTheAbortAndAllSetPointsAreInTheFileA
   EXPECT_EQ(contents.end, host::JournalReader::End::kWhole);
   EXPECT_EQ(contents.orders, (std::vector{Order::kStart, Order::kAbort}));
   EXPECT_EQ(contents.setpoints, setpoints_);
-  const PerWeight lost = journal_->counters().lost;
-  EXPECT_GT(of(lost, Weight::kStream), 10'000U);
-  EXPECT_EQ(of(lost, Weight::kSteering), 0U);
-  EXPECT_EQ(of(lost, Weight::kOrder), 0U);
+  const PerPriority lost = journal_->counters().lost;
+  EXPECT_GT(of(lost, Priority::kStream), 10'000U);
+  EXPECT_EQ(of(lost, Priority::kSteering), 0U);
+  EXPECT_EQ(of(lost, Priority::kOrder), 0U);
   EXPECT_EQ(contents.records + journal_->counters().all_lost(), contents.last + 1U) << "every record is there or counted";
   const ReplayResult replayed = replay(path_);
   EXPECT_FALSE(replayed.is_same());
@@ -184,12 +184,12 @@ TEST_F(FullDisk, WhenItStaysFullToTheEndEveryOrderIsInTheFileAndTheLastRecordCou
 
   const Contents contents = contents_of(path_);
   EXPECT_EQ(contents.end, host::JournalReader::End::kWhole);
-  const PerWeight lost = journal_->counters().lost;
+  const PerPriority lost = journal_->counters().lost;
   EXPECT_EQ(contents.orders, (std::vector{Order::kStart, Order::kAbort}));
-  EXPECT_EQ(contents.setpoints + contents.decisions + of(lost, Weight::kSteering), setpoints_ + decisions_);
+  EXPECT_EQ(contents.setpoints + contents.decisions + of(lost, Priority::kSteering), setpoints_ + decisions_);
   // Mission, policy, two commands with their acknowledgements, three states.
   EXPECT_EQ(contents.of_orders, 9U);
-  EXPECT_EQ(of(lost, Weight::kOrder), 0U);
+  EXPECT_EQ(of(lost, Priority::kOrder), 0U);
   ASSERT_TRUE(contents.closing);
   EXPECT_EQ(contents.closing->end_reason, messages::EndReason::kOperatorAbort);
   EXPECT_EQ(contents.closing->lost, (messages::LostRecords{.streams = lost[0], .steering = lost[1], .orders = lost[2]}));

@@ -31,7 +31,7 @@ class OrderSink final : public InputSink {
   void take(std::uint8_t /*port*/, const Value& value) override {
     if (const auto* command = std::get_if<messages::OperatorCommand>(&value)) commands.push_back(*command);
   }
-  void tell_order_trouble(std::uint8_t /*port*/, OrderTrouble trouble) override { ++troubles[trouble]; }
+  void report_order_trouble(std::uint8_t /*port*/, OrderTrouble trouble) override { ++troubles[trouble]; }
   std::vector<messages::OperatorCommand> commands;
   std::map<OrderTrouble, int> troubles;
 };
@@ -51,7 +51,7 @@ class LcmPortOrders : public testing::Test {
   static messages::OperatorCommand command(Order order, std::uint32_t number) {
     return {.time = Time{1'795'000'000'000'000}, .expiry = Time{1'795'000'060'000'000}, .issuer = 4711, .number = number, .order = order};
   }
-  void say(const Bytes& bytes) { ASSERT_EQ(ashore_->publish(wire::kOperatorCommandChannel, bytes), Status::kOk); }
+  void send(const Bytes& bytes) { ASSERT_EQ(ashore_->publish(wire::kOperatorCommandChannel, bytes), Status::kOk); }
   std::vector<command_acknowledgement_t> answers() {
     std::vector<command_acknowledgement_t> answers;
     ashore_->collect();
@@ -72,7 +72,7 @@ class LcmPortOrders : public testing::Test {
 TEST_F(LcmPortOrders, TakesAnAbortWhoseMarkIsMissingAndSaysSo) {
   Bytes bytes = bytes_of(command(Order::kAbort, 3));
   bytes.erase(bytes.begin() + 57, bytes.begin() + 73);
-  say(bytes);
+  send(bytes);
   port_->collect(clock_, sink_);
   ASSERT_EQ(sink_.commands.size(), 1U);
   EXPECT_EQ(sink_.commands[0].order, Order::kAbort);
@@ -85,8 +85,8 @@ TEST_F(LcmPortOrders, TakesAnAbortWhoseMarkIsMissingAndSaysSo) {
 TEST_F(LcmPortOrders, KeepsAnAbortThatIsCutHoweverManyOrdersComeBehindIt) {
   Bytes bytes = bytes_of(command(Order::kAbort, 3));
   bytes.resize(40);
-  say(bytes);
-  for (std::uint32_t number = 4; number < 20; ++number) say(bytes_of(command(Order::kPause, number)));
+  send(bytes);
+  for (std::uint32_t number = 4; number < 20; ++number) send(bytes_of(command(Order::kPause, number)));
   port_->collect(clock_, sink_);
   ASSERT_FALSE(sink_.commands.empty());
   EXPECT_EQ(sink_.commands[0].order, Order::kAbort);
@@ -95,8 +95,8 @@ TEST_F(LcmPortOrders, KeepsAnAbortThatIsCutHoweverManyOrdersComeBehindIt) {
 TEST_F(LcmPortOrders, AnswersAnOrderThatItCannotReadWithTheReason) {
   Bytes bytes = bytes_of(command(Order::kStart, 3));
   bytes.erase(bytes.begin() + 57, bytes.begin() + 73);
-  say(bytes);
-  say({1, 2, 3});
+  send(bytes);
+  send({1, 2, 3});
   port_->collect(clock_, sink_);
   EXPECT_TRUE(sink_.commands.empty()) << "nobody starts by half an order";
   EXPECT_EQ(sink_.troubles, (std::map<OrderTrouble, int>{{OrderTrouble::kUnreadable, 2}}));
@@ -114,7 +114,7 @@ TEST_F(LcmPortOrders, AnswersAnOrderThatItCannotReadWithTheReason) {
 
 TEST_F(LcmPortOrders, AnswersNoMoreUnreadableOrdersInATurnThanItAnswersOthers) {
   for (int round = 0; round < 10; ++round) {
-    for (int i = 0; i < 4; ++i) say({1, 2, 3});  // as many as wait in the queue of one channel
+    for (int i = 0; i < 4; ++i) send({1, 2, 3});  // as many as wait in the queue of one channel
     port_->collect(clock_, sink_);
   }
   EXPECT_EQ(sink_.troubles[OrderTrouble::kUnreadable], 40);
@@ -123,7 +123,7 @@ TEST_F(LcmPortOrders, AnswersNoMoreUnreadableOrdersInATurnThanItAnswersOthers) {
   EXPECT_LE(answered, config::kMaxAcknowledgements);
   EXPECT_GT(answered, 0U);
   port_->publish(clock_.time, {});
-  say({1, 2, 3});
+  send({1, 2, 3});
   port_->collect(clock_, sink_);
   EXPECT_EQ(answers().size(), 1U) << "in the next turn again";
 }
@@ -146,14 +146,14 @@ class LcmPortMarks : public LcmPortOrders {
   }
   Found hear(LcmPort& port, const Bytes& bytes) {
     OrderSink sink;
-    say(bytes);
+    send(bytes);
     port.collect(clock_, sink);
     EXPECT_EQ(sink.commands.size(), 1U);
     if (sink.commands.empty()) return {};
     return {.is_verified = sink.commands[0].is_verified, .has_old_mark = sink.commands[0].has_old_mark, .troubles = sink.troubles};
   }
   /// What a vehicle says that orders are to be marked for.
-  messages::ToldChallenge told_by(LcmPort& port) {
+  messages::PublishedChallenge published_by(LcmPort& port) {
     host::LcmEndpoint ashore(host::parse_lcm_url(kOrdersUrl), {wire::kChallengeChannel});
     port.publish(clock_.time, {});
     ashore.collect();
@@ -161,14 +161,14 @@ class LcmPortMarks : public LcmPortOrders {
     wire::Lc02Message heard;
     EXPECT_EQ(ashore.take(heard), Status::kOk);
     EXPECT_EQ(support::read_peer(heard.data, message), Status::kOk);
-    return support::from_peer<messages::ToldChallenge>(message);
+    return support::from_peer<messages::PublishedChallenge>(message);
   }
   const host::CommandKey key_{host::KeyBytes{7}};
 };
 
 TEST_F(LcmPortMarks, OfAStartThatWasRecordedStartNeitherAnotherVehicleNorTheSameBegunAnew) {
   LcmPort vehicle_a = vehicle(proof_of("a"));
-  const messages::ToldChallenge told = told_by(vehicle_a);
+  const messages::PublishedChallenge told = published_by(vehicle_a);
   EXPECT_TRUE(key_.verifies(told));
   EXPECT_EQ(told.time, clock_.time);
   messages::OperatorCommand start = command(Order::kStart, 1);
@@ -181,7 +181,7 @@ TEST_F(LcmPortMarks, OfAStartThatWasRecordedStartNeitherAnotherVehicleNorTheSame
     EXPECT_FALSE(found.is_verified) << name;
     EXPECT_FALSE(found.has_old_mark);
     EXPECT_EQ(found.troubles, (std::map<OrderTrouble, int>{{OrderTrouble::kNoMark, 1}}));
-    start.mark = key_.mark_of(start, told_by(other).challenge);
+    start.mark = key_.mark_of(start, published_by(other).challenge);
     EXPECT_TRUE(hear(other, bytes_of(start)).is_verified) << "who reads the new challenge goes on commanding";
   }
 }

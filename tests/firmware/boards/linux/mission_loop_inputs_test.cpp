@@ -126,7 +126,7 @@ TEST_F(TheLoop, GoesOnWhileFixesAreMissingForAsLongAsTheyMayAndNoLonger) {
   EXPECT_EQ(port_->health(at_second(29)).state, MissionState::kAbort);
 }
 
-TEST_F(TheLoop, GoesOnWhileLooksAreMissingForAsLongAsTheyMayAndNoLonger) {
+TEST_F(TheLoop, GoesOnWhileMeasurementsAreMissingForAsLongAsTheyMayAndNoLonger) {
   hear_fixes(0, 50);
   hear_snr(0, 11);
   order(seconds(1.5), Order::kStart);
@@ -190,7 +190,7 @@ TEST_F(TheLoop, CountsEveryWaypointThatItsSafetyLayerMoves) {
 
 TEST_F(TheLoop, TellsWithItsHealthWhatEveryPortCountedUntilThen) {
   const messages::PortReport report{.port = kPort, .link_up = false, .received = 7, .lost = 2, .malformed = 3, .unsent = 4};
-  script_.then(seconds(2.5), [&](Clock&, InputSink&) { port_->tell(report); });
+  script_.then(seconds(2.5), [&](Clock&, InputSink&) { port_->set_report(report); });
   stop_at(5);
   (void)fly();
   ASSERT_EQ(port_->health(at_second(2)).ports.size(), 1U);
@@ -241,7 +241,7 @@ class TickClock final : public Clock {
 
 class InSimulation : public TheLoop {
  protected:
-  /// Fixes and looks with every tick.
+  /// Fixes and measurements with every tick.
   void simulate(int ticks) {
     for (int second = 1; second <= ticks; ++second) {
       bring_fix(second, start_);

@@ -21,8 +21,8 @@
 #include "earshot/controller_trouble_t.hpp"
 #include "earshot/operator_command_t.hpp"
 #include "earshot/unsent_setpoints_t.hpp"
-#include "firmware/boards/linux/news/flight_news.hpp"
-#include "firmware/boards/linux/news/line_writer.hpp"
+#include "firmware/boards/linux/event_log/event_log.hpp"
+#include "firmware/boards/linux/event_log/line_writer.hpp"
 #include "firmware/boards/linux/port/port_set.hpp"
 #include "firmware/host/file/file_descriptor.hpp"
 #include "firmware/host/journal/journal.hpp"
@@ -40,9 +40,9 @@ namespace earshot::board {
 namespace {
 
 /// Remembers how fast it was told that the vehicle is.
-class ToldPort final : public Port {
+class PublishingPort final : public Port {
  public:
-  explicit ToldPort(std::uint8_t index) : Port(index, {host::Role::kAutopilot}) {}
+  explicit PublishingPort(std::uint8_t index) : Port(index, {host::Role::kAutopilot}) {}
   void collect(Clock& /*clock*/, InputSink& /*sink*/) override {}
   std::uint64_t publish(Time /*now*/, const runtime::Outputs& outputs) override {
     state = outputs.health.state;
@@ -87,13 +87,13 @@ class MissionTurnTest : public testing::Test {
   void SetUp() override {
     ASSERT_EQ(runtime_->configure(runtime::paper_mission(), *runtime::frozen(*runtime::policy_that_goes(runtime::kNorthward)), {}),
               Status::kOk);
-    auto port = std::make_unique<ToldPort>(ports_.next_index());
+    auto port = std::make_unique<PublishingPort>(ports_.next_index());
     port_ = port.get();
     ports_.add(std::move(port));
   }
 
   /// A second passes; a fix with this speed and an SNR arrive. @return the speed that the ports are told
-  double told_after(double speed_mps) {
+  double report_after(double speed_mps) {
     clock_.time = clock_.time + Duration::seconds(1);
     turn_.take(0, messages::Navigation{.time = clock_.time,
                                        .position = at(7000 + ++seconds_, 12000),
@@ -129,7 +129,7 @@ class MissionTurnTest : public testing::Test {
   const support::TemporaryFolder folder_;
   std::unique_ptr<runtime::Runtime> runtime_ = std::make_unique<runtime::Runtime>();
   PortSet ports_;
-  ToldPort* port_ = nullptr;  ///< of ports_
+  PublishingPort* port_ = nullptr;  ///< of ports_
   SetClock clock_;
   int seconds_ = 0;
   host::Journal journal_{folder_ / "journal", {.existing = host::ExistingJournal::kReplace}};
@@ -138,36 +138,36 @@ class MissionTurnTest : public testing::Test {
 };
 
 TEST_F(MissionTurnTest, TellsThePortsTheCommandedSpeedWhereTheFixesHaveNone) {
-  EXPECT_EQ(told_after(kNan), 0.0) << "nothing is commanded yet: it must hear before it may start";
-  EXPECT_EQ(told_after(1.25), 1.25);
+  EXPECT_EQ(report_after(kNan), 0.0) << "nothing is commanded yet: it must hear before it may start";
+  EXPECT_EQ(report_after(1.25), 1.25);
   turn_.take(0, runtime::command_of(messages::Order::kStart, clock_.time, 1));
-  EXPECT_EQ(told_after(1.25), 1.25) << "what is measured goes before what is commanded";
+  EXPECT_EQ(report_after(1.25), 1.25) << "what is measured goes before what is commanded";
   EXPECT_EQ(port_->state, messages::MissionState::kSearch);
-  EXPECT_EQ(told_after(kNan), kCommanded);
+  EXPECT_EQ(report_after(kNan), kCommanded);
   turn_.take(0, runtime::command_of(messages::Order::kAbort, clock_.time, 2));
-  EXPECT_EQ(told_after(kNan), 0.0) << "it stops and comes up";
+  EXPECT_EQ(report_after(kNan), 0.0) << "it stops and comes up";
   EXPECT_EQ(port_->refused, 0U);
 }
 
 // An address that is taken again and again, a socket that takes nothing: 10 s without a set-point, from the turn after the first.
 TEST_F(MissionTurnTest, EndsASearchWhoseSetpointsNoPortCanSend) {
-  (void)told_after(1.25);
+  (void)report_after(1.25);
   turn_.take(0, runtime::command_of(messages::Order::kStart, clock_.time, 1));
-  for (int s = 0; s < 30; ++s) (void)told_after(1.25);
+  for (int s = 0; s < 30; ++s) (void)report_after(1.25);
   EXPECT_EQ(port_->state, messages::MissionState::kSearch);
   port_->can_send = false;
-  for (int s = 0; s < 11; ++s) (void)told_after(1.25);
+  for (int s = 0; s < 11; ++s) (void)report_after(1.25);
   EXPECT_EQ(port_->state, messages::MissionState::kSearch);
-  for (int s = 0; s < 2; ++s) (void)told_after(1.25);
+  for (int s = 0; s < 2; ++s) (void)report_after(1.25);
   EXPECT_EQ(port_->state, messages::MissionState::kAbort);
 }
 
 // Who reads a port's `malformed` looks for a device that sends what nobody understands.
 TEST_F(MissionTurnTest, CountsNoSetpointThatCouldNotBeSentAsABadMessage) {
-  (void)told_after(1.25);
+  (void)report_after(1.25);
   turn_.take(0, runtime::command_of(messages::Order::kStart, clock_.time, 1));
   port_->can_send = false;
-  for (int s = 0; s < 5; ++s) (void)told_after(1.25);
+  for (int s = 0; s < 5; ++s) (void)report_after(1.25);
   for (const messages::PortReport& report : turn_.outputs().health.ports) EXPECT_EQ(report.malformed, 0U) << int{report.port};
   std::vector<std::int64_t> counts;
   for (const auto& unsent : journalled<unsent_setpoints_t>("EARSHOT_UNSENT_SETPOINTS.0")) counts.push_back(unsent.count);
@@ -175,19 +175,19 @@ TEST_F(MissionTurnTest, CountsNoSetpointThatCouldNotBeSentAsABadMessage) {
 }
 
 TEST_F(MissionTurnTest, PassesOverTheSpeedOfAFixThatCannotBe) {
-  EXPECT_EQ(told_after(1.25), 1.25);
-  EXPECT_EQ(told_after(std::numeric_limits<double>::infinity()), 1.25);
+  EXPECT_EQ(report_after(1.25), 1.25);
+  EXPECT_EQ(report_after(std::numeric_limits<double>::infinity()), 1.25);
   EXPECT_EQ(port_->refused, 1U);
 }
 
 TEST_F(MissionTurnTest, WritesTheTroublesOfACanControllerIntoItsJournalAndNoneThatGoByTheHostsClock) {
-  (void)told_after(1.25);
-  turn_.tell_trouble(1, BusTrouble::kErrorPassive, true);
-  turn_.tell_trouble(1, BusTrouble::kNoPosition, true);
-  (void)told_after(1.25);
-  turn_.tell_trouble(1, BusTrouble::kErrorPassive, false);
-  turn_.tell_trouble(1, BusTrouble::kBusOff, true);
-  (void)told_after(1.25);
+  (void)report_after(1.25);
+  turn_.report_trouble(1, BusTrouble::kErrorPassive, true);
+  turn_.report_trouble(1, BusTrouble::kNoPosition, true);
+  (void)report_after(1.25);
+  turn_.report_trouble(1, BusTrouble::kErrorPassive, false);
+  turn_.report_trouble(1, BusTrouble::kBusOff, true);
+  (void)report_after(1.25);
   std::vector<std::string> said;
   for (const auto& trouble : journalled<controller_trouble_t>("EARSHOT_CONTROLLER_TROUBLE"))
     said.push_back(std::to_string(trouble.port) + (trouble.trouble == 1 ? " bus-off " : " passive ") +
@@ -198,11 +198,11 @@ TEST_F(MissionTurnTest, WritesTheTroublesOfACanControllerIntoItsJournalAndNoneTh
 TEST_F(MissionTurnTest, SaysAtOnceThatTheDiskTakesNothingThoughItSaidAMomentAgoThatItDoesAgain) {
   const auto is_up = [this] { return is_own_port_up(); };
   const auto wait_for = [this](host::JournalTrouble trouble) {
-    (void)told_after(1.25);
+    (void)report_after(1.25);
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
     while (journal_.trouble() != trouble && std::chrono::steady_clock::now() < deadline)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    (void)told_after(1.25);
+    (void)report_after(1.25);
   };
   ASSERT_EQ(journal_.flush(), Status::kOk);
   {
@@ -213,7 +213,7 @@ TEST_F(MissionTurnTest, SaysAtOnceThatTheDiskTakesNothingThoughItSaidAMomentAgoT
   wait_for(host::JournalTrouble::kNone);
   EXPECT_FALSE(is_up()) << "that it comes back is no news to be told every second";
   clock_.time = clock_.time + Duration::seconds(60);
-  (void)told_after(1.25);
+  (void)report_after(1.25);
   EXPECT_TRUE(is_up());
   const support::FileSizeLimit full(1);
   wait_for(host::JournalTrouble::kTakesNothing);
@@ -225,8 +225,8 @@ TEST_F(MissionTurnTest, TellsAPersonThatATightenWasObeyedEvenBeforeTheFirstTurn)
   host::FileDescriptor out(::open(said.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0600));
   {
     LineWriter writer(out.number());
-    FlightNews news(ports_, writer);
-    turn_.tell(news);
+    EventLog event_log(ports_, writer);
+    turn_.report_to(event_log);
     messages::OperatorCommand tighten = runtime::command_of(messages::Order::kTighten, clock_.time, 1);
     tighten.limits.max_speed = MetersPerSecond{1.5};
     turn_.take(0, tighten);
@@ -237,14 +237,14 @@ TEST_F(MissionTurnTest, TellsAPersonThatATightenWasObeyedEvenBeforeTheFirstTurn)
 }
 
 TEST_F(MissionTurnTest, AFloodOfRefusedOrdersFillsNoDiskIsCountedAndHoldsUpNoAbort) {
-  (void)told_after(1.25);
+  (void)report_after(1.25);
   for (int second = 0; second < 12; ++second) {
     for (std::uint32_t i = 0; i < 10'000; ++i) {
       messages::OperatorCommand old = runtime::command_of(messages::Order::kPause, Time{1}, i);
       old.issuer = i;
       turn_.take(1, old);
     }
-    (void)told_after(1.25);
+    (void)report_after(1.25);
   }
   // 32 and 20 a second of some 300 bytes with their answers; health and what the ports report besides.
   ASSERT_EQ(journal_.flush(), Status::kOk);
@@ -255,7 +255,7 @@ TEST_F(MissionTurnTest, AFloodOfRefusedOrdersFillsNoDiskIsCountedAndHoldsUpNoAbo
   for (const messages::PortReport& report : health.ports) lost += report.port == 1 ? report.lost : 0;
   EXPECT_EQ(lost + health.counters.commands_refused, 120'000U);
   turn_.take(1, runtime::command_of(messages::Order::kAbort, clock_.time, 1));
-  (void)told_after(1.25);
+  (void)report_after(1.25);
   EXPECT_EQ(port_->state, messages::MissionState::kAbort);
 }
 
@@ -272,9 +272,9 @@ TEST_F(MissionTurnTest, OrdersThatABoardRefusesHaveNoClaimOnTheRoomOfThoseThatAr
     clock_.time = clock_.time + Duration::seconds(2);
     (void)turn();
   }
-  const host::PerWeight lost = journal_.counters().lost;
-  EXPECT_GT(of(lost, host::Weight::kStream), 1000U);
-  EXPECT_EQ(of(lost, host::Weight::kOrder), 0U);
+  const host::PerPriority lost = journal_.counters().lost;
+  EXPECT_GT(of(lost, host::Priority::kStream), 1000U);
+  EXPECT_EQ(of(lost, host::Priority::kOrder), 0U);
 }
 
 TEST_F(MissionTurnTest, TheJournalOfABoardIsThatOfARuntimeInThisProcess) {
@@ -287,7 +287,7 @@ TEST_F(MissionTurnTest, TheJournalOfABoardIsThatOfARuntimeInThisProcess) {
     LateCore late(own);
     host::Journal journal(path, {.existing = host::ExistingJournal::kReplace});
     PortSet ports;
-    ports.add(std::make_unique<ToldPort>(ports.next_index()));
+    ports.add(std::make_unique<PublishingPort>(ports.next_index()));
     SetClock clock;
     MissionTurn turn(is_late ? static_cast<Core&>(late) : own, ports, journal, clock);
     for (std::uint32_t s = 1; s <= 20; ++s) {
@@ -332,11 +332,11 @@ TEST_F(MissionTurnTest, AnOrderThatNoDiskHasIsAcknowledgedAsNotDurableAndHealthA
   (void)safety.begin(clock_.time, core_.mission(), 0, std::vector<std::uint8_t>{1}, std::chrono::milliseconds(0));
   {
     LineWriter writer(out.number());
-    FlightNews news(ports_, writer);
-    turn_.tell(news);
+    EventLog event_log(ports_, writer);
+    turn_.report_to(event_log);
     turn_.keep_safe(safety);
     turn_.take(0, runtime::command_of(messages::Order::kAbort, clock_.time, 1));
-    (void)told_after(1.25);
+    (void)report_after(1.25);
     ASSERT_EQ(port_->acknowledgements.size(), 1U);
     EXPECT_EQ(port_->acknowledgements[0].outcome, messages::CommandOutcome::kObeyedNotDurable);
     EXPECT_EQ(turn_.outputs().acknowledgements[0].outcome, messages::CommandOutcome::kObeyed) << "what a replay says";
@@ -344,7 +344,7 @@ TEST_F(MissionTurnTest, AnOrderThatNoDiskHasIsAcknowledgedAsNotDurableAndHealthA
     std::filesystem::create_directory(folder_ / "missing");
     for (int i = 0; i < 1000 && !safety.is_durable(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     clock_.time = clock_.time + Duration::seconds(60);
-    (void)told_after(1.25);
+    (void)report_after(1.25);
     EXPECT_TRUE(is_own_port_up());
   }
   const std::string text = support::read_text(said);

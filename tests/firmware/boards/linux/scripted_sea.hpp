@@ -102,7 +102,7 @@ class FakePort final : public Port {
   [[nodiscard]] std::string description() const override { return "a script"; }
 
   /// What it says of itself from now on.
-  void tell(messages::PortReport report) {
+  void set_report(messages::PortReport report) {
     report.port = index();
     report_ = report;
   }

@@ -63,7 +63,7 @@ class SilentRestart : public AtSea {
   /// The first that is told after the restart.
   [[nodiscard]] std::size_t first() const { return published_before_; }
   [[nodiscard]] Duration since_restart(std::size_t told) const { return port_->times.at(told) - port_->times.at(first() - 1); }
-  [[nodiscard]] bool says_abort_by(Duration by) const {
+  [[nodiscard]] bool orders_abort_by(Duration by) const {
     for (std::size_t i = first(); i < port_->published.size() && since_restart(i) <= by; ++i)
       if (port_->health(i).end_reason == EndReason::kOperatorAbort) return true;
     return false;
@@ -92,12 +92,12 @@ TEST_F(SilentRestart, TellsStopAndComeUpWithinSecondsThoughNoSensorSpeaks) {
 TEST_F(SilentRestart, AnAbortEndsTheWaitAtOnce) {
   order(seconds(8.5), Order::kAbort);
   (void)fly_on();
-  EXPECT_TRUE(says_abort_by(seconds(10)));
+  EXPECT_TRUE(orders_abort_by(seconds(10)));
 }
 
 TEST_F(SilentRestart, AnAbortThatTheProcessBeforeHadHeardIsNotWaitedWith) {
   (void)fly_on(Order::kAbort);
-  EXPECT_TRUE(says_abort_by(seconds(2)));
+  EXPECT_TRUE(orders_abort_by(seconds(2)));
 }
 
 TEST_F(SilentRestart, ALeakEndsTheWaitAtOnce) {

@@ -28,35 +28,35 @@ class WaitForTest : public testing::Test {
       std::this_thread::sleep_for(each);
       return ++calls_ == calls_until_it_comes;
     });
-    said_ = testing::internal::GetCapturedStderr();
+    output_ = testing::internal::GetCapturedStderr();
     return waited;
   }
 
   int calls_ = 0;
-  std::string said_;
+  std::string output_;
 };
 
 TEST_F(WaitForTest, SaysNothingOfWhoComesAtOnce) {
   EXPECT_EQ(wait(seconds(5), 3), Waited::kCame);
   EXPECT_EQ(calls_, 3);
-  EXPECT_EQ(said_, "");
+  EXPECT_EQ(output_, "");
 }
 
 TEST_F(WaitForTest, SaysThatItWasInVain) {
   EXPECT_EQ(wait(seconds(0), 0), Waited::kInVain);
-  EXPECT_TRUE(support::lines_tell(said_, {{"earshotd", "not", "within 0 s"}}));
+  EXPECT_TRUE(support::lines_tell(output_, {{"earshotd", "not", "within 0 s"}}));
 }
 
 TEST_F(WaitForTest, EndsWhenItIsToldToStopAndNobodyHasCome) {
   program::stop_requested = true;
   EXPECT_EQ(wait(seconds(5), 0), Waited::kStopped);
   EXPECT_EQ(wait(seconds(5), 2), Waited::kCame) << "who has come is not sent away";
-  EXPECT_EQ(said_, "");
+  EXPECT_EQ(output_, "");
 }
 
 TEST_F(WaitForTest, SaysOnceForWhomAndHowLongWhenItTakesMoreThanASecond) {
   EXPECT_EQ(wait(seconds(60), 3, milliseconds(1001)), Waited::kCame);
-  EXPECT_TRUE(support::lines_tell(said_, {{"earshotd", "60 s", "at most"}}));
+  EXPECT_TRUE(support::lines_tell(output_, {{"earshotd", "60 s", "at most"}}));
 }
 
 }  // namespace

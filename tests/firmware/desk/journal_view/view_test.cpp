@@ -42,7 +42,7 @@ class JournalView : public ::testing::Test {
     arguments.insert(arguments.begin(), journal_.string());
     support::Process process(kProgram, arguments, {.folder = folder_, .output = folder_ / "said.txt", .errors = folder_ / "errors.txt"});
     const int status = process.wait(30s);
-    said_ = support::read_text(folder_ / "said.txt");
+    output_ = support::read_text(folder_ / "said.txt");
     errors_ = support::read_text(folder_ / "errors.txt");
     return status;
   }
@@ -58,7 +58,7 @@ class JournalView : public ::testing::Test {
 
   const support::TemporaryFolder folder_;
   const fs::path journal_ = folder_ / "journal.lcmlog";
-  std::string said_;
+  std::string output_;
   std::string errors_;
 };
 
@@ -89,26 +89,26 @@ const std::string kRecord =
 TEST_F(JournalView, EndsWithWhatTheSafetyRecordOfItsFlightSays) {
   leave_safety_record(folder_, mark_of(journal_));
   EXPECT_EQ(view({}), 0);
-  EXPECT_TRUE(said_.ends_with("no record was lost\n" + kRecord)) << said_;
+  EXPECT_TRUE(output_.ends_with("no record was lost\n" + kRecord)) << output_;
   EXPECT_EQ(view({"--csv", file("turns.csv")}), 0);
-  EXPECT_EQ(said_.find("safety record"), std::string::npos) << said_;
+  EXPECT_EQ(output_.find("safety record"), std::string::npos) << output_;
 }
 
 TEST_F(JournalView, TellsTheSafetyRecordThatIsLeftOfAFlightWhoseJournalIsGone) {
   leave_safety_record(folder_, mark_of(journal_));
   fs::remove(journal_);
   EXPECT_EQ(view({}), 1);
-  EXPECT_EQ(said_, kRecord);
+  EXPECT_EQ(output_, kRecord);
   EXPECT_TRUE(support::lines_tell(errors_, {{journal_.string(), "no", "file", "safety", "beside"}}));
 }
 
 TEST_F(JournalView, PrintsTheTimelineOfAWholeJournal) {
   EXPECT_EQ(view({}), 0);
-  EXPECT_EQ(std::ranges::count(said_, '\n'), 13);
-  EXPECT_TRUE(said_.starts_with("2026-11-22 15:04:00 UTC       0.0 s  mission begins: ")) << said_;
+  EXPECT_EQ(std::ranges::count(output_, '\n'), 13);
+  EXPECT_TRUE(output_.starts_with("2026-11-22 15:04:00 UTC       0.0 s  mission begins: ")) << output_;
   EXPECT_TRUE(support::has_line(
-      said_, {"2026-11-22 15:04:04 UTC", "4.0 s", "ABORT", messages::to_string(messages::EndReason::kSafetyRule), "after 1 step"}))
-      << said_;
+      output_, {"2026-11-22 15:04:04 UTC", "4.0 s", "ABORT", messages::to_string(messages::EndReason::kSafetyRule), "after 1 step"}))
+      << output_;
   EXPECT_EQ(errors_, "");
 }
 
@@ -129,7 +129,7 @@ TEST_F(JournalView, TakesAFolderForTheNewestJournalInItAndNamesItWhereThereAreOt
 TEST_F(JournalView, SaysNothingButWhatIsWrongWhenItIsToBeQuiet) {
   fs::resize_file(journal_, fs::file_size(journal_) - 94);  // the closing record: 28 + 19 + 47
   EXPECT_EQ(view({"--quiet"}), 1);
-  EXPECT_EQ(said_, "");
+  EXPECT_EQ(output_, "");
   EXPECT_EQ(errors_.find(journal_.string() + ": the journal's end is missing"), 0U) << errors_;
 }
 
@@ -138,10 +138,10 @@ TEST_F(JournalView, ReadsOnBehindDamageAndSaysWhereItIs) {
   EXPECT_EQ(view({"--csv", file("t.csv")}), 1);
   EXPECT_NE(errors_.find(": damaged: "), std::string::npos) << errors_;
   EXPECT_TRUE(support::has_line(errors_, {"1", "record", "missing", "number 16", "damaged"})) << errors_;
-  EXPECT_EQ(said_, file("t.csv") + ": 3 turns\n");
+  EXPECT_EQ(output_, file("t.csv") + ": 3 turns\n");
   EXPECT_EQ(view({}), 1);
-  EXPECT_NE(said_.find("1 record is missing"), std::string::npos) << said_;
-  EXPECT_NE(said_.find("end: the mission was over"), std::string::npos) << said_;
+  EXPECT_NE(output_.find("1 record is missing"), std::string::npos) << output_;
+  EXPECT_NE(output_.find("end: the mission was over"), std::string::npos) << output_;
 }
 
 TEST_F(JournalView, RefusesWhatIsNoJournal) {
@@ -157,7 +157,7 @@ TEST_F(JournalView, RefusesWhatIsNoJournal) {
 TEST_F(JournalView, WritesAllThreeFilesInOneGoAndReplacesItsOwnKind) {
   for (int i = 0; i < 2; ++i) {
     EXPECT_EQ(view({"--csv", file("t.csv"), "--jsonl", file("r.jsonl"), "--mcap", file("m.mcap")}), 0) << errors_;
-    EXPECT_EQ(said_, file("t.csv") + ": 4 turns\n" + file("r.jsonl") + ": 18 records\n" + file("m.mcap") + ": 32 messages\n");
+    EXPECT_EQ(output_, file("t.csv") + ": 4 turns\n" + file("r.jsonl") + ": 18 records\n" + file("m.mcap") + ": 32 messages\n");
   }
 }
 
@@ -221,12 +221,12 @@ TEST_F(JournalView, ReadsALogOfTheBusAndSaysWhatItLacks) {
   health.state = messages::MissionState::kSearch;
   append_logged(journal_, 3, after(2000), wire::kHealthChannel, wire::Encoded(health, after(2000)).bytes());
   EXPECT_EQ(view({}), 1);
-  EXPECT_NE(said_.find("2.0 s  SEARCH\n"), std::string::npos) << said_;
+  EXPECT_NE(output_.find("2.0 s  SEARCH\n"), std::string::npos) << output_;
   EXPECT_TRUE(errors_.starts_with(journal_.string() + ": no mission record, no checksums: ")) << errors_;
   EXPECT_EQ(std::ranges::count(errors_, '\n'), 1) << errors_;
   EXPECT_EQ(view({"--csv", file("t.csv"), "--jsonl", file("r.jsonl")}), 1);
   EXPECT_NE(support::read_text(file("r.jsonl")).find("\"depth_m\":300"), std::string::npos);
-  EXPECT_NE(said_.find("t.csv: 2 turns"), std::string::npos) << said_;
+  EXPECT_NE(output_.find("t.csv: 2 turns"), std::string::npos) << output_;
 }
 
 /// A mission that is under way while earshot journal follows it.
@@ -286,7 +286,7 @@ class FlightFollowed : public ::testing::Test {
     journal.flush();
   }
   void follow() {
-    process_ = std::make_unique<support::Process>(kProgram, std::vector<std::string>{path_.string(), "--follow", wait_}, said_);
+    process_ = std::make_unique<support::Process>(kProgram, std::vector<std::string>{path_.string(), "--follow", wait_}, output_);
   }
   [[nodiscard]] bool hears(const std::string& text) const {
     for (int i = 0; i < 600; ++i, std::this_thread::sleep_for(50ms))
@@ -300,7 +300,7 @@ class FlightFollowed : public ::testing::Test {
 
   const support::TemporaryFolder folder_;
   const fs::path path_ = folder_ / "journal.lcmlog";
-  const fs::path said_ = folder_ / "said.txt";
+  const fs::path output_ = folder_ / "said.txt";
   std::string wait_ = "--wait=60";
   std::unique_ptr<support::Process> process_;
 };
@@ -325,7 +325,7 @@ TEST_F(FlightFollowed, IsTheOneThatIsUnderWayThoughOneThatWasCutOffLiesBesideIt)
 TEST_F(FlightFollowed, IsFoundInItsFolderWhateverItsNumberThere) {
   WrittenJournal third(folder_ / "journal-3.lcmlog");
   begin(third);
-  process_ = std::make_unique<support::Process>(kProgram, std::vector<std::string>{folder_.path().string(), "--follow", wait_}, said_);
+  process_ = std::make_unique<support::Process>(kProgram, std::vector<std::string>{folder_.path().string(), "--follow", wait_}, output_);
   EXPECT_TRUE(hears("follows " + (folder_ / "journal-3.lcmlog").string())) << process_->output();
   third.health(Time{5'000'000}, 1, messages::MissionState::kSearch);
   third.flush();

@@ -58,38 +58,38 @@ TEST(DecisionTable, ListedFromALaterStepOnStillSaysWhereTheyPart) {
 }
 
 TEST(DecisionTable, SaysHowBothStoodWhereARecordIsMissing) {
-  Counterfactual told;
-  EXPECT_EQ(what_it_means(told, {}).find("at the journal's end, then: "), 0U);
-  told.gap = 12782;
-  EXPECT_EQ(what_it_means(told, {}).find("where record 12782 is missing, then: "), 0U);
+  Counterfactual counterfactual;
+  EXPECT_EQ(what_it_means(counterfactual, {}).find("at the journal's end, then: "), 0U);
+  counterfactual.gap = 12782;
+  EXPECT_EQ(what_it_means(counterfactual, {}).find("where record 12782 is missing, then: "), 0U);
 }
 
 TEST(DecisionTable, NamesTheRuleThatSteersAndTheOneThatEndsIt) {
-  Counterfactual told;
-  told.began = kBegan;
+  Counterfactual counterfactual;
+  counterfactual.began = kBegan;
   messages::SafetyEvent rule{
       .time = kBegan, .rule = 16, .condition = config::Condition::kBattery, .begins = true, .measure = 14.9, .limit = 15};
   rule.response = config::Response::kReturn;
-  told.steering = {.time = kBegan, .fields = {}, .rules = {rule}};
+  counterfactual.steering = {.time = kBegan, .fields = {}, .rules = {rule}};
   rule.response = config::Response::kAbort;
-  told.now_ended.since = kBegan + Duration::seconds(7);
-  told.now_ended.rule = rule;
-  told.now_ended.health.state = messages::MissionState::kAbort;
-  told.now_ended.health.end_reason = messages::EndReason::kSafetyRule;
-  const std::string text = what_it_means(told, {});
+  counterfactual.now_ended.since = kBegan + Duration::seconds(7);
+  counterfactual.now_ended.rule = rule;
+  counterfactual.now_ended.health.state = messages::MissionState::kAbort;
+  counterfactual.now_ended.health.end_reason = messages::EndReason::kSafetyRule;
+  const std::string text = what_it_means(counterfactual, {});
   EXPECT_TRUE(support::has_line(text, {"now steers there", "rule 17", "battery_percent", "14.9", "below 15.0", "return"})) << text;
   EXPECT_TRUE(support::has_line(text, {"after 0 steps", "7.0 s", "rule 17", "battery_percent", "14.9", "below 15.0", "abort"})) << text;
 }
 
 TEST(DecisionTable, SaysThatItIsNoForecastOnlyWhereSomethingDiffers) {
-  Counterfactual told;
-  told.began = kBegan;
+  Counterfactual counterfactual;
+  counterfactual.began = kBegan;
   const auto same = std::span(known_pairs()).first(1);
-  EXPECT_EQ(what_it_means(told, same).find("no forecast"), std::string::npos);
-  EXPECT_NE(what_it_means(told, known_pairs()).find("no forecast"), std::string::npos);
-  told.steering = {.time = kBegan + Duration::seconds(3), .fields = {{.field = "depth_m", .then = "300.0", .now = "250.0"}}};
-  EXPECT_TRUE(support::has_line(what_it_means(told, same), {"3.0 s", "depth_m", "300.0", "250.0 now"}));
-  EXPECT_NE(what_it_means(told, same).find("no forecast"), std::string::npos);
+  EXPECT_EQ(what_it_means(counterfactual, same).find("no forecast"), std::string::npos);
+  EXPECT_NE(what_it_means(counterfactual, known_pairs()).find("no forecast"), std::string::npos);
+  counterfactual.steering = {.time = kBegan + Duration::seconds(3), .fields = {{.field = "depth_m", .then = "300.0", .now = "250.0"}}};
+  EXPECT_TRUE(support::has_line(what_it_means(counterfactual, same), {"3.0 s", "depth_m", "300.0", "250.0 now"}));
+  EXPECT_NE(what_it_means(counterfactual, same).find("no forecast"), std::string::npos);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST(Findings, NameTheFirstDifferenceByRecordTimeChannelAndField) {
       .channel = "EARSHOT_HEALTH",
       .time = kBegan + Duration::milliseconds(1500),
       .data = {then.bytes().begin(), then.bytes().end()},
-      .now = board::Playback::Unwritten{wire::kHealthChannel, now, host::Weight::kStream, kBegan + Duration::milliseconds(1500)}};
+      .now = board::Playback::Unwritten{wire::kHealthChannel, now, host::Priority::kStream, kBegan + Duration::milliseconds(1500)}};
   EXPECT_EQ(findings(result),
             Lines{"record 57, EARSHOT_HEALTH at 1.500 s: turn is 7 in the journal, 8 now; what follows was not given again"});
   result.difference->now->channel = wire::kDecisionChannel;
@@ -63,7 +63,7 @@ TEST(Findings, NameTheDateOfARecordThatIsNotThatOfItsTurn) {
                        .channel = "EARSHOT_HEALTH",
                        .time = kBegan + Duration::milliseconds(1500),
                        .data = {health.bytes().begin(), health.bytes().end()},
-                       .now = board::Playback::Unwritten{wire::kHealthChannel, health, host::Weight::kStream, kBegan}};
+                       .now = board::Playback::Unwritten{wire::kHealthChannel, health, host::Priority::kStream, kBegan}};
   EXPECT_EQ(to_string(*result.difference, kBegan),
             "record 57, EARSHOT_HEALTH at 1.500 s: time_s is 1795000001.500000 in the journal, 1795000000.000000 now");
 }

@@ -16,11 +16,11 @@ const Rectangle kArea{.south_west = {}, .north_east = {Meters{25'000}, Meters{25
 // The flight and a kilometre about it: 11 to 14 km either way. A side of 640 stands for 1.08 x 3 km = 3.24 km about 12.5 km: 12 km east is
 // x = 90 + 640 (12 - 10.88) / 3.24 = 311.23, 12 km north y = 60 + 640 - 221.23 = 478.77; a kilometre is 197.53. The area is all of it.
 TEST(PartingMap, DrawsTrackBothDecisionsAndWhereTheyPartWhereTheyBelong) {
-  Counterfactual told;
-  told.track = {{Meters{12'000}, Meters{12'000}}, {Meters{13'000}, Meters{12'000}}};
+  Counterfactual counterfactual;
+  counterfactual.track = {{Meters{12'000}, Meters{12'000}}, {Meters{13'000}, Meters{12'000}}};
   const std::array then{decision_to(0, 2, 13'000, 12'000)};
   const std::array now{decision_to(0, 2, 12'000, 13'000)};
-  const std::string svg = parting_map(told, paired(then, now), 0, kArea, "a & b");
+  const std::string svg = parting_map(counterfactual, paired(then, now), 0, kArea, "a & b");
   EXPECT_NE(svg.find("points=\"311.23,478.77 311.23,281.23\" fill=\"none\" stroke=\"#5b6b78\""), std::string::npos) << svg;
   EXPECT_NE(svg.find("points=\"311.23,478.77 311.23,281.23\" fill=\"none\" stroke=\"#0b57a4\""), std::string::npos) << svg;
   EXPECT_NE(svg.find("points=\"311.23,478.77 508.77,478.77\" fill=\"none\" stroke=\"#d55e00\""), std::string::npos) << svg;

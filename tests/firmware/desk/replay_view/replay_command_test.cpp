@@ -56,13 +56,13 @@ class ReplayCommand : public ::testing::Test {
     support::Process process(fs::path(EARSHOT_BIN_DIR) / "earshot-replay", arguments,
                              {.folder = folder_, .output = folder_ / "said.txt", .errors = folder_ / "errors.txt"});
     const int status = process.wait(30s);
-    said_ = support::read_text(folder_ / "said.txt");
+    output_ = support::read_text(folder_ / "said.txt");
     errors_ = support::read_text(folder_ / "errors.txt");
     return status;
   }
   /// What it said, without the breaks that keep a line within a terminal.
   [[nodiscard]] std::string unwrapped() const {
-    std::string text = said_;
+    std::string text = output_;
     for (std::size_t at = text.find("\n  "); at != std::string::npos; at = text.find("\n  ", at)) text.replace(at, 3, " ");
     return text;
   }
@@ -76,22 +76,22 @@ class ReplayCommand : public ::testing::Test {
   static constexpr std::uint64_t kSeed = 1;  ///< whose first draw is not north
   const support::TemporaryFolder folder_;
   const fs::path journal_ = folder_ / "journal.lcmlog";
-  std::string said_;
+  std::string output_;
   std::string errors_;
 };
 
 TEST_F(ReplayCommand, SaysThatAWholeJournalIsTheSame) {
   EXPECT_EQ(replay({}), 0) << errors_;
   // Ten fixes, ten SNRs, the START, and the port's own first report.
-  EXPECT_TRUE(support::has_line(said_, {journal_.string(), "22 inputs", "10 turns", "1 decision", "10.0 s"})) << said_;
-  EXPECT_TRUE(support::tells(support::last_line(said_), {"every output", "the same"})) << said_;
+  EXPECT_TRUE(support::has_line(output_, {journal_.string(), "22 inputs", "10 turns", "1 decision", "10.0 s"})) << output_;
+  EXPECT_TRUE(support::tells(support::last_line(output_), {"every output", "the same"})) << output_;
   EXPECT_EQ(errors_, "");
 }
 
 TEST_F(ReplayCommand, SaysThatTheEndIsMissing) {
   fs::resize_file(journal_, fs::file_size(journal_) - 94);  // the closing record: 28 + 19 + 47
   EXPECT_EQ(replay({"--quiet"}), 1);
-  EXPECT_EQ(said_, "");
+  EXPECT_EQ(output_, "");
   EXPECT_TRUE(support::lines_tell(errors_, {{journal_.string(), "journal's", "end", "missing", "program", "killed", "lost"}}));
 }
 
@@ -114,13 +114,13 @@ TEST_F(ReplayCommand, CallsAnEndThatIsCutNoDamage) {
 
 TEST_F(ReplayCommand, SaysWhatAnotherPolicyWouldHaveDecidedAndDrawsIt) {
   EXPECT_EQ(replay({"--policy", file("north.policy"), "--map", file("m.svg"), "--json", file("r.json")}), 0) << errors_;
-  EXPECT_TRUE(support::has_line(said_, {"step 0", "then", "2.0 s"})) << said_;
-  std::istringstream lines(said_);
+  EXPECT_TRUE(support::has_line(output_, {"step 0", "then", "2.0 s"})) << output_;
+  std::istringstream lines(output_);
   for (std::string line; std::getline(lines, line);)
     EXPECT_TRUE(line.size() <= 100 || line.find(folder_.path().string()) != std::string::npos) << line;
-  EXPECT_TRUE(support::has_line(unwrapped(), {"now", "2.0 s", "000 deg", "13.000 km north", "12.000 km east"})) << said_;
-  EXPECT_NE(said_.find("set-points differ from 2.0 s on: "), std::string::npos) << said_;
-  EXPECT_NE(unwrapped().find("no forecast"), std::string::npos) << said_;
+  EXPECT_TRUE(support::has_line(unwrapped(), {"now", "2.0 s", "000 deg", "13.000 km north", "12.000 km east"})) << output_;
+  EXPECT_NE(output_.find("set-points differ from 2.0 s on: "), std::string::npos) << output_;
+  EXPECT_NE(unwrapped().find("no forecast"), std::string::npos) << output_;
   EXPECT_EQ(support::read_text(file("m.svg")).find("<svg "), 0U);
   const std::string json = support::read_text(file("r.json"));
   EXPECT_NE(json.find("\"parting_step\": 0"), std::string::npos) << json;
@@ -135,8 +135,8 @@ TEST_F(ReplayCommand, NamesTheRuleByWhichAnotherMissionEnds) {
   // seconds are over in the sixth.
   EXPECT_TRUE(support::has_line(unwrapped(), {"now", "ABORT", messages::to_string(messages::EndReason::kSafetyRule), "after 0 steps",
                                               "6.0 s", "rule 14", "vehicle_status_age_s", "4.0", "above 3.0", "abort"}))
-      << said_;
-  EXPECT_TRUE(support::has_line(said_, {"now steers there", "rule 14", "vehicle_status_age_s", "4.0", "above 3.0", "abort"})) << said_;
+      << output_;
+  EXPECT_TRUE(support::has_line(output_, {"now steers there", "rule 14", "vehicle_status_age_s", "4.0", "above 3.0", "abort"})) << output_;
   EXPECT_NE(support::read_text(file("r.json")).find("\"rule\": \"rule 14, vehicle_status_age_s: 4.0, above 3.0: abort\""),
             std::string::npos);
 }
@@ -144,7 +144,7 @@ TEST_F(ReplayCommand, NamesTheRuleByWhichAnotherMissionEnds) {
 TEST_F(ReplayCommand, RefusesAPolicyOfAnotherMissionInOneLine) {
   EXPECT_EQ(replay({"--policy", file("short.policy")}), 2);
   EXPECT_TRUE(support::lines_tell(errors_, {{journal_.string(), "search.step_length_m", "1000", "900", file("short.policy"), "trained"}}));
-  EXPECT_EQ(said_, "");
+  EXPECT_EQ(output_, "");
 }
 
 TEST_F(ReplayCommand, RefusesAStepThatIsNotDecidedAndAMapOfNothingOrOfAnotherKindThanItsNameSays) {

@@ -83,7 +83,7 @@ TEST(SoundSnr, OfNoiseAloneIsTooFaintButOnceInAThousand) {
   int heard = 0;
   int measured = 0;
   for (const Estimate& estimate : hearer.estimates) {
-    if (!estimate.is_look()) continue;
+    if (!estimate.is_snr_measurement()) continue;
     ++heard;
     if (estimate.too_faint) {
       EXPECT_NEAR(estimate.snr.value, -0.05, 0.1);  // chi-square's 0.999 quantile less one, 31 degrees: by scipy 0.969

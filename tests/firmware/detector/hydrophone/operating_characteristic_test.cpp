@@ -1,4 +1,4 @@
-// A short look at the operating characteristic; tests/acoustics/run takes four million decisions to it.
+// A short form of the operating characteristic; tests/acoustics/run takes four million decisions to it.
 #include <gtest/gtest.h>
 
 #include <algorithm>

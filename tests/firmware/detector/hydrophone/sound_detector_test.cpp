@@ -175,10 +175,10 @@ TEST(SoundDetector, MeasuresForThePolicyWhatItHears) {
   hearer.hear(song(60.0, kRate, 16.0));
   for (const Estimate& estimate : hearer.estimates) {
     if (!estimate.is_measured()) continue;
-    const messages::SnrMeasurement look = estimate.measurement();
-    EXPECT_TRUE(messages::is_possible_snr(look.snr));
-    EXPECT_EQ(look.time, estimate.time);
-    EXPECT_EQ(look.too_faint, estimate.too_faint);
+    const messages::SnrMeasurement taken = estimate.measurement();
+    EXPECT_TRUE(messages::is_possible_snr(taken.snr));
+    EXPECT_EQ(taken.time, estimate.time);
+    EXPECT_EQ(taken.too_faint, estimate.too_faint);
   }
 }
 

@@ -298,7 +298,7 @@ TEST_F(JournalPartsTest, ComeWhileTheyAreRead) {
   journal.begin_part();
   ASSERT_EQ(journal.append(Time{3}, "PARTS", Bytes(67, 3)), Status::kOk);
   ASSERT_EQ(journal.flush(), Status::kOk);
-  reader.look_again();
+  reader.resume_reading();
   ASSERT_TRUE(reader.next(record));
   EXPECT_EQ(record.number, 1U);
   ASSERT_TRUE(reader.next(record));

@@ -41,7 +41,7 @@ TEST_F(JournalReaderTest, SaysAtACutEndTheSameToWhoAsksAgain) {
   EXPECT_FALSE(reader.next(none));
   EXPECT_EQ(reader.end(), JournalReader::End::kCut);
   EXPECT_EQ(reader.damages().size(), 1U);
-  reader.look_again();
+  reader.resume_reading();
   EXPECT_FALSE(reader.next(none));
   EXPECT_EQ(reader.damages().size(), 1U);
 }
@@ -151,7 +151,7 @@ TEST_F(JournalReaderTest, FollowsAJournalThatGrowsByteByByte) {
   for (std::size_t size = 0; size <= whole.size(); ++size) {
     overwrite(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)));
     for (JournalRecord record; reader.next(record); ++count) ASSERT_EQ(record.number, count);
-    reader.look_again();
+    reader.resume_reading();
   }
   EXPECT_EQ(count, 3U);
   EXPECT_TRUE(reader.damages().empty());

@@ -161,7 +161,7 @@ TEST_F(JournalTest, DropsAndCountsInsteadOfWaitingForADiskThatHangs) {
   const Bytes data(100'000);
   std::size_t taken = 0;
   while (journal->append(Time{0}, "CHANNEL", data) == Status::kOk) ++taken;
-  EXPECT_GE(taken, RecordRing::limit(Weight::kStream) / (data.size() + 64));
+  EXPECT_GE(taken, RecordRing::limit(Priority::kStream) / (data.size() + 64));
   EXPECT_EQ(journal->counters().appended, taken);
   EXPECT_EQ(journal->counters().all_lost(), 1U);
   ::signal(SIGPIPE, SIG_IGN);

@@ -35,7 +35,7 @@ class WrittenJournal {
     bytes(time, channel, wire::Encoded(message, time).bytes());
   }
   void bytes(Time time, std::string_view channel, std::span<const std::uint8_t> data) {
-    if (journal_.append(time, channel, data, host::Weight::kOrder) != Status::kOk) throw std::runtime_error("not appended");
+    if (journal_.append(time, channel, data, host::Priority::kOrder) != Status::kOk) throw std::runtime_error("not appended");
   }
   template <class Value>
   void input(Time time, std::uint8_t port, const Value& value) {

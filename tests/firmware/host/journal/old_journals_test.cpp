@@ -125,13 +125,13 @@ TEST_F(OldJournalsTest, LeaveRoomForEveryOrderThoughTheBudgetEndsWhereAPartIsDue
     for (int i = 0; i < 20 * kOrders; ++i) {
       (void)journal.append(Time{i}, "STREAM", Bytes(400));
       if (i % 20 == 0) {
-        EXPECT_EQ(journal.append(Time{i}, "ORDER", Bytes(20), Weight::kOrder), Status::kOk);
+        EXPECT_EQ(journal.append(Time{i}, "ORDER", Bytes(20), Priority::kOrder), Status::kOk);
       }
       if (i % 50 == 0) (void)journal.flush(std::chrono::milliseconds(5));
     }
     journal.conclude({});
     (void)journal.close();
-    EXPECT_GT(of(journal.counters().lost, Weight::kStream), 0U);
+    EXPECT_GT(of(journal.counters().lost, Priority::kStream), 0U);
   }
   std::uint64_t bytes = 0;
   for (const auto& file : fs::directory_iterator(folder_.path())) bytes += file.file_size();
@@ -163,7 +163,7 @@ TEST_F(OldJournalsTest, AreDeletedForTheBudgetWhenAJournalGrowsAndThenTheDiskIsA
   EXPECT_EQ(journal.counters().deleted, 2U);
   EXPECT_EQ(append(300), Status::kNotReady) << "700 kB are more than 600";
   EXPECT_EQ(journal.trouble(), JournalTrouble::kTakesNothing);
-  ASSERT_EQ(journal.append(Time{1}, "ORDER", Bytes{1}, Weight::kOrder), Status::kOk);
+  ASSERT_EQ(journal.append(Time{1}, "ORDER", Bytes{1}, Priority::kOrder), Status::kOk);
   journal.conclude({});
   (void)journal.close();
   EXPECT_LE(fs::file_size(journal.path()), 600 * kKibibyte);

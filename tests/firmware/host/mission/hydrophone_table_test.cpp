@@ -101,7 +101,7 @@ TEST(HydrophoneTable, GivesThePresetWithTheChainAndTheMissionsOwnThreshold) {
   EXPECT_NO_THROW(require_hydrophone(file, "FILE"));
 }
 
-TEST(HydrophoneTable, TakesOneLookForADetection) {
+TEST(HydrophoneTable, TakesOneMeasurementForADetection) {
   const MissionFile file = mission_of(mission_with(std::string(kPort) + kTable + "detection_m = 1\ndetection_n = 1\n"));
   EXPECT_EQ(file.hearing->m_of_n, (detector::MOfN{.m = 1, .n = 1}));
 }

@@ -86,10 +86,10 @@ TEST(MissionFile, ComparesNoPortsBeyondThoseThatItHasRoomFor) {
   constexpr int kPorts = 25'000;
   std::string text;
   for (int i = 0; i < kPorts; ++i) text += "[[port]]\nname = \"same\"\nkind = \"can\"\ninterface = \"can0\"\nroles = [\"snr\"]\n\n";
-  const std::string said = complaint("[origin]", text + "[origin]");
-  EXPECT_TRUE(support::has_line(said, {"port", "25001 tables", "at most 7"})) << said;
-  EXPECT_NE(said.find("port 7: "), std::string::npos) << said;
-  EXPECT_EQ(said.find("port 8: "), std::string::npos) << said;
+  const std::string given = complaint("[origin]", text + "[origin]");
+  EXPECT_TRUE(support::has_line(given, {"port", "25001 tables", "at most 7"})) << given;
+  EXPECT_NE(given.find("port 7: "), std::string::npos) << given;
+  EXPECT_EQ(given.find("port 8: "), std::string::npos) << given;
 }
 
 TEST(MissionFile, HasNoOriginNearAPole) {
@@ -140,7 +140,7 @@ TEST(MissionFile, ACopyElsewhereNamesItsLineAndThePathThatWasTried) {
   EXPECT_EQ(complaint_about(), "");
 }
 
-TEST(MissionFile, ListensToTheNewestLookUnlessToldOverWhichWindow) {
+TEST(MissionFile, ListensToTheNewestMeasurementUnlessToldOverWhichWindow) {
   EXPECT_EQ(load_mission(kShipped).mission.listening, config::ListeningWindow{});
   const std::string threshold = "detection_threshold_db = 10.0";
   EXPECT_EQ(complaint(threshold, threshold + "\nlistening = \"loudest\"\nlistening_window_s = 30"), "");

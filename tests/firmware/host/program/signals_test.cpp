@@ -27,18 +27,18 @@ TEST(StopOnSignals, EndsTheProgramAtTheSecondWhereThatIsWanted) {
     EXPECT_EXIT(get_twice(number, [] { stop_on_signals(SecondSignal::kEndsAtOnce); }), testing::KilledBySignal(number), "") << number;
 }
 
-TEST(StopOnHangUp, AsksTheProgramToStopWhenItsTerminalIsGone) {
-  EXPECT_EXIT(get_twice(SIGHUP, stop_on_hang_up), testing::ExitedWithCode(1), "");
+TEST(StopOnSighup, AsksTheProgramToStopWhenItsTerminalIsGone) {
+  EXPECT_EXIT(get_twice(SIGHUP, stop_on_sighup), testing::ExitedWithCode(1), "");
 }
 
-TEST(OutliveAccidents, LetsNothingEndTheProgramThatNobodyMeansToStopItBy) {
+TEST(IgnoreUnmeantSignals, LetsNothingEndTheProgramThatNobodyMeansToStopItBy) {
   for (const int number : {SIGHUP, SIGTSTP, SIGTTIN, SIGTTOU, SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGPROF, SIGIO, SIGPWR, SIGSTKFLT,
                            SIGXCPU, SIGRTMIN, SIGRTMAX})
-    EXPECT_EXIT(get_twice(number, outlive_accidents), testing::ExitedWithCode(0), "") << number;
+    EXPECT_EXIT(get_twice(number, ignore_unmeant_signals), testing::ExitedWithCode(0), "") << number;
 }
 
-TEST(OutliveAccidents, LeavesWhatStopsAProgram) {
-  EXPECT_EXIT(get_twice(SIGTERM, outlive_accidents), testing::KilledBySignal(SIGTERM), "");
+TEST(IgnoreUnmeantSignals, LeavesWhatStopsAProgram) {
+  EXPECT_EXIT(get_twice(SIGTERM, ignore_unmeant_signals), testing::KilledBySignal(SIGTERM), "");
 }
 
 }  // namespace

@@ -20,9 +20,9 @@
 namespace earshot::program {
 namespace {
 
-class PatientStreamTest : public testing::Test {
+class NonBlockingStreamTest : public testing::Test {
  protected:
-  PatientStreamTest() {
+  NonBlockingStreamTest() {
     std::array<int, 2> ends{};
     EXPECT_EQ(::pipe2(ends.data(), O_CLOEXEC), 0);
     out_ = host::FileDescriptor(ends[0]);
@@ -46,10 +46,10 @@ class PatientStreamTest : public testing::Test {
   host::FileDescriptor in_;
   std::ostringstream before_;
   std::ostream stream_{before_.rdbuf()};
-  std::optional<PatientStream> patient_;
+  std::optional<NonBlockingStream> patient_;
 };
 
-TEST_F(PatientStreamTest, SaysEachLineAtOnceAndTheRestWhenItIsToldToOrGoes) {
+TEST_F(NonBlockingStreamTest, SaysEachLineAtOnceAndTheRestWhenItIsToldToOrGoes) {
   stream_ << "one" << 1 << "\ntwo";
   EXPECT_EQ(read(), "one1\n");
   stream_ << std::flush;
@@ -61,7 +61,7 @@ TEST_F(PatientStreamTest, SaysEachLineAtOnceAndTheRestWhenItIsToldToOrGoes) {
   EXPECT_EQ(before_.str(), "as before");
 }
 
-TEST_F(PatientStreamTest, SaysNoPartOfALineThoughItsStreamWouldHaveSaidEveryWord) {
+TEST_F(NonBlockingStreamTest, SaysNoPartOfALineThoughItsStreamWouldHaveSaidEveryWord) {
   patient_.reset();
   stream_ << std::unitbuf;  // as standard error does
   patient_.emplace(stream_, in_.number());
@@ -72,13 +72,13 @@ TEST_F(PatientStreamTest, SaysNoPartOfALineThoughItsStreamWouldHaveSaidEveryWord
   EXPECT_EQ(read(), "one1\n");
 }
 
-TEST_F(PatientStreamTest, SaysAllOfALineThatIsLongerThanAPipeTakesAtOnce) {
+TEST_F(NonBlockingStreamTest, SaysAllOfALineThatIsLongerThanAPipeTakesAtOnce) {
   const std::string line = std::string(10'000, 'x') + "\n";
   stream_ << line;
   EXPECT_EQ(read(), line);
 }
 
-TEST_F(PatientStreamTest, LeavesOutWhatNobodyReadsAndSaysSoToWhoReadsAgain) {
+TEST_F(NonBlockingStreamTest, LeavesOutWhatNobodyReadsAndSaysSoToWhoReadsAgain) {
   fill();
   stream_ << "never read\nnor this\n";  // would wait for ever
   EXPECT_TRUE(stream_.good());
@@ -87,7 +87,7 @@ TEST_F(PatientStreamTest, LeavesOutWhatNobodyReadsAndSaysSoToWhoReadsAgain) {
   EXPECT_TRUE(support::lines_tell(read(), {{"2 lines", "here", "nobody"}, {"read", "again"}}));
 }
 
-TEST_F(PatientStreamTest, SaysThatOneLineIsLeftOut) {
+TEST_F(NonBlockingStreamTest, SaysThatOneLineIsLeftOut) {
   fill();
   stream_ << "never read\n";
   (void)read();
@@ -96,7 +96,7 @@ TEST_F(PatientStreamTest, SaysThatOneLineIsLeftOut) {
   EXPECT_TRUE(support::lines_tell(read(), {{"1 lines", "nobody"}, {"!"}}));
 }
 
-TEST_F(PatientStreamTest, FailsWhenItsReaderIsGoneBeforeItCouldSayWhatIsLeftOut) {
+TEST_F(NonBlockingStreamTest, FailsWhenItsReaderIsGoneBeforeItCouldSayWhatIsLeftOut) {
   (void)std::signal(SIGPIPE, SIG_IGN);
   fill();
   stream_ << "never read\n";
@@ -105,18 +105,18 @@ TEST_F(PatientStreamTest, FailsWhenItsReaderIsGoneBeforeItCouldSayWhatIsLeftOut)
   EXPECT_FALSE(stream_.good());
 }
 
-TEST_F(PatientStreamTest, SaysALineOnceWhateverWasInterruptedBefore) {
+TEST_F(NonBlockingStreamTest, SaysALineOnceWhateverWasInterruptedBefore) {
   errno = EINTR;
   stream_ << "once\n";
   in_ = host::FileDescriptor();
   EXPECT_EQ(read(), "once\n");
 }
 
-TEST_F(PatientStreamTest, LeavesItsStreamAsItWas) {
+TEST_F(NonBlockingStreamTest, LeavesItsStreamAsItWas) {
   std::ostringstream sink;
   std::ostream stream(sink.rdbuf());
   stream << std::unitbuf;
-  { const PatientStream patient(stream, in_.number()); }
+  { const NonBlockingStream patient(stream, in_.number()); }
   EXPECT_NE(stream.flags() & std::ios::unitbuf, 0);
   EXPECT_EQ(stream.rdbuf(), sink.rdbuf());
 }
@@ -140,7 +140,7 @@ TEST(OpenStandardStreams, LeavesNoClosedOneForAFileOfTheProgramsOwn) {
   EXPECT_EXIT(close_then_open(), testing::ExitedWithCode(0), "");
 }
 
-TEST_F(PatientStreamTest, FailsWhenItsReaderIsGone) {
+TEST_F(NonBlockingStreamTest, FailsWhenItsReaderIsGone) {
   (void)std::signal(SIGPIPE, SIG_IGN);
   out_ = host::FileDescriptor();
   stream_ << "to nobody\n";

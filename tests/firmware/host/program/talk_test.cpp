@@ -8,31 +8,31 @@
 namespace earshot::program {
 namespace {
 
-struct Said {
+struct Printed {
   std::string output;
   std::string error;
 };
 
-Said said_at(Talk how_much) {
+Printed printed_at(Talk how_much) {
   set_talk(how_much);
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
-  say() << "done" << std::flush;
+  print() << "done" << std::flush;
   detail() << "setting" << std::flush;
   set_talk(Talk::kNormal);
-  Said said;
-  said.output = testing::internal::GetCapturedStdout();
-  said.error = testing::internal::GetCapturedStderr();
-  return said;
+  Printed printed;
+  printed.output = testing::internal::GetCapturedStdout();
+  printed.error = testing::internal::GetCapturedStderr();
+  return printed;
 }
 
 TEST(Talk, IsWhatWasDoneUnlessAskedForMoreOrLess) {
-  const Said quiet = said_at(Talk::kQuiet);
+  const Printed quiet = printed_at(Talk::kQuiet);
   EXPECT_EQ(quiet.output + quiet.error, "");
-  const Said normal = said_at(Talk::kNormal);
+  const Printed normal = printed_at(Talk::kNormal);
   EXPECT_EQ(normal.output, "done");
   EXPECT_EQ(normal.error, "");
-  const Said verbose = said_at(Talk::kVerbose);
+  const Printed verbose = printed_at(Talk::kVerbose);
   EXPECT_EQ(verbose.output, "done");
   EXPECT_EQ(verbose.error, "setting");
 }

@@ -195,10 +195,10 @@ TEST_F(RecordFileTest, BelievesNoFileThatOthersMayWriteOrOwn) {
   fs::permissions(path_, fs::perms::others_write, fs::perm_options::remove);
   EXPECT_EQ(read(), some_record(1));
   if (::chown(path_.c_str(), 65534, 65534) != 0) GTEST_SKIP() << "not root";
-  RecordFile anothers(path_);
-  EXPECT_FALSE(anothers.open());
-  EXPECT_TRUE(anothers.prepare(kKept)) << "a flight that begins makes its own";
-  EXPECT_TRUE(anothers.write(some_record(2)));
+  RecordFile of_another(path_);
+  EXPECT_FALSE(of_another.open());
+  EXPECT_TRUE(of_another.prepare(kKept)) << "a flight that begins makes its own";
+  EXPECT_TRUE(of_another.write(some_record(2)));
   EXPECT_EQ(read(), some_record(2));
 }
 

@@ -28,9 +28,9 @@ TEST(BeliefModel, HasAShapeThatFitsItsMemory) {
 
 TEST(BeliefModel, RefusesCostsThatNothingCouldBeDividedBy) {
   BeliefModel model = good_model();
-  model.costs.reach = 0.0F;
+  model.costs.find_probability = 0.0F;
   EXPECT_FALSE(has_valid_numbers(model));
-  model.costs.reach = 30.0F;
+  model.costs.find_probability = 30.0F;
   model.costs.log_step_discount = 0.0F;
   EXPECT_FALSE(has_valid_numbers(model));
 }
@@ -57,16 +57,16 @@ TEST(BeliefModel, LetsPassWhatIsInItsRangeAndNothingBeyond) {
   expect_range("border", 1, 1e6, [](BeliefModel& m, double x) { m.border_width = Meters{x}; });
   expect_range("outliers", 0, 1, [=](BeliefModel& m, double x) { m.outlier_share = as_float(x); });
   expect_range("step", 0, 1e6, [=](BeliefModel& m, double x) { m.costs.step = as_float(x); });
-  expect_range("reach's discount", 0, 1, [=](BeliefModel& m, double x) { m.costs.reach_discount = as_float(x); });
+  expect_range("reach's discount", 0, 1, [=](BeliefModel& m, double x) { m.costs.find_discount = as_float(x); });
   expect_range("edge", 0, 1e6, [=](BeliefModel& m, double x) { m.costs.edge = as_float(x); });
   expect_range("most regret", 0, 1e6, [=](BeliefModel& m, double x) { m.costs.most_regret = as_float(x); });
   // Limits that no float is, from either side.
   const auto discount = [=](BeliefModel& m, double x) { m.costs.log_step_discount = as_float(x); };
-  const auto reach = [=](BeliefModel& m, double x) { m.costs.reach = as_float(x); };
+  const auto find_probability = [=](BeliefModel& m, double x) { m.costs.find_probability = as_float(x); };
   for (const double inside : {-10.0, -1.000001e-3}) EXPECT_TRUE(is_valid_with(discount, inside)) << inside;
   for (const double outside : {-10.00001, -0.999999e-3}) EXPECT_FALSE(is_valid_with(discount, outside)) << outside;
-  for (const double inside : {1.000001e-3, 1e6}) EXPECT_TRUE(is_valid_with(reach, inside)) << inside;
-  for (const double outside : {0.999999e-3, 1.000001e6}) EXPECT_FALSE(is_valid_with(reach, outside)) << outside;
+  for (const double inside : {1.000001e-3, 1e6}) EXPECT_TRUE(is_valid_with(find_probability, inside)) << inside;
+  for (const double outside : {0.999999e-3, 1.000001e6}) EXPECT_FALSE(is_valid_with(find_probability, outside)) << outside;
 }
 
 /// As README.md of the folder says it and the paper's reward has it.
@@ -79,8 +79,8 @@ TEST(BeliefModel, IsThatOfThePapersSearchWhereNothingElseIsSaid) {
   EXPECT_EQ(model.outlier_share, 0.02F);
   EXPECT_EQ(model.costs.step, 3.0F);
   EXPECT_NEAR(std::exp(double{model.costs.log_step_discount}), 0.9, 1e-8);  // a float's seven places of 0.105
-  EXPECT_EQ(model.costs.reach, 30.0F);
-  EXPECT_EQ(model.costs.reach_discount, 0.85F);
+  EXPECT_EQ(model.costs.find_probability, 30.0F);
+  EXPECT_EQ(model.costs.find_discount, 0.85F);
   EXPECT_EQ(model.costs.edge, 100.0F);
   EXPECT_EQ(model.costs.most_regret, 10.0F);
 }

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "firmware/policy/action_values/belief_outlook.hpp"
+#include "firmware/policy/action_values/action_values.hpp"
 #include "firmware/policy/belief/belief_model.hpp"
 #include "tests/firmware/place.hpp"
 

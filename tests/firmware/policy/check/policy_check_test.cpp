@@ -66,12 +66,12 @@ TEST(PolicyCheck, RefusesCostsOutOfTheirRange) {
   const auto refused = [](float BeliefCosts::*cost, float value) {
     return fault_in_belief([=](BeliefModel& m) { m.costs.*cost = value; }) == PolicyFault::kOutOfRange;
   };
-  for (const auto cost : {&BeliefCosts::step, &BeliefCosts::edge, &BeliefCosts::most_regret, &BeliefCosts::reach}) {
+  for (const auto cost : {&BeliefCosts::step, &BeliefCosts::edge, &BeliefCosts::most_regret, &BeliefCosts::find_probability}) {
     EXPECT_TRUE(refused(cost, -1.0F) && refused(cost, 1.1e6F) && refused(cost, kNan));
     EXPECT_FALSE(refused(cost, 1e6F));
   }
-  EXPECT_TRUE(refused(&BeliefCosts::reach, 0.0F));
-  EXPECT_TRUE(refused(&BeliefCosts::reach_discount, 1.1F));
+  EXPECT_TRUE(refused(&BeliefCosts::find_probability, 0.0F));
+  EXPECT_TRUE(refused(&BeliefCosts::find_discount, 1.1F));
   for (const float discount : {0.0F, -1e-4F, 0.1F, -11.0F, static_cast<float>(kNan)})
     EXPECT_TRUE(refused(&BeliefCosts::log_step_discount, discount));
 }
@@ -168,7 +168,8 @@ PolicyFault fault_in_advice(const std::function<void(ObservationSpec&)>& damage)
 /// Of advising_policy(): the spread, then the preferences of its four actions.
 TEST(PolicyCheck, WantsEveryPreferenceOnceAndOnOneScaleWhereThereIsNoNetwork) {
   EXPECT_EQ(fault_in_advice([](ObservationSpec&) {}), PolicyFault::kNone);
-  EXPECT_EQ(fault_in_advice([](ObservationSpec& spec) { spec[2].feature = Feature::kReach; }), PolicyFault::kNoAdvice) << "one is missing";
+  EXPECT_EQ(fault_in_advice([](ObservationSpec& spec) { spec[2].feature = Feature::kFindProbability; }), PolicyFault::kNoAdvice)
+      << "one is missing";
   EXPECT_EQ(fault_in_advice([](ObservationSpec& spec) { spec[2].age = 1; }), PolicyFault::kNoAdvice) << "one twice, one missing";
   const auto add_one_more = [](ObservationSpec& spec) { static_cast<void>(spec.push_back({.feature = Feature::kPreference, .age = 2})); };
   EXPECT_EQ(fault_in_advice(add_one_more), PolicyFault::kNoAdvice) << "one twice";
@@ -190,7 +191,7 @@ TEST(PolicyCheck, WantsEveryPreferenceOnceAndOnOneScaleWhereThereIsNoNetwork) {
 
 TEST(PolicyCheck, NamesTheObservationWhereAdviceIsMissing) {
   const auto policy = advising_policy();
-  policy->observation.spec[1].feature = Feature::kReach;
+  policy->observation.spec[1].feature = Feature::kFindProbability;
   EXPECT_EQ(check(*policy).section, kObservationSection);
 }
 
@@ -203,10 +204,10 @@ TEST(PolicyCheck, JudgesSizesAndBoundsWithoutANetworkToo) {
 
 TEST(PolicyCheck, RefusesEdgesThatAreThoseOfAnotherArea) {
   for (const Feature edge : {Feature::kToNorthEdge, Feature::kToEastEdge}) {
-    const auto look_at_the_edge = [edge](FrozenPolicy& policy) { policy.observation.spec[1] = {.feature = edge}; };
-    EXPECT_EQ(fault_after(look_at_the_edge), PolicyFault::kBadShape) << "the belief's area is not the policy's";
+    const auto see_the_edge = [edge](FrozenPolicy& policy) { policy.observation.spec[1] = {.feature = edge}; };
+    EXPECT_EQ(fault_after(see_the_edge), PolicyFault::kBadShape) << "the belief's area is not the policy's";
     EXPECT_EQ(fault_after([&](FrozenPolicy& policy) {
-                look_at_the_edge(policy);
+                see_the_edge(policy);
                 policy.observation.belief.area_size = policy.area_size;
               }),
               PolicyFault::kNone);
@@ -232,7 +233,7 @@ TEST(PolicyCheck, BoundsEveryFeatureByTheMostThatItCanBe) {
         return 5'000.0;  // twice as many as there can be
       case Feature::kLikeliestShare:
       case Feature::kFound:
-      case Feature::kReach:
+      case Feature::kFindProbability:
       case Feature::kDetected:
       case Feature::kPreference:
         return 2.0;  // twice a probability

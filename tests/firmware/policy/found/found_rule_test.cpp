@@ -14,7 +14,7 @@ namespace {
 /// 10 km x 10 km in cells of 500 m; found within 1 km.
 class FoundRuleTest : public testing::Test {
  protected:
-  /// @return near looks, where the source is found
+  /// @return near measurements, where the source is found
   [[nodiscard]] std::uint32_t judge(Reception reception) {
     return rule.judge({.probability = probability_within(model, cells, place), .reception = reception, .least_snr = Decibels{12.0}});
   }
@@ -60,11 +60,11 @@ TEST_F(ProbabilityWithin, CountsNoCellThatIsNotNear) {
   EXPECT_NEAR(probability_within(model, cells, at(5'000, -900)), 0.2926, 1e-4);  // two, 1176.86 m off
 }
 
-TEST_F(FoundRuleTest, FindsAtTheFirstLookAtWhichTheSourceIsLikelyEnough) {
+TEST_F(FoundRuleTest, FindsAtTheFirstMeasurementAtWhichTheSourceIsLikelyEnough) {
   cells[kHere + 1] = 0.6F;
   cells[kHere] = 0.32F;
   cells[0] = 0.08F;
-  for (int look = 0; look < 7; ++look) EXPECT_EQ(judge({.snr = Decibels{3.0}, .too_faint = true}), 0U);
+  for (int measurement = 0; measurement < 7; ++measurement) EXPECT_EQ(judge({.snr = Decibels{3.0}, .too_faint = true}), 0U);
   EXPECT_EQ(judge({.snr = Decibels{14.5}}), 1U);
 }
 
@@ -84,11 +84,11 @@ TEST_F(FoundRuleTest, DeclaresNothingThatIsHeardFainterThanItShouldBeOrNotAtAll)
   EXPECT_EQ(0U, judge({.snr = Decibels{std::numeric_limits<double>::quiet_NaN()}}));
 }
 
-TEST_F(FoundRuleTest, DeclaresAtTheEighthLookAtWhichTheSourceIsLikelierNearThanNotAndCountsAnewThen) {
+TEST_F(FoundRuleTest, DeclaresAtTheEighthMeasurementAtWhichTheSourceIsLikelierNearThanNotAndCountsAnewThen) {
   for (int time = 0; time < 2; ++time) {
-    for (int look = 0; look < 7; ++look) {
+    for (int measurement = 0; measurement < 7; ++measurement) {
       cells[kHere] = 0.51F;
-      EXPECT_EQ(0U, judge({.snr = Decibels{14.5}})) << look;
+      EXPECT_EQ(0U, judge({.snr = Decibels{14.5}})) << measurement;
       EXPECT_EQ(0U, judge({.snr = Decibels{3.0}})) << "not as loud as it should be";
       cells[kHere] = 0.49F;
       EXPECT_EQ(0U, judge({.snr = Decibels{14.5}})) << "as likely elsewhere";
@@ -98,9 +98,9 @@ TEST_F(FoundRuleTest, DeclaresAtTheEighthLookAtWhichTheSourceIsLikelierNearThanN
   }
 }
 
-TEST_F(FoundRuleTest, ForgetsTheLooksOfTheSearchBefore) {
+TEST_F(FoundRuleTest, ForgetsTheMeasurementsOfTheSearchBefore) {
   cells[kHere] = 0.51F;
-  for (int look = 0; look < 7; ++look) EXPECT_EQ(0U, judge({.snr = Decibels{14.5}}));
+  for (int measurement = 0; measurement < 7; ++measurement) EXPECT_EQ(0U, judge({.snr = Decibels{14.5}}));
   rule.start();
   EXPECT_EQ(0U, judge({.snr = Decibels{14.5}}));
 }

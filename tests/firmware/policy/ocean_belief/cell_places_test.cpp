@@ -54,7 +54,7 @@ TEST_F(CellPlacesTest, AreAsManyAsTheGridHasColumns) {
   }
 }
 
-/// 10 looks of 300 m to the north and 500 m to the west: the area goes with it.
+/// 10 measurements of 300 m to the north and 500 m to the west: the area goes with it.
 TEST_F(CellPlacesTest, GoBeyondTheEdgesWithACurrent) {
   places->find(oblong(), {.north = 3, .east = -5, .is_current = true}, 10, {});
   // Rows at 4 and 6 km, columns at -3.5, -0.5 and 2.5 km.
@@ -75,7 +75,7 @@ TEST_F(CellPlacesTest, TurnBackAsOftenAsTheyMeetAnEdge) {
   double north_speed = -1'300;
   double east = 7'500;
   double east_speed = 900;
-  for (std::uint32_t look = 1; look <= 300; ++look) {
+  for (std::uint32_t measurement = 1; measurement <= 300; ++measurement) {
     const auto reflect = [](double& place, double& speed, double width) {
       place += speed;
       if (place < 0.0 || place > width) {
@@ -85,8 +85,8 @@ TEST_F(CellPlacesTest, TurnBackAsOftenAsTheyMeetAnEdge) {
     };
     reflect(north, north_speed, 4'000);
     reflect(east, east_speed, 9'000);
-    places->find(oblong(), drift, look, {});
-    ASSERT_EQ(ranges_from(at(north, east))[5], 0) << look;
+    places->find(oblong(), drift, measurement, {});
+    ASSERT_EQ(ranges_from(at(north, east))[5], 0) << measurement;
   }
 }
 

@@ -91,7 +91,7 @@ TEST(DriftNeighbours, OfTheFastestAreNoFaster) {
   }
 }
 
-TEST(DriftWay, IsSoManySixteenthsOfAStepALook) {
+TEST(DriftWay, IsSoManySixteenthsOfAStepAMeasurement) {
   BeliefModel model = bare_model(at(10'000, 10'000), 20, 20);
   model.step_length = Meters{800};
   EXPECT_EQ(way_of({.north = 3, .east = -2}, model, 10), at(1'500, -1'000));

@@ -70,7 +70,7 @@ TEST_F(HypothesisBlockTest, StartsWithEveryPlaceAsLikelyUnderEveryHypothesis) {
   EXPECT_FALSE(block->holds({.level = 1}));
 }
 
-/// Bayes' rule with every factor written out, in double: two looks from within and two from without, one of them too faint.
+/// Bayes' rule with every factor written out, in double: two measurements from within and two from without, one of them too faint.
 TEST_F(HypothesisBlockTest, IsWhatBayesRuleGivesByHandUnderEveryHypothesis) {
   const BeliefModel model = small_model();
   OceanTables tables = no_tables(kSmallRanges);
@@ -84,28 +84,29 @@ TEST_F(HypothesisBlockTest, IsWhatBayesRuleGivesByHandUnderEveryHypothesis) {
                                                         {1, 2, 1, 2, 0},
                                                         {0, 3, 3, 3, 0},
                                                         {0, 2, 3, 0, 0}}};
-  const std::vector<std::pair<NorthEast, Reception>> looks = {{at(3'200, 4'100), {.snr = Decibels{21.0}}},
-                                                              {at(-1'000, 2'000), {.snr = Decibels{15.0}, .too_faint = true}},
-                                                              {at(8'000, -1'500), {.snr = Decibels{17.0}}},
-                                                              {at(4'000, 4'300), {.snr = Decibels{24.0}}}};
+  const std::vector<std::pair<NorthEast, Reception>> measurements = {{at(3'200, 4'100), {.snr = Decibels{21.0}}},
+                                                                     {at(-1'000, 2'000), {.snr = Decibels{15.0}, .too_faint = true}},
+                                                                     {at(8'000, -1'500), {.snr = Decibels{17.0}}},
+                                                                     {at(4'000, 4'300), {.snr = Decibels{24.0}}}};
   block->start(model, kHypotheses, PlacePrior{});
   LaneLikelihoods likelihoods;
   std::vector<std::uint16_t> ranges(400);
   CellPlaces places_of_cells;
   places_of_cells.find(model, {}, 0, {});
-  for (const auto& [place, reception] : looks) {
+  for (const auto& [place, reception] : measurements) {
     places_of_cells.find_ranges(model, place, tables.range_step, kSmallRanges - 1U, ranges);
     likelihoods.tabulate(model, tables, kHypotheses, reception, tables.range_count);
     block->weigh(model, kAllLanes, likelihoods.raised_by_range(), ranges);
   }
   for (std::size_t l = 0; l < kLanes; ++l) {
     std::vector<double> joint(400, 1.0);
-    for (const auto& [place, reception] : looks) {
+    for (const auto& [place, reception] : measurements) {
       const std::vector<double> by_range = likelihoods_by_hand(model, tables, kHypotheses[l], reception);
       for (std::size_t i = 0; i < joint.size(); ++i) joint[i] *= by_range[range_of(model, tables, place, i)];
     }
     const double total = std::accumulate(joint.begin(), joint.end(), 0.0);
-    // Half a unit of 0.14 % is rounded at every look, and the table of the normal distribution is 0.2 % off at four standard deviations.
+    // Half a unit of 0.14 % is rounded at every measurement, and the table of the normal distribution is 0.2 % off at four standard
+    // deviations.
     EXPECT_NEAR(block->log_evidence(model)[l], 512.0 * std::log2(total), 4.0) << l;
     const std::vector<float> found = places(*block, model, l);
     for (std::size_t i = 0; i < joint.size(); ++i) {
@@ -192,19 +193,19 @@ TEST_F(HypothesisBlockTest, AddsHypothesesByTheirSharesToWhatIsThere) {
   EXPECT_NEAR(marginal[1], 0.25 / 3 + 0.5 / 2 + 0.125 * 2 / 3 + 0.125 / 2, 1e-5);
 }
 
-/// After looks that leave nothing of a place it is still believed in by 2^-26 of the likeliest, however much more is heard, and sixteen
-/// bits hold what is taken off.
+/// After measurements that leave nothing of a place it is still believed in by 2^-26 of the likeliest, however much more is heard, and
+/// sixteen bits hold what is taken off.
 TEST_F(HypothesisBlockTest, ForgetsNoPlaceHoweverUnlikely) {
   const BeliefModel model = bare_model(at(1'000, 3'000), 1, 3);
   block->start(model, kAllMotions, PlacePrior{});
-  for (int look = 0; look < 20; ++look) {
-    weigh_each(*block, model, {kLeastLogLikelihood, kLeastLogLikelihood, look < 10 ? 0 : -9'000});
+  for (int measurement = 0; measurement < 20; ++measurement) {
+    weigh_each(*block, model, {kLeastLogLikelihood, kLeastLogLikelihood, measurement < 10 ? 0 : -9'000});
     const std::vector<float> p = places(*block, model, 4);
-    for (const std::size_t i : {0U, 1U}) ASSERT_NEAR(p[i] / p[2], std::exp2(-26.0), 2e-4 * std::exp2(-26.0)) << look;
+    for (const std::size_t i : {0U, 1U}) ASSERT_NEAR(p[i] / p[2], std::exp2(-26.0), 2e-4 * std::exp2(-26.0)) << measurement;
   }
   EXPECT_EQ(block->log_evidence(model)[0], 10 * -9'000);
   // As soon as it is the other way round it comes back.
-  for (int look = 0; look < 2; ++look) weigh_each(*block, model, {0, kLeastLogLikelihood, kLeastLogLikelihood});
+  for (int measurement = 0; measurement < 2; ++measurement) weigh_each(*block, model, {0, kLeastLogLikelihood, kLeastLogLikelihood});
   EXPECT_GT(places(*block, model, 0)[0], 0.99F);
 }
 
@@ -245,7 +246,7 @@ TEST_F(HypothesisBlockTest, LeavesSourcesAtRestBitForBitBesideOnesThatMove) {
   block->start(model, kAllMotions, PlacePrior{});
   resting->start(model, {}, PlacePrior{});
   Pcg32 random(3);
-  for (int look = 0; look < 12; ++look) {
+  for (int measurement = 0; measurement < 12; ++measurement) {
     std::vector<int> weights;
     for (int i = 0; i < 400; ++i) weights.push_back(-static_cast<int>(6'000.0F * random.uniform_float()));
     for (HypothesisBlock* each : {block.get(), resting.get()}) {
@@ -303,7 +304,7 @@ TEST_F(HypothesisBlockTest, TakesAHypothesisOverWithAllThatItHasHeard) {
   std::array<Hypothesis, kLanes> hypotheses = kAllMotions;
   hypotheses[6] = {7, 1, 3, 2, 2};
   other->start(model, hypotheses, PlacePrior{});
-  const auto look = [&](HypothesisBlock& at, std::uint64_t seed) {
+  const auto measurement = [&](HypothesisBlock& at, std::uint64_t seed) {
     Pcg32 weights(seed);
     std::vector<int> each;
     for (int i = 0; i < 400; ++i) each.push_back(-static_cast<int>(9'000.0F * weights.uniform_float()) - 300);
@@ -311,8 +312,8 @@ TEST_F(HypothesisBlockTest, TakesAHypothesisOverWithAllThatItHasHeard) {
     weigh_each(at, model, each);
   };
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
-    look(*block, seed);
-    look(*other, seed + 10);
+    measurement(*block, seed);
+    measurement(*other, seed + 10);
   }
   const std::vector<float> neighbour = places(*block, model, 3);
   const std::uint32_t before = block->fingerprint(model, 0);
@@ -323,8 +324,8 @@ TEST_F(HypothesisBlockTest, TakesAHypothesisOverWithAllThatItHasHeard) {
   for (std::uint64_t seed = 20; seed < 23; ++seed) {
     EXPECT_EQ(places(*block, model, 2), places(*other, model, 6));
     EXPECT_EQ(block->log_evidence(model)[2], other->log_evidence(model)[6]);
-    look(*block, seed);
-    look(*other, seed);
+    measurement(*block, seed);
+    measurement(*other, seed);
   }
 }
 

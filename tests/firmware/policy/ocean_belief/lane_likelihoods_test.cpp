@@ -53,8 +53,8 @@ TEST_F(LaneLikelihoodsTest, AreByHandThoseOfWhatWasHeard) {
   for (const double snr_db : {-30.0, 4.0, 17.3, 50.0}) expect_by_hand({.snr = Decibels{snr_db}});
 }
 
-/// Ten looks count as eight and an eighth.
-TEST_F(LaneLikelihoodsTest, CountLessThanLooksThatKnowNothingOfOneAnother) {
+/// Ten measurements count as eight and an eighth.
+TEST_F(LaneLikelihoodsTest, CountLessThanMeasurementsThatKnowNothingOfOneAnother) {
   EXPECT_EQ(tempered(-10 * kOctave), -4'160);
   EXPECT_EQ(tempered(0), 0);
 }

@@ -17,7 +17,7 @@
 namespace earshot::policy {
 namespace {
 
-/// Whether the source was declared found after each look.
+/// Whether the source was declared found after each measurement.
 using Declared = std::vector<bool>;
 using Joint = std::vector<double>;  ///< [cell that the source began in]
 
@@ -52,31 +52,32 @@ void keep_forgotten(Joint& joint) {
 class OceanBeliefByHand : public OceanBeliefRig {
  protected:
   /// Hears it all from the start. @return when it declared the source found
-  Declared fly(const Looks& looks) {
+  Declared fly(const Measurements& measurements) {
     belief->start(model, tables);
     Declared declared;
-    for (const auto& [place, reception] : looks) {
+    for (const auto& [place, reception] : measurements) {
       belief->update(model, tables, place, reception);
       declared.push_back(belief->declaration().has_value());
     }
     return declared;
   }
 
-  /// Half a unit of 0.14 % is rounded at every look, in the evidence and in every movement; from the sum over all hypotheses those below
-  /// 1e-4 are left out, and where one drifts a place a millionth as likely as its likeliest. One whose source moves heard a bearing too
-  /// early where it was being weighed when that came.
-  void expect_by_hand(const Looks& looks, const Declared& declared, double tolerance) const {
+  /// Half a unit of 0.14 % is rounded at every measurement, in the evidence and in every movement; from the sum over all hypotheses those
+  /// below 1e-4 are left out, and where one drifts a place a millionth as likely as its likeliest. One whose source moves heard a bearing
+  /// too early where it was being weighed when that came.
+  void expect_by_hand(const Measurements& measurements, const Declared& declared, double tolerance) const {
     std::vector<Joint> joint;
     double total = 0.0;
     for (const Hypothesis& h : held()) {
-      joint.push_back(joint_by_hand(h, looks, declared));
+      joint.push_back(joint_by_hand(h, measurements, declared));
       total += std::accumulate(joint.back().begin(), joint.back().end(), 0.0);
     }
-    const auto look_count = static_cast<int>(looks.size());
-    const bool has_bearings = std::ranges::any_of(looks, [](const auto& look) { return look.second.bearing.has_value(); });
+    const auto measurement_count = static_cast<int>(measurements.size());
+    const bool has_bearings =
+        std::ranges::any_of(measurements, [](const auto& measurement) { return measurement.second.bearing.has_value(); });
     const Drift current = likeliest_current(*belief);
-    const NorthEast corner = at(62.5 * current.north * look_count, 62.5 * current.east * look_count);
-    Joint by_place(400);  // by the next look, in the area as the current has carried it
+    const NorthEast corner = at(62.5 * current.north * measurement_count, 62.5 * current.east * measurement_count);
+    Joint by_place(400);  // by the next measurement, in the area as the current has carried it
     Joint left_out(400);
     for (std::size_t k = 0; k < joint.size(); ++k) {
       const double share = std::accumulate(joint[k].begin(), joint[k].end(), 0.0) / total;
@@ -84,7 +85,7 @@ class OceanBeliefByHand : public OceanBeliefRig {
       EXPECT_NEAR(double{belief->share(k)}, share, tolerance * share + too_early + 1e-9) << k;
       Joint of_one(400);  // in the area where it was
       for (std::size_t i = 0; i < 400; ++i) {
-        const NorthEast place = drifted(held()[k].drift, look_count, i);
+        const NorthEast place = drifted(held()[k].drift, measurement_count, i);
         by_place[cell_at(place - corner)] += joint[k][i];
         if (share < 1.1e-4) left_out[cell_at(place - corner)] += joint[k][i];
         of_one[cell_at(place)] += joint[k][i];
@@ -112,11 +113,11 @@ class OceanBeliefByHand : public OceanBeliefRig {
   }
 
   /// Probability of every cell together with all that was heard, under a hypothesis.
-  [[nodiscard]] Joint joint_by_hand(const Hypothesis& h, const Looks& looks, const Declared& declared) const {
+  [[nodiscard]] Joint joint_by_hand(const Hypothesis& h, const Measurements& measurements, const Declared& declared) const {
     Joint p(400, std::exp2(static_cast<double>(log_prior(h, tables)) / 512.0));
-    for (std::size_t look = 0; look < looks.size(); ++look) {
-      const auto& [place, reception] = looks[look];
-      const auto now = [&h, look](std::size_t cell) { return drifted(h.drift, static_cast<int>(look), cell); };
+    for (std::size_t measurement = 0; measurement < measurements.size(); ++measurement) {
+      const auto& [place, reception] = measurements[measurement];
+      const auto now = [&h, measurement](std::size_t cell) { return drifted(h.drift, static_cast<int>(measurement), cell); };
       keep_forgotten(p);
       p = moved_by_hand(p, h.mobility);
       if (reception.bearing) {
@@ -131,7 +132,7 @@ class OceanBeliefByHand : public OceanBeliefRig {
         p[i] *= by_range[ranges[i]];
       }
       keep_forgotten(p);
-      for (std::size_t i = 0; i < 400 && declared[look]; ++i) p[i] *= left_of_cell(model, tables, ranges[i]);
+      for (std::size_t i = 0; i < 400 && declared[measurement]; ++i) p[i] *= left_of_cell(model, tables, ranges[i]);
     }
     keep_forgotten(p);
     return p;
@@ -140,12 +141,12 @@ class OceanBeliefByHand : public OceanBeliefRig {
 
 TEST_F(OceanBeliefByHand, IsTheMixtureByHandOfTheHypothesesThatItHolds) {
   add_table(tables, 1.0F, kTwoPerKilometre);
-  const Looks looks = {{at(3'200, 4'100), {.snr = Decibels{23.0}}},
-                       {at(-1'000, 2'000), {.snr = Decibels{17.0}, .too_faint = true}},
-                       {at(8'000, -1'500), {.snr = Decibels{17.0}}},
-                       {at(4'000, 5'300), {.snr = Decibels{25.0}}}};
-  EXPECT_EQ(fly(looks), Declared(looks.size(), false)) << "so that nothing is ruled out, though the search goes on";
-  expect_by_hand(looks, Declared(looks.size(), false), 0.01);
+  const Measurements measurements = {{at(3'200, 4'100), {.snr = Decibels{23.0}}},
+                                     {at(-1'000, 2'000), {.snr = Decibels{17.0}, .too_faint = true}},
+                                     {at(8'000, -1'500), {.snr = Decibels{17.0}}},
+                                     {at(4'000, 5'300), {.snr = Decibels{25.0}}}};
+  EXPECT_EQ(fly(measurements), Declared(measurements.size(), false)) << "so that nothing is ruled out, though the search goes on";
+  expect_by_hand(measurements, Declared(measurements.size(), false), 0.01);
 }
 
 constexpr auto kFourPerKilometre = [](double km) { return 45.0 - 4.0 * km; };
@@ -153,26 +154,27 @@ constexpr Drift kSwims{.north = 9, .east = -5};
 constexpr Drift kCurrent{.north = 4, .east = 4, .is_current = true};
 constexpr std::array kDrifts{kCurrent, kSwims};
 
-/// Looks to and fro, south of a source that drifts.
-Looks south_of(const Drift& drift) {
-  Looks looks;
+/// Measurements to and fro, south of a source that drifts.
+Measurements south_of(const Drift& drift) {
+  Measurements measurements;
   for (int i = 0; i < 20; ++i) {
     const NorthEast place = at(400.0 * i, i % 2 == 0 ? 2'000.0 : 4'000.0);
-    looks.push_back({place, {.snr = Decibels{kFourPerKilometre(range_between(place, drifted(drift, i, 16 * 20 + 16)).value / 1'000.0)}}});
+    measurements.push_back(
+        {place, {.snr = Decibels{kFourPerKilometre(range_between(place, drifted(drift, i, 16 * 20 + 16)).value / 1'000.0)}}});
   }
-  return looks;
+  return measurements;
 }
 
 /// Of a source that swims, and of one that a current takes beyond the edge.
 TEST_F(OceanBeliefByHand, IsTheMixtureByHandOfThoseThatDriftToo) {
   add_table(tables, 1.0F, kFourPerKilometre);
   for (const Drift& drift : kDrifts) {
-    const Looks looks = south_of(drift);
-    const Declared declared = fly(looks);
+    const Measurements measurements = south_of(drift);
+    const Declared declared = fly(measurements);
     EXPECT_EQ(std::ranges::count(declared, true), 0) << "it never gets near";
     EXPECT_GT(held_that_drift(), 5);
     EXPECT_EQ(likeliest_current(*belief).is_current, drift.is_current);
-    expect_by_hand(looks, declared, 0.02);
+    expect_by_hand(measurements, declared, 0.02);
   }
 }
 
@@ -182,41 +184,42 @@ TEST_F(OceanBeliefByHand, TakesBearingsInUnderThoseThatDrift) {
   for (const Drift& drift : std::span(kDrifts).first<tests::times(2, 1)>()) {
     const std::array<std::vector<std::size_t>, 2> some_and_one{{{2, 9, 15}, {19}}};
     for (const std::vector<std::size_t>& with_bearing : std::span(some_and_one).first<tests::times(2, 1)>()) {
-      Looks looks = south_of(drift);
+      Measurements measurements = south_of(drift);
       for (const std::size_t i : with_bearing) {
-        const NorthEast way = drifted(drift, static_cast<int>(i), 16 * 20 + 16) - looks[i].first;
+        const NorthEast way = drifted(drift, static_cast<int>(i), 16 * 20 + 16) - measurements[i].first;
         const double direction = std::atan2(way.east.value, way.north.value) + 0.1;
-        looks[i].second.bearing = messages::Bearing{.direction = Radians{direction}, .deviation = Radians{0.2}};
+        measurements[i].second.bearing = messages::Bearing{.direction = Radians{direction}, .deviation = Radians{0.2}};
       }
-      const Declared declared = fly(looks);
+      const Declared declared = fly(measurements);
       EXPECT_GT(held_that_drift(), 5);
-      expect_by_hand(looks, declared, 0.02);
+      expect_by_hand(measurements, declared, 0.02);
     }
   }
 }
 
-/// A bearing with every look, so that some come while others are being weighed that have heard only a part of the looks: those hear it,
-/// too, and are as likely as had they been held all the time.
+/// A bearing with every measurement, so that some come while others are being weighed that have heard only a part of the measurements:
+/// those hear it, too, and are as likely as had they been held all the time.
 TEST_F(OceanBeliefByHand, TakesABearingInUnderThoseThatAreBeingWeighedWhenItComes) {
   add_table(tables, 1.0F, kFourPerKilometre);
-  Looks looks = south_of({});
-  for (auto& [place, reception] : looks) {
+  Measurements measurements = south_of({});
+  for (auto& [place, reception] : measurements) {
     const NorthEast way = drifted({}, 0, 16 * 20 + 16) - place;
     reception.bearing =
         messages::Bearing{.direction = Radians{std::atan2(way.east.value, way.north.value) + 0.1}, .deviation = Radians{0.3}};
   }
-  expect_by_hand(looks, fly(looks), 0.02);
+  expect_by_hand(measurements, fly(measurements), 0.02);
 }
 
-/// The vehicle hears a source from afar, then goes past it as it drifts on. @param past  from look to look, as the source sees it
-Looks past_one_that(const Drift& drift, NorthEast past) {
-  Looks looks = south_of(drift);
+/// The vehicle hears a source from afar, then goes past it as it drifts on. @param past  from measurement to measurement, as the source
+/// sees it
+Measurements past_one_that(const Drift& drift, NorthEast past) {
+  Measurements measurements = south_of(drift);
   for (int i = 20; i < 30; ++i) {
     const NorthEast source = drifted(drift, i, 16 * 20 + 16);
     const NorthEast place = source + at(past.north.value * (i - 23), past.east.value * (i - 23));
-    looks.push_back({place, {.snr = Decibels{kFourPerKilometre(range_between(place, source).value / 1'000.0)}}});
+    measurements.push_back({place, {.snr = Decibels{kFourPerKilometre(range_between(place, source).value / 1'000.0)}}});
   }
-  return looks;
+  return measurements;
 }
 
 TEST_F(OceanBeliefByHand, DeclaresASourceFoundThatDriftsAndThenRulesOutWhereItWouldHaveBeenThen) {
@@ -225,18 +228,18 @@ TEST_F(OceanBeliefByHand, DeclaresASourceFoundThatDriftsAndThenRulesOutWhereItWo
     int declared_before_the_last = 0;
     const std::array passes{at(-100, 300), at(-300, 900), at(300, 500), at(0, -700)};
     for (const NorthEast past : std::span(passes).first<tests::times(4, 1)>()) {
-      const Looks looks = past_one_that(drift, past);
+      const Measurements measurements = past_one_that(drift, past);
       belief->start(model, tables);
       Declared declared;
-      for (const auto& [place, reception] : looks) {
+      for (const auto& [place, reception] : measurements) {
         belief->update(model, tables, place, reception);
         declared.push_back(belief->declaration().has_value());
         if (!declared.back()) continue;
         EXPECT_LT(range_between(belief->declaration()->likeliest, place).value, 2'000.0) << "within a step, or next to it";
-        declared_before_the_last += declared.size() < looks.size() ? 1 : 0;
+        declared_before_the_last += declared.size() < measurements.size() ? 1 : 0;
       }
       EXPECT_GT(held_that_drift(), 5);
-      expect_by_hand(looks, declared, 0.02);
+      expect_by_hand(measurements, declared, 0.02);
     }
     EXPECT_GE(declared_before_the_last, 1);
   }
@@ -246,22 +249,22 @@ TEST_F(OceanBeliefByHand, DeclaresASourceFoundThatDriftsAndThenRulesOutWhereItWo
 constexpr auto kTenPerKilometre = [](double km) { return 40.0 - 10.0 * km; };
 
 /// On the way to a source, past it and away, as it is heard.
-Looks past(NorthEast source) {
-  Looks looks;
+Measurements past(NorthEast source) {
+  Measurements measurements;
   for (const NorthEast place : {at(2'000, 2'000), at(2'000, 6'000), at(4'000, 7'000), at(6'000, 6'000), at(6'100, 4'100), at(8'000, 3'000),
                                 at(9'000, 6'000), at(7'000, 8'000), at(5'000, 9'000)})
-    looks.push_back({place, {.snr = Decibels{kTenPerKilometre(range_between(place, source).value / 1'000.0)}}});
-  return looks;
+    measurements.push_back({place, {.snr = Decibels{kTenPerKilometre(range_between(place, source).value / 1'000.0)}}});
+  return measurements;
 }
 
 TEST_F(OceanBeliefByHand, DeclaresTheSourceFoundWhereItIsAndThenRulesThatOutInEveryHypothesisThatItHoldsOrTakesUp) {
   add_table(tables, 1.0F, kTenPerKilometre);
   const NorthEast source = at(6'200, 4'300);
-  const Looks looks = past(source);
+  const Measurements measurements = past(source);
   belief->start(model, tables);
   Declared declared;
   std::vector<Hypothesis> at_declaration;
-  for (const auto& [place, reception] : looks) {
+  for (const auto& [place, reception] : measurements) {
     belief->update(model, tables, place, reception);
     declared.push_back(belief->declaration().has_value());
     if (!declared.back()) continue;
@@ -269,16 +272,17 @@ TEST_F(OceanBeliefByHand, DeclaresTheSourceFoundWhereItIsAndThenRulesThatOutInEv
     EXPECT_LT(range_between(place, source).value, 1'000.0);
     EXPECT_LT(range_between(belief->declaration()->likeliest, source).value, 500.0);
     EXPECT_DOUBLE_EQ(belief->declaration()->closest_approach.value, range_between(belief->declaration()->likeliest, place).value);
-    EXPECT_EQ(belief->declaration()->look, declared.size() - 1);
+    EXPECT_EQ(belief->declaration()->measurement, declared.size() - 1);
     EXPECT_EQ(belief->declaration()->snr, reception.snr);
     EXPECT_LE(belief->declaration()->least_snr, reception.snr);
-    EXPECT_GE(belief->declaration()->near_looks, 1U);
-    EXPECT_GE(belief->declaration()->probability, belief->declaration()->near_looks < kNearLooks ? kFoundProbability : kNearProbability);
+    EXPECT_GE(belief->declaration()->near_measurements, 1U);
+    EXPECT_GE(belief->declaration()->probability,
+              belief->declaration()->near_measurements < kNearMeasurements ? kFoundProbability : kNearProbability);
     EXPECT_GT(range_between(belief->summary().likeliest, place).value, 750.0) << "of a search that goes on";
   }
   EXPECT_EQ(std::ranges::count(declared, true), 1) << "not again, where it was not";
   EXPECT_NE(held(), at_declaration) << "others were taken up since";
-  expect_by_hand(looks, declared, 0.01);
+  expect_by_hand(measurements, declared, 0.01);
 }
 
 /// A spread of 1 to 7 dB and a level unknown by 9: 20 dB a kilometre away is as it should be, a tenth of a decibel is not.
@@ -298,35 +302,35 @@ TEST_F(OceanBeliefByHand, DeclaresNothingFoundThatPausesOrThatIsFarFainterThanIt
   }
 }
 
-TEST_F(OceanBeliefByHand, CountsLooksAndForgetsItsDeclarationWhenItStarts) {
+TEST_F(OceanBeliefByHand, CountsMeasurementsAndForgetsItsDeclarationWhenItStarts) {
   add_table(tables, 1.0F, kTenPerKilometre);
-  const Looks looks = past(at(6'200, 4'300));
+  const Measurements measurements = past(at(6'200, 4'300));
   for (int search = 0; search < 2; ++search) {
     belief->start(model, tables);
     EXPECT_FALSE(belief->declaration());
-    for (std::size_t i = 0; i < 5; ++i) belief->update(model, tables, looks[i].first, looks[i].second);
+    for (std::size_t i = 0; i < 5; ++i) belief->update(model, tables, measurements[i].first, measurements[i].second);
     ASSERT_TRUE(belief->declaration());
-    EXPECT_EQ(belief->declaration()->look, 4U);
+    EXPECT_EQ(belief->declaration()->measurement, 4U);
   }
 }
 
 /// As loud within 1.3 km as can be, silent beyond: of places that are as likely 59 % are within a step, too few for a declaration before
-/// the eighth look.
-TEST_F(OceanBeliefByHand, CountsNoLookNearTheSourceOfTheSearchBefore) {
+/// the eighth measurement.
+TEST_F(OceanBeliefByHand, CountsNoMeasurementNearTheSourceOfTheSearchBefore) {
   add_table(tables, 1.0F, [](double km) { return km < 1.3 ? 30.0 : -20.0; });
   belief->start(model, tables);
-  for (int look = 0; look < 5; ++look) {
+  for (int measurement = 0; measurement < 5; ++measurement) {
     hear(at(5'000, 5'000), 30.0);
-    EXPECT_FALSE(belief->declaration()) << look;
+    EXPECT_FALSE(belief->declaration()) << measurement;
   }
   belief->start(model, tables);
-  for (std::uint32_t look = 1; look < kNearLooks; ++look) {
+  for (std::uint32_t measurement = 1; measurement < kNearMeasurements; ++measurement) {
     hear(at(5'000, 5'000), 30.0);
-    EXPECT_FALSE(belief->declaration()) << "after look " << look << " of the second search";
+    EXPECT_FALSE(belief->declaration()) << "after look " << measurement << " of the second search";
   }
   hear(at(5'000, 5'000), 30.0);
   ASSERT_TRUE(belief->declaration());
-  EXPECT_EQ(belief->declaration()->near_looks, kNearLooks);
+  EXPECT_EQ(belief->declaration()->near_measurements, kNearMeasurements);
 }
 
 }  // namespace

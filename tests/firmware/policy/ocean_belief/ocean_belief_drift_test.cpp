@@ -19,7 +19,7 @@ constexpr std::uint64_t kSearches = tests::times(10, 3);
 constexpr auto kSteep = [](double km) { return 45.0 - 4.0 * km; };
 
 /// Sources that drift, heard with 1 dB of fluctuation along a zigzag: in how many of the searches they are followed to where they are by
-/// the next look.
+/// the next measurement.
 class OceanDrift : public OceanBeliefRig {
  protected:
   OceanDrift() { add_table(tables, 1.0F, kSteep); }
@@ -31,22 +31,22 @@ class OceanDrift : public OceanBeliefRig {
     return sum;
   }
 
-  [[nodiscard]] Looks looks_at(const Drift& drift, std::size_t began_in, std::uint64_t seed) const {
-    Looks looks = zigzag(
+  [[nodiscard]] Measurements measurements_at(const Drift& drift, std::size_t began_in, std::uint64_t seed) const {
+    Measurements measurements = zigzag(
         30, [](double) { return 0.0; }, {}, seed);
-    int look = 0;
-    for (auto& [place, reception] : looks) {
-      const double range_km = range_between(place, drifted(drift, look++, began_in)).value / 1'000.0;
+    int measurement = 0;
+    for (auto& [place, reception] : measurements) {
+      const double range_km = range_between(place, drifted(drift, measurement++, began_in)).value / 1'000.0;
       reception.snr = Decibels{kSteep(range_km) + 0.5 * reception.snr.value};
     }
-    return looks;
+    return measurements;
   }
 
   double share_followed(const Drift& drift, std::size_t began_in) {
     int followed = 0;
     for (std::uint64_t seed = 1; seed <= kSearches; ++seed) {
       belief->start(model, tables);
-      hear_all(looks_at(drift, began_in, seed));
+      hear_all(measurements_at(drift, began_in, seed));
       const double off_m = range_between(belief->summary().likeliest, drifted(drift, 30, began_in)).value;
       followed += share_that_drifts() > 0.9 && off_m < 1'500.0 && likeliest_current(*belief).is_current == drift.is_current ? 1 : 0;
     }
@@ -72,16 +72,16 @@ TEST_F(OceanDrift, IsSeenInNoSourceThatRestsThoughEightAreHeld) {
 }
 
 /// Where nothing has told it yet from another place; in some searches at once from then on, and earlier where there are bearings.
-TEST_F(OceanDrift, IsTriedFromTheEighthLookOnAndWithBearingsFromTheFourth) {
+TEST_F(OceanDrift, IsTriedFromTheEighthMeasurementOnAndWithBearingsFromTheFourth) {
   for (const bool with_bearings : {false, true}) {
-    std::set<std::size_t> first_held;  // after how many looks
+    std::set<std::size_t> first_held;  // after how many measurements
     for (std::uint64_t seed = 1; seed <= kSearches; ++seed) {
       belief->start(model, tables);
       std::size_t heard = 0;
-      for (auto [place, reception] : looks_at({.north = 5, .east = -7}, 8 * 20 + 16, seed)) {
+      for (auto [place, reception] : measurements_at({.north = 5, .east = -7}, 8 * 20 + 16, seed)) {
         if (with_bearings) reception.bearing = messages::Bearing{.direction = Radians{0.3}, .deviation = Radians{0.5}};
         belief->update(model, tables, place, reception);
-        while (belief->ponder(model, tables)) {
+        while (belief->refine(model, tables)) {
         }
         ++heard;
         if (held_that_drift() == 0) continue;
@@ -98,9 +98,9 @@ TEST_F(OceanDrift, IsTriedFromTheEighthLookOnAndWithBearingsFromTheFourth) {
 TEST_F(OceanDrift, HasTheBorderWhereTheVehicleIsUnderEveryCurrent) {
   model.border_width = Meters{2'000};
   belief->start(model, tables);
-  const Looks looks = looks_at({.north = 3, .east = 3, .is_current = true}, 16 * 20 + 16, 1);
-  hear_all(looks);
-  const NorthEast place = looks.back().first;
+  const Measurements measurements = measurements_at({.north = 3, .east = 3, .is_current = true}, 16 * 20 + 16, 1);
+  hear_all(measurements);
+  const NorthEast place = measurements.back().first;
   const std::array<NorthEast, 4> steps{at(1'000, 0), at(0, 1'000), at(-1'000, 0), at(0, -1'000)};
   const auto depth = [](NorthEast vehicle) {
     const double north_m = vehicle.north.value;
@@ -113,11 +113,11 @@ TEST_F(OceanDrift, HasTheBorderWhereTheVehicleIsUnderEveryCurrent) {
     double expected = 0.0;
     for (std::size_t i = 0; i < OceanBelief::kHypotheses; ++i) {
       const Drift drift = belief->hypothesis(i).drift;
-      const double looks_of_current = drift.is_current ? 30.0 : 0.0;
-      const NorthEast carried = at(62.5 * drift.north * looks_of_current, 62.5 * drift.east * looks_of_current);
+      const double measurements_of_current = drift.is_current ? 30.0 : 0.0;
+      const NorthEast carried = at(62.5 * drift.north * measurements_of_current, 62.5 * drift.east * measurements_of_current);
       expected += double{belief->share(i)} * depth(place + steps[action] - carried);
     }
-    EXPECT_NEAR(belief->outlook(action).border, expected, 1e-4) << action;
+    EXPECT_NEAR(belief->action_values(action).border, expected, 1e-4) << action;
     difference += std::abs(expected - depth(place + steps[action]));
   }
   EXPECT_GT(difference, 0.5) << "from that of the place where it believes to be";

@@ -17,7 +17,7 @@
 namespace earshot::policy {
 
 /// What a vehicle hears, and where.
-using Looks = std::vector<std::pair<NorthEast, Reception>>;
+using Measurements = std::vector<std::pair<NorthEast, Reception>>;
 
 inline constexpr auto kTwoPerKilometre = [](double km) { return 30.0 - 2.0 * km; };
 
@@ -26,8 +26,8 @@ class OceanBeliefRig : public testing::Test {
  protected:
   void hear(NorthEast place, double snr_db) { belief->update(model, tables, place, {.snr = Decibels{snr_db}}); }
 
-  void hear_all(const Looks& looks) {
-    for (const auto& [place, reception] : looks) belief->update(model, tables, place, reception);
+  void hear_all(const Measurements& measurements) {
+    for (const auto& [place, reception] : measurements) belief->update(model, tables, place, reception);
   }
 
   [[nodiscard]] std::vector<Hypothesis> held() const {
@@ -41,19 +41,19 @@ class OceanBeliefRig : public testing::Test {
     return static_cast<int>(std::count_if(all.begin(), all.end(), [](const Hypothesis& h) { return !h.drift.is_none(); }));
   }
 
-  /// Looks along a zigzag through the area, at what is heard in an ocean of a source: its table and 2 dB of fluctuation.
+  /// Measurements along a zigzag through the area, at what is heard in an ocean of a source: its table and 2 dB of fluctuation.
   template <class Snr>
-  Looks zigzag(int count, Snr snr_db, NorthEast source, std::uint64_t seed) const {
+  Measurements zigzag(int count, Snr snr_db, NorthEast source, std::uint64_t seed) const {
     Pcg32 random(seed);
-    Looks looks;
+    Measurements measurements;
     for (int i = 0; i < count; ++i) {
       const double side = i % 10 < 5 ? i % 5 : 5 - i % 5;
       const NorthEast place = at(400.0 * i, 2'000.0 * side);
       double normal = -6.0;
       for (int k = 0; k < 12; ++k) normal += random.uniform_double();
-      looks.push_back({place, {.snr = Decibels{snr_db(range_between(place, source).value / 1'000.0) + 2.0 * normal}}});
+      measurements.push_back({place, {.snr = Decibels{snr_db(range_between(place, source).value / 1'000.0) + 2.0 * normal}}});
     }
-    return looks;
+    return measurements;
   }
 
   BeliefModel model = small_model();
@@ -61,10 +61,11 @@ class OceanBeliefRig : public testing::Test {
   std::unique_ptr<OceanBelief> belief = std::make_unique<OceanBelief>();
 };
 
-/// Where the source is after so many looks that began in a cell of the small model, written out; a sixteenth of a step length is 62.5 m.
-inline NorthEast drifted(const Drift& drift, int looks, std::size_t cell) {
+/// Where the source is after so many measurements that began in a cell of the small model, written out; a sixteenth of a step length
+/// is 62.5 m.
+inline NorthEast drifted(const Drift& drift, int measurements, std::size_t cell) {
   const auto along = [&](double place, int parts) {
-    place += 62.5 * parts * looks;
+    place += 62.5 * parts * measurements;
     while (!drift.is_current && (place < 0.0 || place > 10'000.0)) place = place < 0.0 ? -place : 20'000.0 - place;
     return place;
   };

@@ -62,7 +62,8 @@ TEST_F(OceanBeliefTest, ForeseesDetectionsUnderItsHypothesesByTheirShares) {
     const double z = (3.0 * (h.level - 3)) / std::array{1.0, 2.0, 4.0, 7.0}[h.spread];
     expected += double{belief->share(i)} * (1.0 - 0.25 * h.silence) * 0.5 * std::erfc(-z / std::sqrt(2.0));
   }
-  for (std::size_t action = 0; action < 4; ++action) EXPECT_NEAR(belief->outlook(action).detected, expected, 2e-3);  // 24 of 1e-4 left out
+  for (std::size_t action = 0; action < 4; ++action)
+    EXPECT_NEAR(belief->action_values(action).detected, expected, 2e-3);  // 24 of 1e-4 left out
   EXPECT_GT(expected, 0.4);
 }
 
@@ -108,10 +109,10 @@ TEST_F(OceanBeliefTest, FindsOutThatSourcesAreLouderAndThatCallsPause) {
   add_table(tables, 1.0F, kTwoPerKilometre);
   const NorthEast source = at(7'000, 6'000);
   const auto louder = [](double km) { return 39.0 - 2.0 * km; };
-  Looks looks = zigzag(24, louder, source, 3);
-  for (std::size_t i = 0; i < looks.size(); i += 2) looks[i].second = {.snr = Decibels{3.0}, .too_faint = true};
+  Measurements measurements = zigzag(24, louder, source, 3);
+  for (std::size_t i = 0; i < measurements.size(); i += 2) measurements[i].second = {.snr = Decibels{3.0}, .too_faint = true};
   belief->start(model, tables);
-  for (const auto& [place, reception] : looks) {
+  for (const auto& [place, reception] : measurements) {
     if (range_between(place, source).value > 1'300.0) belief->update(model, tables, place, reception);
   }
   double level_db = 0.0;
@@ -128,7 +129,7 @@ TEST_F(OceanBeliefTest, HasSharesAndPlacesThatAddUpToOneAndNothingTwice) {
   for (int k = 0; k < 5; ++k) add_table(tables, 1.0F + static_cast<float>(k), [k](double km) { return 30.0 - (1.0 + k) * km; });
   belief->start(model, tables);
   Pcg32 random(6);
-  for (int look = 0; look < 40; ++look) {
+  for (int measurement = 0; measurement < 40; ++measurement) {
     const double north_m = 10'000 * random.uniform_double();
     const NorthEast place = at(north_m, 10'000 * random.uniform_double());
     hear(place, 40.0 * random.uniform_double());
@@ -138,57 +139,57 @@ TEST_F(OceanBeliefTest, HasSharesAndPlacesThatAddUpToOneAndNothingTwice) {
     double places = 0.0;
     for (std::size_t i = 0; i < 400; ++i) places += double{belief->probability(model, i / 20, i % 20)};
     EXPECT_NEAR(places, 1.0, 24e-4);  // hypotheses below 1e-4 are left out
-    ASSERT_EQ(distinct(held()), OceanBelief::kHypotheses) << look;
+    ASSERT_EQ(distinct(held()), OceanBelief::kHypotheses) << measurement;
   }
 }
 
-TEST_F(OceanBeliefTest, GoesOnWithWhatItHoldsWhenThereAreMoreLooksThanItRemembers) {
+TEST_F(OceanBeliefTest, GoesOnWithWhatItHoldsWhenThereAreMoreMeasurementsThanItRemembers) {
   for (int k = 0; k < 5; ++k) add_table(tables, 1.0F, [k](double km) { return 30.0 - (1.0 + k) * km; });
   belief->start(model, tables);
-  const auto look = [this](std::size_t i) {
+  const auto measurement = [this](std::size_t i) {
     hear(at(static_cast<double>(i * 7'919 % 10'000), static_cast<double>(i * 104'729 % 10'000)), 5.0 + static_cast<double>(i % 20));
   };
   std::vector<Hypothesis> before;
   int exchanges = 0;
-  for (std::size_t i = 0; i < config::kMaxBeliefLooks; ++i) {
-    look(i);
+  for (std::size_t i = 0; i < config::kMaxBeliefMeasurements; ++i) {
+    measurement(i);
     exchanges += held() != before ? 1 : 0;
     before = held();
   }
   EXPECT_GT(exchanges, 10);
   const std::uint32_t last = belief->fingerprint(model);
-  for (std::size_t i = config::kMaxBeliefLooks; i < config::kMaxBeliefLooks + 20; ++i) {
-    look(i);
+  for (std::size_t i = config::kMaxBeliefMeasurements; i < config::kMaxBeliefMeasurements + 20; ++i) {
+    measurement(i);
     EXPECT_EQ(held(), before) << i;
   }
   EXPECT_NE(belief->fingerprint(model), last);
-  EXPECT_TRUE(std::isfinite(belief->outlook(kNorth).regret));
+  EXPECT_TRUE(std::isfinite(belief->action_values(kNorth).regret));
   belief->start(model, tables);  // remembers again
   const std::vector<Hypothesis> first = held();
-  for (std::size_t i = 0; i < 10; ++i) look(i);
+  for (std::size_t i = 0; i < 10; ++i) measurement(i);
   EXPECT_NE(held(), first);
 }
 
-TEST_F(OceanBeliefTest, BelievesTheSameWhoeverPonderedWhen) {
+TEST_F(OceanBeliefTest, BelievesTheSameWhoeverRefinedItWhen) {
   for (int k = 0; k < 40; ++k) add_table(tables, 1.0F, [k](double km) { return 30.0 - (1.0 + 0.1 * k) * km; });
-  const auto pondering = std::make_unique<OceanBelief>();
+  const auto refining = std::make_unique<OceanBelief>();
   belief->start(model, tables);
-  pondering->start(model, tables);
+  refining->start(model, tables);
   Pcg32 random(3);
   int slices = 0;
   int left = 0;
   for (const auto& [place, reception] : zigzag(25, kTwoPerKilometre, at(6'000, 2'000), 9)) {
     belief->update(model, tables, place, reception);
-    pondering->update(model, tables, place, reception);
-    ASSERT_EQ(belief->fingerprint(model), pondering->fingerprint(model));
-    const NorthEast likeliest = pondering->summary().likeliest;
-    const float regret = pondering->outlook(kEast).regret;
+    refining->update(model, tables, place, reception);
+    ASSERT_EQ(belief->fingerprint(model), refining->fingerprint(model));
+    const NorthEast likeliest = refining->summary().likeliest;
+    const float regret = refining->action_values(kEast).regret;
     bool is_left = true;
     for (int more = static_cast<int>(10.0F * random.uniform_float()); more > 0 && is_left; --more, ++slices)
-      is_left = pondering->ponder(model, tables);
+      is_left = refining->refine(model, tables);
     left += is_left ? 1 : 0;
-    EXPECT_EQ(pondering->summary().likeliest, likeliest);
-    EXPECT_EQ(pondering->outlook(kEast).regret, regret);
+    EXPECT_EQ(refining->summary().likeliest, likeliest);
+    EXPECT_EQ(refining->action_values(kEast).regret, regret);
   }
   EXPECT_GT(slices, 50);
   EXPECT_GT(left, 5) << "in some turns there was no time for all of it";
@@ -203,7 +204,7 @@ TEST_F(OceanBeliefTest, CountsTheCostOfGoingBackToWhereTheVehicleWas) {
     belief->start(model, tables);
     for (const NorthEast place : places) hear(place, 20.0);
     std::array<float, 4> regrets{};
-    for (std::size_t a = 0; a < regrets.size(); ++a) regrets[a] = belief->outlook(a).regret - belief->outlook(kEast).regret;
+    for (std::size_t a = 0; a < regrets.size(); ++a) regrets[a] = belief->action_values(a).regret - belief->action_values(kEast).regret;
     return regrets;
   };
   const std::array<float, 4> never_there = regrets_after({at(9'500, 9'500), at(6'000, 5'000)});
@@ -232,18 +233,18 @@ TEST_F(OceanBeliefTest, ForgetsEverythingWhenItStarts) {
   }
 }
 
-/// Other hypotheses that had heard only some of the looks when the search ended, all of them as likely as can be, count no longer in one
-/// that begins with what nobody expects.
+/// Other hypotheses that had heard only some of the measurements when the search ended, all of them as likely as can be, count no longer in
+/// one that begins with what nobody expects.
 TEST_F(OceanBeliefTest, ForgetsThoseThatItWasWeighingWhenItStarts) {
   for (int k = 0; k < 5; ++k) add_table(tables, 1.0F, [k](double km) { return 30.0 - (1.0 + k) * km; });
   const auto fresh = std::make_unique<OceanBelief>();
-  for (int looks = 15; looks < tests::times(25, 18); ++looks) {
+  for (int measurements = 15; measurements < tests::times(25, 18); ++measurements) {
     belief->start(model, tables);
-    for (int i = 0; i < looks; ++i) belief->update(model, tables, at(-1'000, 500.0 * i), {.snr = Decibels{90.0}, .too_faint = true});
+    for (int i = 0; i < measurements; ++i) belief->update(model, tables, at(-1'000, 500.0 * i), {.snr = Decibels{90.0}, .too_faint = true});
     belief->start(model, tables);
     fresh->start(model, tables);
     for (OceanBelief* each : {belief.get(), fresh.get()}) each->update(model, tables, at(-1'000, 3'000), {.snr = Decibels{90.0}});
-    EXPECT_EQ(belief->fingerprint(model), fresh->fingerprint(model)) << looks;
+    EXPECT_EQ(belief->fingerprint(model), fresh->fingerprint(model)) << measurements;
   }
 }
 
@@ -281,8 +282,8 @@ TEST_F(OceanBeliefTest, TakesABearingAsOneMoreLikelihood) {
     EXPECT_NEAR(double{belief->probability(model, i / 20, i % 20)} / (by_hand[i] / sum), 1.0, 2e-3) << i;
 }
 
-/// Before the first look every place is as likely as another, and moving from there leaves it so: what a bearing says of a source that
-/// moves is what it says of one that rests. Were it heard first, the movement would spread it.
+/// Before the first measurement every place is as likely as another, and moving from there leaves it so: what a bearing says of a source
+/// that moves is what it says of one that rests. Were it heard first, the movement would spread it.
 TEST_F(OceanBeliefTest, HearsABearingWhereASourceThatMovesIsNow) {
   constexpr double kDegree = std::numbers::pi / 180.0;
   add_table(tables, 1.0F, [](double) { return 20.0; });
@@ -331,7 +332,7 @@ TEST_F(OceanBeliefTest, LearnsNothingOfTheOceanFromBearings) {
       if (h.mobility != 0 || !(belief->hypothesis(i) == h) || without->share(j) < 1e-3F) continue;
       for (std::size_t b = 0; b < OceanBelief::kHypotheses; ++b) {
         if (!(belief->hypothesis(b) == without->hypothesis(best))) continue;
-        // Each look rounds a weight by up to a unit, and a place that is forgotten is a little more likely than it was.
+        // Each measurement rounds a weight by up to a unit, and a place that is forgotten is a little more likely than it was.
         EXPECT_NEAR(double{belief->share(i)} / double{belief->share(b)}, double{without->share(j)} / double{share}, 0.05);
         ++compared;
       }
@@ -350,10 +351,10 @@ TEST_F(OceanBeliefTest, HoldsTheLargestModelAndTablesThereIsRoomFor) {
   while (full.tables.push_back(table) == Status::kOk) {
   }
   belief->start(largest, full);
-  for (int look = 0; look < 3; ++look) belief->update(largest, full, at(-20'000, 12'500), {.snr = Decibels{10.0}});
+  for (int measurement = 0; measurement < 3; ++measurement) belief->update(largest, full, at(-20'000, 12'500), {.snr = Decibels{10.0}});
   // As loud everywhere: nothing is learned of the place.
   for (std::size_t i = 0; i < 2'500; ++i) ASSERT_NEAR(belief->probability(largest, i / 50, i % 50), 4e-4, 1e-6) << i;
-  EXPECT_TRUE(std::isfinite(belief->outlook(config::kMaxActions - 1).regret));
+  EXPECT_TRUE(std::isfinite(belief->action_values(config::kMaxActions - 1).regret));
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ inline std::vector<double> likelihoods_by_hand(const BeliefModel& model, const O
   for (int i = 0; i <= last; ++i) {
     double sum = 0.0;
     for (int k = i - half; k <= i + half; ++k) sum += at_range[static_cast<std::size_t>(std::clamp(k, 0, last))];
-    result.push_back(std::pow(sum / (2 * half + 1), 0.8125));  // 208 / 256 of a look's logarithm counts
+    result.push_back(std::pow(sum / (2 * half + 1), 0.8125));  // 208 / 256 of a measurement's logarithm counts
   }
   return result;
 }

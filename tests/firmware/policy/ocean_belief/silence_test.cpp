@@ -21,8 +21,8 @@ double normal_above(double least, double mean) {
 class SilenceTest : public testing::Test {
  protected:
   SilenceTest() { silence.start(); }
-  void listen(const Reception& reception, int looks = 1, float expected = 0.0F) {
-    for (int i = 0; i < looks; ++i) take_in(at(5'000, 5'000), reception, expected);
+  void listen(const Reception& reception, int measurements = 1, float expected = 0.0F) {
+    for (int i = 0; i < measurements; ++i) take_in(at(5'000, 5'000), reception, expected);
   }
   void take_in(NorthEast place, const Reception& reception, float expected) {
     silence.take_in(model, place, reception, expected);
@@ -37,15 +37,15 @@ class SilenceTest : public testing::Test {
 
 /// As loud everywhere, so that level and pauses decide alone. @param heard  mean probability of each, of what is heard of a level
 template <class Heard>
-double written_out(int looks, Heard heard) {
+double written_out(int measurements, Heard heard) {
   constexpr std::array<double, 7> kLevels{0.07, 0.13, 0.19, 0.22, 0.19, 0.13, 0.07};  // -9, -6 ... 9 dB
-  constexpr std::array<double, 4> kPauses{0.85, 0.07, 0.05, 0.03};                    // 0, 25, 50, 75 % of the looks
+  constexpr std::array<double, 4> kPauses{0.85, 0.07, 0.05, 0.03};                    // 0, 25, 50, 75 % of the measurements
   double sum = 0.0;
   for (std::size_t l = 0; l < kLevels.size(); ++l) {
     for (std::size_t q = 0; q < kPauses.size(); ++q) {
       const double sounding = 1.0 - 0.25 * static_cast<double>(q);
       const double missed = std::max(1.0 - sounding * heard(-9.0 + 3.0 * static_cast<double>(l)), 1.0 / 64.0);
-      sum += kLevels[l] * kPauses[q] * std::pow(missed, looks);
+      sum += kLevels[l] * kPauses[q] * std::pow(missed, measurements);
     }
   }
   return -std::log2(sum);
@@ -53,11 +53,12 @@ double written_out(int looks, Heard heard) {
 
 TEST_F(SilenceTest, IsAgainstTheTablesByEverySourceThatTheyThinkPossibleAsWrittenOut) {
   add_table(tables, 1.0F, [](double) { return 9.0; });
-  for (int looks = 1; looks <= 12; ++looks) {
+  for (int measurements = 1; measurements <= 12; ++measurements) {
     listen(kNothing);
     // Of 1024 sources 146 have a level, give or take 11: twice that is 15 % of the fainter ones, which are what is left; 0.2 bits, and of
     // the pauses' shares another 0.1.
-    EXPECT_NEAR(against_tables(), written_out(looks, [](double level_db) { return normal_above(3.0, 9.0 + level_db); }), 0.3) << looks;
+    EXPECT_NEAR(against_tables(), written_out(measurements, [](double level_db) { return normal_above(3.0, 9.0 + level_db); }), 0.3)
+        << measurements;
   }
 }
 
@@ -103,7 +104,7 @@ TEST_F(SilenceTest, IsNeitherLongerNorOverWhereSomethingIsHeardThatIsNoDetection
   EXPECT_GT(against_tables(), before);
 }
 
-TEST_F(SilenceTest, IsAgainstTheBeliefByWhatItExpectedOfEachLook) {
+TEST_F(SilenceTest, IsAgainstTheBeliefByWhatItExpectedOfEachMeasurement) {
   add_table(tables, 1.0F, [](double) { return -60.0; });
   listen(kNothing, 1, 0.5F);
   EXPECT_NEAR(double{silence.against_belief_bits()}, 1.0, 0.01);
@@ -146,8 +147,8 @@ TEST_F(SilenceTest, HasTheSameBitsOnEveryMachine) {
 /// To and fro over half of an area of 10 km, where the source would be heard.
 class SilenceOfABelief : public OceanBeliefRig {
  protected:
-  /// @return looks to the first after which a sweep is called for; 100 when none is
-  int looks_to_sweep(const Reception& reception) {
+  /// @return measurements to the first after which a sweep is called for; 100 when none is
+  int measurements_to_sweep(const Reception& reception) {
     belief->start(model, tables);
     for (int i = 0; i < 100; ++i) {
       belief->update(model, tables, at(2'000.0 + 1'000.0 * (i % 4), 3'000.0 + 1'000.0 * (i / 4 % 4)), reception);
@@ -157,11 +158,11 @@ class SilenceOfABelief : public OceanBeliefRig {
   }
 };
 
-TEST_F(SilenceOfABelief, CallsForASweepWhereNothingIsHeardThoughTheTablesSaySoAndIsNoSurprise) {
+TEST_F(SilenceOfABelief, CallsForASweepWhereNothingIsHeardThoughTheTablesSaySoAndIsNoMismatch) {
   add_table(tables, 1.0F, kTwoPerKilometre);
   for (const Reception& reception : {kNothing, Reception{.snr = Decibels{-20.0}}, Reception{.snr = Decibels{-64.0}}}) {
-    EXPECT_LT(looks_to_sweep(reception), 60) << reception.snr.value;
-    EXPECT_FALSE(belief->surprise().is_surprised()) << reception.snr.value;
+    EXPECT_LT(measurements_to_sweep(reception), 60) << reception.snr.value;
+    EXPECT_FALSE(belief->model_mismatch().is_mismatched()) << reception.snr.value;
     hear(at(3'000, 3'000), 20.0);
     EXPECT_FALSE(belief->calls_for_sweep()) << "something is heard";
   }
@@ -169,7 +170,7 @@ TEST_F(SilenceOfABelief, CallsForASweepWhereNothingIsHeardThoughTheTablesSaySoAn
 
 TEST_F(SilenceOfABelief, IsNoneInAnOceanThatCarriesNoFurtherThanWhereItListened) {
   add_table(tables, 1.0F, [](double km) { return km < 1.0 ? 30.0 : -60.0; });
-  EXPECT_EQ(looks_to_sweep(kNothing), 100);
+  EXPECT_EQ(measurements_to_sweep(kNothing), 100);
 }
 
 }  // namespace

@@ -28,21 +28,23 @@ TEST(CanGolden, EveryMessageHasTheFramesThatItAlwaysHad) {
     ASSERT_EQ(compose(frame), Status::kOk) << name;
     golden.add(name, text_of(frame));
   };
-  for (const bool says_all : {false, true}) {
-    fast(says_all ? "health.all" : "health",
-         [&](auto& frames) { return n2k::compose_health(sample_health(says_all), kSampleTime, kSender, frames); });
-    fast(says_all ? "decision.all" : "decision",
-         [&](auto& frames) { return n2k::compose_decision(sample_decision(says_all), kSender, frames); });
-    single(says_all ? "autopilot_status.follows" : "autopilot_status", [&](n2k::Frame& frame) {
+  for (const bool has_all_fields : {false, true}) {
+    fast(has_all_fields ? "health.all" : "health",
+         [&](auto& frames) { return n2k::compose_health(sample_health(has_all_fields), kSampleTime, kSender, frames); });
+    fast(has_all_fields ? "decision.all" : "decision",
+         [&](auto& frames) { return n2k::compose_decision(sample_decision(has_all_fields), kSender, frames); });
+    single(has_all_fields ? "autopilot_status.follows" : "autopilot_status", [&](n2k::Frame& frame) {
       return n2k::compose_autopilot_status(
-          {.follows_setpoints = says_all, .heading_sequence = says_all ? std::optional<std::uint8_t>(6) : std::nullopt}, 0x43, frame);
-    });
-    single(says_all ? "hydrophone_status.deaf" : "hydrophone_status",
-           [&](n2k::Frame& frame) { return n2k::compose_deaf(says_all, 0x43, frame); });
-    single(says_all ? "snr.too_faint" : "snr", [&](n2k::Frame& frame) {
-      return n2k::compose_snr(
-          {.snr = Decibels{-7.25}, .too_faint = says_all, .band_level = says_all ? std::optional<Decibels>(95.5) : std::nullopt}, 0x43,
+          {.follows_setpoints = has_all_fields, .heading_sequence = has_all_fields ? std::optional<std::uint8_t>(6) : std::nullopt}, 0x43,
           frame);
+    });
+    single(has_all_fields ? "hydrophone_status.deaf" : "hydrophone_status",
+           [&](n2k::Frame& frame) { return n2k::compose_deaf(has_all_fields, 0x43, frame); });
+    single(has_all_fields ? "snr.too_faint" : "snr", [&](n2k::Frame& frame) {
+      return n2k::compose_snr({.snr = Decibels{-7.25},
+                               .too_faint = has_all_fields,
+                               .band_level = has_all_fields ? std::optional<Decibels>(95.5) : std::nullopt},
+                              0x43, frame);
     });
   }
   fast("port_report", [](auto& frames) { return n2k::compose_port_health(kSampleReport, kSender, frames); });

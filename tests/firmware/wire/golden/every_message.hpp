@@ -31,53 +31,53 @@ namespace earshot::wire {
 /// 2026-11-22 15:04:00.000001 UTC
 inline constexpr Time kSampleTime{1'795'359'840'000'001};
 
-inline messages::Decision sample_decision(bool says_all) {
+inline messages::Decision sample_decision(bool has_all_fields) {
   messages::Decision decision;
   decision.step = 9;
   decision.time = kSampleTime;
   decision.position = at(1.5, -2.5);
   decision.snr = Decibels{-7.25};
-  decision.too_faint = !says_all;
-  decision.detected = says_all;
+  decision.too_faint = !has_all_fields;
+  decision.detected = has_all_fields;
   decision.action = 6;
-  decision.sweeping = says_all;
-  decision.overridden = !says_all;
+  decision.sweeping = has_all_fields;
+  decision.overridden = !has_all_fields;
   decision.waypoint = at(3.5, 4.5);
   decision.observation_size = 62;
   decision.action_count = 8;
   for (std::size_t i = 0; i < decision.observation.size(); ++i) decision.observation[i] = 0.5F + static_cast<float>(i);
   for (std::size_t i = 0; i < decision.logits.size(); ++i) decision.logits[i] = -0.5F - static_cast<float>(i);
-  if (!says_all) return decision;
+  if (!has_all_fields) return decision;
   decision.bearing = messages::Bearing{.direction = Radians{1.25}, .deviation = Radians{0.125}, .mirror_axis = Radians{0.75}};
   decision.belief = messages::BeliefSummary{.likeliest = at(500.5, 250.5),
                                             .mean = at(600.5, 350.5),
                                             .spread = Meters{70.5},
                                             .likeliest_share = 0.25F,
                                             .effective_cells = 12.5F,
-                                            .surprise_bits = 6.875F};
+                                            .mismatch_bits = 6.875F};
   decision.found = messages::FoundDeclaration{.probability = 0.96875F,
                                               .snr = Decibels{-7.25},
                                               .least_snr = Decibels{14.5},
                                               .likeliest = at(500.5, 250.5),
                                               .closest_approach = Meters{640.5},
-                                              .look = 9,
-                                              .near_looks = 3};
+                                              .measurement = 9,
+                                              .near_measurements = 3};
   return decision;
 }
 
-inline messages::Health sample_health(bool says_all) {
+inline messages::Health sample_health(bool has_all_fields) {
   messages::Health health;
   health.turn = 0x0000'5655'5453'5251;
   health.decisions = 38;
-  health.authority = says_all ? messages::Authority::kAbort : messages::Authority::kListen;
-  health.is_paused = says_all;
-  health.state = says_all ? messages::MissionState::kAbort : messages::MissionState::kSearch;
-  health.end_reason = says_all ? messages::EndReason::kFound : messages::EndReason::kNone;
+  health.authority = has_all_fields ? messages::Authority::kAbort : messages::Authority::kListen;
+  health.is_paused = has_all_fields;
+  health.state = has_all_fields ? messages::MissionState::kAbort : messages::MissionState::kSearch;
+  health.end_reason = has_all_fields ? messages::EndReason::kFound : messages::EndReason::kNone;
   health.steps_taken = 37;
-  health.surprise_bits = 13.5F;
-  health.is_sweeping = says_all;
-  health.is_found = says_all;
-  health.response = says_all ? config::Response::kRelease : config::Response::kWarn;
+  health.mismatch_bits = 13.5F;
+  health.is_sweeping = has_all_fields;
+  health.is_found = has_all_fields;
+  health.response = has_all_fields ? config::Response::kRelease : config::Response::kWarn;
   health.counters = {.navigation_refused = 101,
                      .snr_refused = 102,
                      .status_refused = 103,
@@ -85,7 +85,7 @@ inline messages::Health sample_health(bool says_all) {
                      .setpoints_limited = 105,
                      .bearings_refused = 106,
                      .bearings_of_others = 107};
-  for (std::uint8_t port = 0; says_all && port < config::kMaxPorts; ++port)
+  for (std::uint8_t port = 0; has_all_fields && port < config::kMaxPorts; ++port)
     static_cast<void>(health.ports.push_back({.port = port,
                                               .link_up = port % 2 == 0,
                                               .received = 1000U + port,
@@ -102,8 +102,8 @@ inline config::Polygon sample_polygon(std::size_t corners, double first) {
   return polygon;
 }
 
-/// @param says_all  with as many zones, corners and rules as there is room for
-inline config::Mission sample_mission(bool says_all) {
+/// @param has_all_fields  with as many zones, corners and rules as there is room for
+inline config::Mission sample_mission(bool has_all_fields) {
   config::Mission mission{.operating_area = {.south_west = at(1, 2), .north_east = at(3, 4)},
                           .edge_margin = Meters{5},
                           .search_depth = Meters{6},
@@ -111,7 +111,7 @@ inline config::Mission sample_mission(bool says_all) {
                           .search_speed = MetersPerSecond{8},
                           .step_length = Meters{9},
                           .max_steps = 10,
-                          .ends_when_found = says_all,
+                          .ends_when_found = has_all_fields,
                           .max_time = Duration::seconds(11),
                           .navigation_timeout = Duration::seconds(12),
                           .snr_timeout = Duration::seconds(13),
@@ -119,9 +119,9 @@ inline config::Mission sample_mission(bool says_all) {
                           .source_frequency = Hertz{15},
                           .listening = {.listening = config::Listening::kMean, .length = Duration::seconds(16)},
                           .safety = {},
-                          .authority = {.needs_verified_commands = says_all, .autopilot_timeout = Duration::seconds(17)},
+                          .authority = {.needs_verified_commands = has_all_fields, .autopilot_timeout = Duration::seconds(17)},
                           .action_seed = (std::uint64_t{1} << 63U) + 18};
-  if (!says_all) return mission;
+  if (!has_all_fields) return mission;
   config::Safety& safety = mission.safety;
   safety.fence = config::Fence{
       .inside = sample_polygon(3, 100), .save = sample_polygon(config::kMaxPolygonCorners, 200), .halt = sample_polygon(4, 300)};
@@ -162,8 +162,8 @@ inline messages::OperatorCommand sample_tightening() {
   return command;
 }
 
-inline messages::ToldChallenge sample_challenge() {
-  messages::ToldChallenge told;
+inline messages::PublishedChallenge sample_challenge() {
+  messages::PublishedChallenge told;
   told.time = kSampleTime;
   for (std::size_t i = 0; i < told.challenge.nonce.size(); ++i) told.challenge.nonce[i] = static_cast<std::uint8_t>(1 + i);
   for (std::size_t i = 0; i < told.challenge.vehicle.size(); ++i) told.challenge.vehicle[i] = static_cast<std::uint8_t>(0x41 + i);

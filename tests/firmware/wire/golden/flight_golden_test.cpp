@@ -42,7 +42,7 @@ class FlightWitness final : public bits::Witness {
   }
 
   void see(Time turn, const runtime::Outputs& outputs) override {
-    board::for_each_record(outputs, outputs.health.state != state_, [&](std::string_view channel, const auto& message, host::Weight) {
+    board::for_each_record(outputs, outputs.health.state != state_, [&](std::string_view channel, const auto& message, host::Priority) {
       append(turn, channel, Encoded(message, turn).bytes());
     });
     state_ = outputs.health.state;
@@ -60,7 +60,7 @@ class FlightWitness final : public bits::Witness {
   }
 
   void append(Time time, std::string_view channel, std::span<const std::uint8_t> data) {
-    EXPECT_EQ(journal_.append(time, channel, data, host::Weight::kOrder), Status::kOk);
+    EXPECT_EQ(journal_.append(time, channel, data, host::Priority::kOrder), Status::kOk);
     streams.add(channel, data);
   }
 

@@ -20,10 +20,10 @@ TEST(LcmGolden, EveryMessageHasTheBytesThatItAlwaysHad) {
   for_each_sample_input(add);
   for_each_sample_output(add);
   golden.add("setpoint", Encoded(kSampleSetpoint, kSampleTime).bytes());
-  for (const bool says_all : {false, true}) {
-    golden.add(says_all ? "health.all" : "health", Encoded(sample_health(says_all), kSampleTime).bytes());
-    golden.add(says_all ? "mission.all" : "mission",
-               Encoded(messages::MissionRecord{.mission = sample_mission(says_all)}, kSampleTime).bytes());
+  for (const bool has_all_fields : {false, true}) {
+    golden.add(has_all_fields ? "health.all" : "health", Encoded(sample_health(has_all_fields), kSampleTime).bytes());
+    golden.add(has_all_fields ? "mission.all" : "mission",
+               Encoded(messages::MissionRecord{.mission = sample_mission(has_all_fields)}, kSampleTime).bytes());
   }
   golden.add("journal_end", Encoded(sample_closing()).bytes());
   golden.expect_as_recorded();

@@ -20,10 +20,10 @@ const Input kFix{.arrival = Time{70},
                                                .depth = Meters{3.0},
                                                .heading = Radians{0.5},
                                                .speed = MetersPerSecond{1.5}}};
-const Input kLook{.arrival = Time{71},
-                  .port = 0,
-                  .sequence = 13,
-                  .value = messages::SnrMeasurement{.time = Time{6}, .snr = Decibels{-7.5}, .too_faint = true}};
+const Input kMeasurement{.arrival = Time{71},
+                         .port = 0,
+                         .sequence = 13,
+                         .value = messages::SnrMeasurement{.time = Time{6}, .snr = Decibels{-7.5}, .too_faint = true}};
 const Input kCommand{.arrival = Time{72},
                      .port = 7,
                      .sequence = 14,
@@ -61,7 +61,7 @@ const Input kUnsent{.arrival = Time{75}, .port = 0, .sequence = 17, .value = mes
 
 TEST(InputRecord, LiesOnTheChannelOfItsKindWithThePortBehindADot) {
   EXPECT_EQ(InputRecord(kFix).channel(), "EARSHOT_NAV_STATE.1");
-  EXPECT_EQ(InputRecord(kLook).channel(), "EARSHOT_SNR_ESTIMATE.0");
+  EXPECT_EQ(InputRecord(kMeasurement).channel(), "EARSHOT_SNR_ESTIMATE.0");
   EXPECT_EQ(InputRecord(kCommand).channel(), "EARSHOT_OPERATOR_COMMAND.7");
   EXPECT_EQ(InputRecord(kReport).channel(), "EARSHOT_PORT_REPORT.2");
   EXPECT_EQ(InputRecord(kBearing).channel(), "EARSHOT_BEARING.3");
@@ -72,7 +72,7 @@ TEST(InputRecord, LiesOnTheChannelOfItsKindWithThePortBehindADot) {
 }
 
 TEST(InputRecord, IsReadBackAsTheInputThatItWas) {
-  for (const Input& input : {kFix, kLook, kCommand, kReport, kVehicle, kAutopilot, kHydrophone, kBearing, kUnsent}) {
+  for (const Input& input : {kFix, kMeasurement, kCommand, kReport, kVehicle, kAutopilot, kHydrophone, kBearing, kUnsent}) {
     const InputRecord record(input);
     Input read;
     ASSERT_EQ(read_input(record.channel(), input.arrival, record.data(), input.sequence, read), Status::kOk) << record.channel();

@@ -64,7 +64,7 @@ struct Peer {
   static port_report_t of(const messages::PortReport&);
   static operator_command_t of(const messages::OperatorCommand&);
   static command_acknowledgement_t of(const messages::CommandAcknowledgement&);
-  static challenge_t of(const messages::ToldChallenge&);
+  static challenge_t of(const messages::PublishedChallenge&);
   static decision_t of(const messages::Decision&);
   static safety_event_t of(const messages::SafetyEvent&);
   static detection_t of(const messages::SoundDetection&);
@@ -75,9 +75,9 @@ TEST(LcmCodec, WritesWhatLcmGensOwnTypesReadAndWrite) {
   for_each_sample_input(agree);
   for_each_sample_output(agree);
   expect_agreement<setpoint_t>(kSampleSetpoint);
-  for (const bool says_all : {false, true}) {
-    expect_agreement<health_t>(sample_health(says_all));
-    expect_agreement<mission_t>(messages::MissionRecord{.mission = sample_mission(says_all), .policy_crc32 = 1, .tables_crc32 = 2});
+  for (const bool has_all_fields : {false, true}) {
+    expect_agreement<health_t>(sample_health(has_all_fields));
+    expect_agreement<mission_t>(messages::MissionRecord{.mission = sample_mission(has_all_fields), .policy_crc32 = 1, .tables_crc32 = 2});
   }
   expect_agreement<journal_end_t>(messages::ClosingRecord{.time = kSampleTime});
   expect_agreement<journal_part_t>(messages::JournalPart{.part = 2, .first_record_crc32 = 3});
@@ -101,11 +101,11 @@ TEST(LcmCodec, ReadsEveryMessageBack) {
   for_each_sample_input(is_back);
   for_each_sample_output(is_back);
   EXPECT_EQ(back(kSampleSetpoint), kSampleSetpoint);
-  for (const bool says_all : {false, true}) {
-    const messages::MissionRecord record{.mission = sample_mission(says_all), .policy_crc32 = 1, .tables_crc32 = 2};
+  for (const bool has_all_fields : {false, true}) {
+    const messages::MissionRecord record{.mission = sample_mission(has_all_fields), .policy_crc32 = 1, .tables_crc32 = 2};
     EXPECT_EQ(back(record), record);
-    EXPECT_EQ(written(back(sample_health(says_all))), written(sample_health(says_all)));
-    EXPECT_EQ(back(sample_health(says_all)).ports, sample_health(says_all).ports);
+    EXPECT_EQ(written(back(sample_health(has_all_fields))), written(sample_health(has_all_fields)));
+    EXPECT_EQ(back(sample_health(has_all_fields)).ports, sample_health(has_all_fields).ports);
   }
 }
 
@@ -173,11 +173,11 @@ TEST(LcmCodec, LeavesAnAxisThatIsSaidAloneToNobody) {
 TEST(LcmCodec, TakesOfADeclarationWhatItsDecisionSaysItself) {
   const messages::Decision decision = back(sample_decision(true));
   ASSERT_TRUE(decision.found);
-  const messages::FoundDeclaration& told = *decision.found;
-  EXPECT_EQ(told.snr, Decibels{-7.25});
-  EXPECT_EQ(told.likeliest, at(500.5, 250.5));
-  EXPECT_EQ(told.look, 9U);
-  EXPECT_EQ(told.near_looks, 0U) << "which nobody is told";
+  const messages::FoundDeclaration& format = *decision.found;
+  EXPECT_EQ(format.snr, Decibels{-7.25});
+  EXPECT_EQ(format.likeliest, at(500.5, 250.5));
+  EXPECT_EQ(format.measurement, 9U);
+  EXPECT_EQ(format.near_measurements, 0U) << "which nobody is told";
 }
 
 TEST(LcmCodec, CarriesCountersBeyondThirtyTwoBitsAndNumbersOfSendersAsTheyLieInMemory) {

@@ -53,9 +53,9 @@ std::vector<Bytes> read(const Bytes& line, std::size_t room) {
   CobsReader reader(memory);
   std::vector<Bytes> frames;
   for (const std::uint8_t byte : line) {
-    const CobsReader::Said said = reader.take(byte);
-    if (said == CobsReader::Said::kFrame) frames.emplace_back(reader.frame().begin(), reader.frame().end());
-    if (said == CobsReader::Said::kBroken) frames.emplace_back();
+    const CobsReader::Outcome outcome = reader.take(byte);
+    if (outcome == CobsReader::Outcome::kFrame) frames.emplace_back(reader.frame().begin(), reader.frame().end());
+    if (outcome == CobsReader::Outcome::kBroken) frames.emplace_back();
   }
   return frames;
 }
@@ -103,9 +103,9 @@ TEST(Cobs, BreaksAFrameThatIsLongerThanItsRoomAndWritesNothingBehindIt) {
   std::array<std::uint8_t, 8> memory{};
   memory.back() = 0xEE;
   CobsReader reader{std::span<std::uint8_t>(memory).first(7)};
-  CobsReader::Said said = CobsReader::Said::kNothing;
-  for (const std::uint8_t byte : stuffed({1, 2, 3, 4, 5, 6, 7, 8, 9})) said = reader.take(byte);
-  EXPECT_EQ(said, CobsReader::Said::kBroken);
+  CobsReader::Outcome outcome = CobsReader::Outcome::kNothing;
+  for (const std::uint8_t byte : stuffed({1, 2, 3, 4, 5, 6, 7, 8, 9})) outcome = reader.take(byte);
+  EXPECT_EQ(outcome, CobsReader::Outcome::kBroken);
   EXPECT_EQ(memory.back(), 0xEE);
 }
 

@@ -15,7 +15,7 @@ Bytes unstuffed(std::span<const std::uint8_t> line) {
   Bytes memory(kFrameBytes);
   CobsReader reader(memory);
   for (const std::uint8_t byte : line) {
-    if (reader.take(byte) == CobsReader::Said::kFrame) return {reader.frame().begin(), reader.frame().end()};
+    if (reader.take(byte) == CobsReader::Outcome::kFrame) return {reader.frame().begin(), reader.frame().end()};
   }
   return {};
 }

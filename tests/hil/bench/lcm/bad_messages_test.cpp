@@ -114,7 +114,7 @@ TEST_F(BadMessagesTest, LetsLateMessagesChangePlacesWithThoseOfTheirArrival) {
   EXPECT_TRUE(has_overtaken);
 }
 
-TEST_F(BadMessagesTest, BefallsItsShareAndTheSameOnesWithTheSameSeed) {
+TEST_F(BadMessagesTest, HitsItsShareAndTheSameOnesWithTheSameSeed) {
   const LcmMessages many(1000, fix(1));
   const MessageAffliction half{.fault = FrameFault::kLoss, .share = 0.5};
   const std::vector<Datagram> arrived = pass(many, half);

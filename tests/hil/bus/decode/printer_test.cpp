@@ -76,7 +76,7 @@ TEST(Printer, SaysOfAFlightWhoseVehicleDeclaredItsSourceFoundThatItEndedSo) {
   health.end_reason = messages::EndReason::kFound;
   health.is_found = health.is_sweeping = true;
   health.response = config::Response::kSteerBack;
-  health.surprise_bits = 7.25F;
+  health.mismatch_bits = 7.25F;
   n2k::FastPacketFrames frames;
   ASSERT_EQ(n2k::compose_health(health, Time{5}, {.source = 0x40}, frames), Status::kOk);
   Decoder decoder;

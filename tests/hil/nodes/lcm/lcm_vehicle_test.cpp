@@ -20,9 +20,9 @@ namespace earshot::hil {
 namespace {
 
 template <class Type>
-Type said_on(std::string_view channel, const LcmMessages& said) {
+Type sent_on(std::string_view channel, const LcmMessages& sent) {
   Type value{};
-  for (const LcmMessage& message : said) {
+  for (const LcmMessage& message : sent) {
     if (message.channel != channel) continue;
     EXPECT_EQ(support::read_peer(message.data, value), Status::kOk);
   }
@@ -33,9 +33,9 @@ Type said_on(std::string_view channel, const LcmMessages& said) {
 class LcmVehicleTest : public testing::Test {
  protected:
   LcmMessages step(Time now) {
-    LcmMessages said;
-    vehicle_.step(now, said);
-    return said;
+    LcmMessages sent;
+    vehicle_.step(now, sent);
+    return sent;
   }
   void steer(double depth_m, double speed_mps = 2) {
     const messages::Setpoint setpoint{.heading = {}, .speed = MetersPerSecond{speed_mps}, .depth = Meters{depth_m}, .waypoint = {}};
@@ -49,15 +49,15 @@ class LcmVehicleTest : public testing::Test {
 
 TEST_F(LcmVehicleTest, SaysWhereItIsAndHowItIsDatedWithNow) {
   (void)step(at_s(0));
-  const LcmMessages said = step(at_s(10));
-  EXPECT_EQ(said.size(), 5U);
-  const auto fix = said_on<nav_state_t>(wire::kNavStateChannel, said);
+  const LcmMessages sent = step(at_s(10));
+  EXPECT_EQ(sent.size(), 5U);
+  const auto fix = sent_on<nav_state_t>(wire::kNavStateChannel, sent);
   EXPECT_EQ(fix.utime, 10'000'000);
   EXPECT_NEAR(fix.north_m, 20.0, 1e-9);
   EXPECT_EQ(fix.depth_m, 300.0);
-  EXPECT_NEAR(said_on<snr_estimate_t>(wire::kSnrEstimateChannel, said).snr_db, 9.8, 1e-9);
-  EXPECT_EQ(said_on<vehicle_status_t>(wire::kVehicleStatusChannel, said).altitude_m, 50.0);
-  EXPECT_TRUE(said_on<autopilot_status_t>(wire::kAutopilotStatusChannel, said).follows_setpoints);
+  EXPECT_NEAR(sent_on<snr_estimate_t>(wire::kSnrEstimateChannel, sent).snr_db, 9.8, 1e-9);
+  EXPECT_EQ(sent_on<vehicle_status_t>(wire::kVehicleStatusChannel, sent).altitude_m, 50.0);
+  EXPECT_TRUE(sent_on<autopilot_status_t>(wire::kAutopilotStatusChannel, sent).follows_setpoints);
 }
 
 TEST_F(LcmVehicleTest, FollowsASetPointUntilNoneHasComeForTenSeconds) {
@@ -89,15 +89,15 @@ TEST_F(LcmVehicleTest, SailsOnAsBeforeWhereItIsToldASpeedThatNoVehicleHas) {
 TEST_F(LcmVehicleTest, SaysThatItsHydrophoneIsDeafAndNoSnr) {
   vehicle_.disturb({.hydrophone = {.is_deaf = true, .gain_error = {}}});
   std::set<std::string> channels;
-  const LcmMessages said = step(at_s(1));
-  for (const LcmMessage& message : said) channels.insert(message.channel);
+  const LcmMessages sent = step(at_s(1));
+  for (const LcmMessage& message : sent) channels.insert(message.channel);
   EXPECT_FALSE(channels.contains(std::string(wire::kSnrEstimateChannel)));
-  EXPECT_TRUE(said_on<hydrophone_status_t>(wire::kHydrophoneStatusChannel, said).deaf);
+  EXPECT_TRUE(sent_on<hydrophone_status_t>(wire::kHydrophoneStatusChannel, sent).deaf);
 }
 
 TEST_F(LcmVehicleTest, SaysThatItsAutopilotDoesNotFollowWhenSomebodyElseSteers) {
   vehicle_.disturb({.is_disengaged = true});
-  EXPECT_FALSE(said_on<autopilot_status_t>(wire::kAutopilotStatusChannel, step(at_s(1))).follows_setpoints);
+  EXPECT_FALSE(sent_on<autopilot_status_t>(wire::kAutopilotStatusChannel, step(at_s(1))).follows_setpoints);
 }
 
 }  // namespace

@@ -34,10 +34,10 @@ class SampleSenderTest : public testing::Test {
 };
 
 TEST_F(SampleSenderTest, SendsItsBlocksOneBehindTheOtherDatedByTheWallClock) {
-  host::LcmEndpoint ear(host::parse_lcm_url(kUrl), {wire::kHydrophoneBlockChannel});
+  host::LcmEndpoint receiver(host::parse_lcm_url(kUrl), {wire::kHydrophoneBlockChannel});
   const SampleSender sender(kUrl, 50.0, Decibels{10.0}, 1);
   for (std::int64_t i = 0; i < 4; ++i) {
-    const messages::HydrophoneBlock block = next_block(ear);
+    const messages::HydrophoneBlock block = next_block(receiver);
     EXPECT_EQ(block.sequence, i);
     EXPECT_EQ(block.first_sample, 125 * i);
     EXPECT_EQ(block.samples_per_channel, 125U);
@@ -48,25 +48,25 @@ TEST_F(SampleSenderTest, SendsItsBlocksOneBehindTheOtherDatedByTheWallClock) {
 }
 
 TEST_F(SampleSenderTest, SendsFiftyTimesAsManyWhereItsTimeRunsSoFast) {
-  host::LcmEndpoint ear(host::parse_lcm_url(kUrl), {wire::kHydrophoneBlockChannel});
+  host::LcmEndpoint receiver(host::parse_lcm_url(kUrl), {wire::kHydrophoneBlockChannel});
   const Time began = ScaledClock::host_now();
   const SampleSender sender(kUrl, 50.0, Decibels{10.0}, 1);
-  for (int i = 0; i < 40; ++i) (void)next_block(ear);
+  for (int i = 0; i < 40; ++i) (void)next_block(receiver);
   EXPECT_GE(ScaledClock::host_now() - began, Duration::milliseconds(200)) << "no faster than its ADC: ten seconds of sound";
   EXPECT_LT(ScaledClock::host_now() - began, Duration::seconds(8)) << "which are not waited for";
 }
 
 TEST_F(SampleSenderTest, SendsNothingWhileItIsMute) {
-  host::LcmEndpoint ear(host::parse_lcm_url(kUrl), {wire::kHydrophoneBlockChannel});
+  host::LcmEndpoint receiver(host::parse_lcm_url(kUrl), {wire::kHydrophoneBlockChannel});
   SampleSender sender(kUrl, 50.0, Decibels{10.0}, 1);
-  (void)next_block(ear);
+  (void)next_block(receiver);
   sender.disturb({.line = SoundLine::kWhole, .gain_error = {}, .is_mute = true});
-  pollfd ready{ear.file_descriptor(), POLLIN, 0};
+  pollfd ready{receiver.file_descriptor(), POLLIN, 0};
   std::int64_t last = 0;
-  while (::poll(&ready, 1, 100) == 1) last = next_block(ear).first_sample;
+  while (::poll(&ready, 1, 100) == 1) last = next_block(receiver).first_sample;
   std::this_thread::sleep_for(std::chrono::milliseconds(100));  // five seconds of sound, also where the sender had no processor in the poll
   sender.disturb({});
-  EXPECT_GT(next_block(ear).first_sample, last + 125) << "the ADC went on";
+  EXPECT_GT(next_block(receiver).first_sample, last + 125) << "the ADC went on";
 }
 
 }  // namespace

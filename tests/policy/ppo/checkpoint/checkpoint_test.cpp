@@ -40,7 +40,7 @@ std::string refusal(const std::string& text) {
 }
 
 /// A checkpoint's second line.
-std::string sealed(const std::string& json) {
+std::string with_checksum(const std::string& json) {
   std::ostringstream line;
   line << "\ncrc32 " << std::hex << std::setw(8) << std::setfill('0')
        << crc32({reinterpret_cast<const std::uint8_t*>(json.data()), json.size()}) << '\n';
@@ -51,7 +51,7 @@ std::string refusal_with(const std::string& key, const nlohmann::json& value) {
   const std::string text = to_text(made_up());
   nlohmann::ordered_json json = nlohmann::ordered_json::parse(text.substr(0, text.find('\n')));
   json[key] = value;
-  return refusal(sealed(json.dump()));
+  return refusal(with_checksum(json.dump()));
 }
 
 TEST(Checkpoint, SurvivesItsTextExactly) {
@@ -152,7 +152,7 @@ TEST(Checkpoint, IsRefusedForANumberThatIsNotFinite) {
 
 TEST(Checkpoint, IsOneLineAndItsChecksum) {
   const std::string text = to_text(made_up());
-  EXPECT_EQ(text, sealed(text.substr(0, text.find('\n'))));
+  EXPECT_EQ(text, with_checksum(text.substr(0, text.find('\n'))));
   EXPECT_TRUE(support::tells(refusal(text + "\n"), {"a.checkpoint", "not", "checkpoint", "cut short", "damaged"}));
   EXPECT_TRUE(support::tells(refusal(text.substr(0, text.find('\n') + 1)), {"a.checkpoint", "not", "checkpoint", "cut short", "damaged"}));
   EXPECT_TRUE(support::tells(refusal("{\"format\":\"earshot checkpoint 3"), {"a.checkpoint", "not", "checkpoint", "cut short", "damaged"}));
@@ -178,8 +178,8 @@ TEST(Checkpoint, IsRefusedWithTheFileAndThePartThatIsWrong) {
             std::string::npos);
   EXPECT_NE(refusal_with("provenance", 7), "accepted");
   EXPECT_NE(refusal_with("continuation", 7), "accepted");
-  EXPECT_NE(refusal(sealed("[]")), "accepted");
-  EXPECT_NE(refusal(sealed("{}")), "accepted");
+  EXPECT_NE(refusal(with_checksum("[]")), "accepted");
+  EXPECT_NE(refusal(with_checksum("{}")), "accepted");
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ TEST_F(ActionMapPlot, NamesThePolicyAndSaysWhatAnArrowIsBesideSnrOnTheScaleOfEve
   const auto policy = explain::place_policy(1);
   const MapOcean ocean{*policy, "fixed_source.policy", curve_, source_, "heard in a test", source_};
   draw_arrows(folder_ / "map.svg", ocean,
-              explain::after_a_first_look(*policy, explain::falling_ocean(), 4, [](NorthEast) { return policy::Reception{}; }),
+              explain::after_a_first_measurement(*policy, explain::falling_ocean(), 4, [](NorthEast) { return policy::Reception{}; }),
               "where it goes");
   has({"<title>What fixed_source.policy does</title>", ">What fixed_source.policy does<", ">heard in a test<", ">where it goes<",
        "Arrow: the mean of the directions, each weighted by its probability", ">-10<", "> 40<"});
@@ -38,7 +38,8 @@ TEST_F(ActionMapPlot, NamesThePolicyAndSaysWhatAnArrowIsBesideSnrOnTheScaleOfEve
 TEST_F(ActionMapPlot, DrawsAFlightInTheAreasPlaneWhereverItsCornerIs) {
   const auto policy = explain::belief_policy(1);
   const MapOcean ocean{*policy, "shipped.policy", curve_, source_, "heard in a test", source_};
-  const auto arrows = explain::after_a_first_look(*policy, explain::falling_ocean(), 4, [](NorthEast) { return policy::Reception{}; });
+  const auto arrows =
+      explain::after_a_first_measurement(*policy, explain::falling_ocean(), 4, [](NorthEast) { return policy::Reception{}; });
   const auto drawn_at = [&](NorthEast south_west) {
     const std::vector<explain::RecordedDecision> track = explain::flown(*policy, 3, south_west);
     explain::DecisionAccount account;

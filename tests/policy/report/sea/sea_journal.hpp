@@ -31,7 +31,7 @@ class SeaJournal {
     record.mission.max_steps = 100;
     constexpr std::string_view kBuild = "of a test";
     std::copy(kBuild.begin(), kBuild.end(), record.build.begin());
-    append(0, wire::kMissionChannel, wire::Encoded(record, at(0)), host::Weight::kOrder);
+    append(0, wire::kMissionChannel, wire::Encoded(record, at(0)), host::Priority::kOrder);
   }
 
   void fix(double s, double north_m, double east_m, MetersPerSecond speed = MetersPerSecond{2}) {
@@ -50,32 +50,32 @@ class SeaJournal {
     health.counters.snr_refused = 4;
     health.counters.bearings_refused = 2;
     health.counters.bearings_of_others = 3;
-    append(s, wire::kHealthChannel, wire::Encoded(health, at(s)), host::Weight::kOrder);
+    append(s, wire::kHealthChannel, wire::Encoded(health, at(s)), host::Priority::kOrder);
   }
   /// Of a search.
-  void health(double s, std::uint32_t steps, float surprise_bits, bool is_sweeping, bool is_found) {
+  void health(double s, std::uint32_t steps, float mismatch_bits, bool is_sweeping, bool is_found) {
     messages::Health health;
     health.state = messages::MissionState::kSearch;
     health.steps_taken = steps;
-    health.surprise_bits = surprise_bits;
+    health.mismatch_bits = mismatch_bits;
     health.is_sweeping = is_sweeping;
     health.is_found = is_found;
-    append(s, wire::kHealthChannel, wire::Encoded(health, at(s)), host::Weight::kOrder);
+    append(s, wire::kHealthChannel, wire::Encoded(health, at(s)), host::Priority::kOrder);
   }
   void resume(double s) {
-    append(s, wire::kJournalResumedChannel, wire::Encoded(messages::JournalResumed{.time = at(s)}), host::Weight::kOrder);
+    append(s, wire::kJournalResumedChannel, wire::Encoded(messages::JournalResumed{.time = at(s)}), host::Priority::kOrder);
   }
   void decision(double s, messages::Decision decision) {
     decision.time = at(s);
-    append(s, wire::kDecisionChannel, wire::Encoded(decision), host::Weight::kSteering);
+    append(s, wire::kDecisionChannel, wire::Encoded(decision), host::Priority::kSteering);
   }
   void acknowledge(double s, messages::Order order, messages::CommandOutcome outcome) {
     const messages::CommandAcknowledgement acknowledgement{.time = at(s), .issuer = 1, .number = 1, .order = order, .outcome = outcome};
-    append(s, wire::kAcknowledgementChannel, wire::Encoded(acknowledgement), host::Weight::kOrder);
+    append(s, wire::kAcknowledgementChannel, wire::Encoded(acknowledgement), host::Priority::kOrder);
   }
   void rule(double s, messages::SafetyEvent event) {
     event.time = at(s);
-    append(s, wire::kSafetyEventChannel, wire::Encoded(event), host::Weight::kSteering);
+    append(s, wire::kSafetyEventChannel, wire::Encoded(event), host::Priority::kSteering);
   }
   /// As earshotd writes it when a signal stops it.
   void stop(double s) { own_order(s, messages::Order::kAbort); }
@@ -96,7 +96,7 @@ class SeaJournal {
     const wire::InputRecord record({.arrival = at(s), .port = port, .sequence = 0, .value = v});
     if (journal_.append(at(s), record.channel(), record.data()) != Status::kOk) std::abort();
   }
-  void append(double s, std::string_view channel, const wire::Encoded& data, host::Weight weight) {
+  void append(double s, std::string_view channel, const wire::Encoded& data, host::Priority weight) {
     if (journal_.append(at(s), channel, data.bytes(), weight) != Status::kOk) std::abort();
   }
 

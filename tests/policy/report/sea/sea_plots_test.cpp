@@ -23,7 +23,7 @@ TEST(SeaPlots, AreNoneOfWhatDidNotComeIn) {
   EXPECT_EQ(sea_history_svg(flight_of_a_kilometre(), {}), "");
 }
 
-TEST(SeaPlots, ShowALookTooFaintToMeasureApartFromAMeasuredOne) {
+TEST(SeaPlots, ShowAMeasurementTooFaintToMeasureApartFromAMeasuredOne) {
   SeaFlight flight = flight_of_a_kilometre();
   EXPECT_TRUE(support::has_line(sea_map_svg(flight, {}), {"<title>", "track", "navigation</title>"}));
   flight.measurements = {{.time_s = 100.0, .snr_db = 12.0, .too_faint = false}};

@@ -41,11 +41,11 @@ class HeardSoundTest : public testing::Test {
 TEST_F(HeardSoundTest, IsReadAsItStandsInItsFiles) {
   const HeardSound sound = read_heard_sound(folder_);
   ASSERT_TRUE(sound.is_there());
-  ASSERT_EQ(sound.looks.size(), 2U);
-  EXPECT_EQ(sound.looks[0].snr_db, 12.5);
-  EXPECT_EQ(sound.looks[0].modelled_snr_db, 12.0);
-  EXPECT_FALSE(sound.looks[0].too_faint);
-  EXPECT_TRUE(sound.looks[1].too_faint && sound.looks[1].modelled_too_faint);
+  ASSERT_EQ(sound.measurements.size(), 2U);
+  EXPECT_EQ(sound.measurements[0].snr_db, 12.5);
+  EXPECT_EQ(sound.measurements[0].modelled_snr_db, 12.0);
+  EXPECT_FALSE(sound.measurements[0].too_faint);
+  EXPECT_TRUE(sound.measurements[1].too_faint && sound.measurements[1].modelled_too_faint);
   EXPECT_EQ(sound.spectrogram.frequency_hz, (std::vector<double>{5, 6, 7}));
   EXPECT_EQ(sound.spectrogram.time_s, (std::vector<double>{1, 3}));
   EXPECT_EQ(sound.spectrogram.level_db, (std::vector<double>{80, 81, 82, 80.5, 81.5, 95}));

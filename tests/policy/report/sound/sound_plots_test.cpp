@@ -10,7 +10,7 @@ namespace earshot::report {
 namespace {
 
 HeardSound heard(double snr_db) {
-  return {.looks = {{.time_s = 100.0, .snr_db = snr_db, .too_faint = false, .modelled_snr_db = 5.0, .modelled_too_faint = false}},
+  return {.measurements = {{.time_s = 100.0, .snr_db = snr_db, .too_faint = false, .modelled_snr_db = 5.0, .modelled_too_faint = false}},
           .spectrogram = {.frequency_hz = {5, 6, 7}, .time_s = {1, 200}, .level_db = {80, 81, 82, 80.5, 81.5, 95}}};
 }
 
@@ -21,7 +21,7 @@ TEST(SoundPlots, ShowMeasuredAndModelledSnrOverTheSpectrogram) {
   EXPECT_TRUE(support::has_line(svg, {"SNR", "measured", "spectrogram"}));
 }
 
-TEST(SoundPlots, MarkASpectrogramWhereALookReachesTheThreshold) {
+TEST(SoundPlots, MarkASpectrogramWhereAMeasurementReachesTheThreshold) {
   const auto marks = [](double snr_db) {
     const std::string svg = sound_svg(heard(snr_db), Decibels{10.0}, {});
     std::size_t found = 0;

@@ -50,7 +50,7 @@ class ListeningAgreement : public testing::TestWithParam<config::ListeningWindow
     return receptions;
   }
 
-  /// The runtime that flies, the simulator's vehicle and its looks, second by second, as lock_step has them.
+  /// The runtime that flies, the simulator's vehicle and its measurements, second by second, as lock_step has them.
   [[nodiscard]] std::vector<policy::Reception> receptions_in_flight() {
     const search::World world(settings, soundscape, conditions);
     const auto policy = runtime::policy_that_goes(runtime::kNorthward);
@@ -75,8 +75,8 @@ class ListeningAgreement : public testing::TestWithParam<config::ListeningWindow
     surroundings.start(world, vehicle.position, settings.source, random);
     Score score(settings);
     std::size_t decisions = 0;
-    for (Time now; decisions <= kSteps; now = now + search::kLookInterval) {
-      const policy::Reception look = surroundings.listen(world, vehicle.position);
+    for (Time now; decisions <= kSteps; now = now + search::kMeasurementInterval) {
+      const policy::Reception measurement = surroundings.listen(world, vehicle.position);
       if (now == Time{}) runtime->take({.arrival = now, .port = 0, .sequence = 0, .value = runtime::command_of(Order::kStart, now)});
       runtime->take(
           {.arrival = now,
@@ -87,22 +87,22 @@ class ListeningAgreement : public testing::TestWithParam<config::ListeningWindow
       runtime->take({.arrival = now,
                      .port = 0,
                      .sequence = 0,
-                     .value = messages::SnrMeasurement{.time = now, .snr = look.snr, .too_faint = look.too_faint}});
+                     .value = messages::SnrMeasurement{.time = now, .snr = measurement.snr, .too_faint = measurement.too_faint}});
       const runtime::Outputs outputs = runtime->step(now);
       if (outputs.decision && decisions++ > 0)
         receptions.push_back({.snr = outputs.decision->snr, .too_faint = outputs.decision->too_faint});
-      score.hear({.time = now, .snr = look.snr, .too_faint = look.too_faint});
+      score.hear({.time = now, .snr = measurement.snr, .too_faint = measurement.too_faint});
       score.add({.time = now,
                  .vehicle = vehicle,
-                 .reception = look,
+                 .reception = measurement,
                  .range = {},
                  .state = outputs.health.state,
                  .steps_taken = outputs.health.steps_taken});
       ASSERT_TRUE(outputs.setpoint);
       const NorthEast before = vehicle.position;
       vehicle = vehicle::advance_for(vehicle, {outputs.setpoint->heading, outputs.setpoint->speed, outputs.setpoint->depth}, {},
-                                     search::kLookInterval);
-      surroundings.pass(world, vehicle.position - before, search::kLookInterval.to_seconds());
+                                     search::kMeasurementInterval);
+      surroundings.pass(world, vehicle.position - before, search::kMeasurementInterval.to_seconds());
     }
     detections += score.detections();
   }

@@ -18,10 +18,10 @@ nlohmann::json summary_with(const SearchAccount& account) {
 
 TEST(SearchAccount, NotesFromWhichStepOnASearchWasAMismatchAndSweptAndWithWhichScoreItEnded) {
   SearchAccount account;
-  account.note({.steps_taken = 8, .believed_source = kSomewhere, .surprise_bits = 6.7F}, Meters{9'000.0});
-  account.note({.steps_taken = 9, .believed_source = kSomewhere, .surprise_bits = 6.75F}, Meters{9'000.0});
-  account.note({.steps_taken = 11, .believed_source = kSomewhere, .surprise_bits = 12.0F, .is_sweeping = true}, Meters{9'000.0});
-  account.note({.steps_taken = 100, .believed_source = kSomewhere, .surprise_bits = 13.25F, .is_sweeping = true}, Meters{9'000.0});
+  account.note({.steps_taken = 8, .believed_source = kSomewhere, .mismatch_bits = 6.7F}, Meters{9'000.0});
+  account.note({.steps_taken = 9, .believed_source = kSomewhere, .mismatch_bits = 6.75F}, Meters{9'000.0});
+  account.note({.steps_taken = 11, .believed_source = kSomewhere, .mismatch_bits = 12.0F, .is_sweeping = true}, Meters{9'000.0});
+  account.note({.steps_taken = 100, .believed_source = kSomewhere, .mismatch_bits = 13.25F, .is_sweeping = true}, Meters{9'000.0});
   EXPECT_EQ(account.to_json().dump(), R"({"surprise_bits":13.25,"surprised_from_step":9,"swept_from_step":11,"declared_found":null})");
   EXPECT_TRUE(support::lines_tell(
       account_lines(summary_with(account)),
@@ -30,10 +30,10 @@ TEST(SearchAccount, NotesFromWhichStepOnASearchWasAMismatchAndSweptAndWithWhichS
 
 TEST(SearchAccount, GivesTheLastScoreOfASearchThatWasAMismatchBefore) {
   SearchAccount account;
-  account.note({.steps_taken = 8, .believed_source = kSomewhere, .surprise_bits = 9.0F}, Meters{9'000.0});
-  account.note({.steps_taken = 9, .believed_source = kSomewhere, .surprise_bits = 2.5F}, Meters{9'000.0});
+  account.note({.steps_taken = 8, .believed_source = kSomewhere, .mismatch_bits = 9.0F}, Meters{9'000.0});
+  account.note({.steps_taken = 9, .believed_source = kSomewhere, .mismatch_bits = 2.5F}, Meters{9'000.0});
   EXPECT_EQ(account.to_json().dump(), R"({"surprise_bits":2.5,"surprised_from_step":8,"swept_from_step":null,"declared_found":null})");
-  account.note({.steps_taken = 10, .surprise_bits = 2.0F}, Meters{9'000.0});  // an answer that names no place
+  account.note({.steps_taken = 10, .mismatch_bits = 2.0F}, Meters{9'000.0});  // an answer that names no place
   EXPECT_EQ(account.to_json()["surprise_bits"], 2.0);
 }
 

@@ -61,7 +61,7 @@ class StrangerFlight : public Flight {
   }
 
   /// All that the flight was decided by. Port reports may count messages of a stranger who sent too many at once as lost.
-  [[nodiscard]] std::vector<std::vector<std::uint8_t>> looks_and_decisions(const char* out) const {
+  [[nodiscard]] std::vector<std::vector<std::uint8_t>> measurements_and_decisions(const char* out) const {
     std::vector<std::vector<std::uint8_t>> records;
     host::JournalReader reader(folder_ / out / "journal.lcmlog");
     for (host::JournalRecord record; reader.next(record);) {
@@ -81,7 +81,7 @@ class StrangerFlight : public Flight {
     const auto disturbed = fly("disturbed", {"--seed", "7", "--lcm-url", url, "--quiet"}, environment);
     ASSERT_EQ(disturbed->wait(120s), 0) << disturbed->output();
     EXPECT_TRUE(support::read_text(folder_ / "alone/track.csv") == support::read_text(folder_ / "disturbed/track.csv"));
-    EXPECT_TRUE(looks_and_decisions("alone") == looks_and_decisions("disturbed"));
+    EXPECT_TRUE(measurements_and_decisions("alone") == measurements_and_decisions("disturbed"));
     EXPECT_TRUE(support::has_line(disturbed->output(), {"ignored", "simulation", "simulator"})) << disturbed->output();
   }
 };

@@ -50,7 +50,7 @@ TEST_F(ListenProgram, SaysThatARateIsTooLowOrTooHighForTheBand) {
 }
 
 TEST_F(ListenProgram, ListensToWhatThereIsOfAFileThatWasCutShortAndSaysSo) {
-  write(folder_ / "a.wav", WavBytes{.sample_rate = 1000, .samples = sixteen_bits(song(60, {30.0})), .told_more = 60'000}.bytes());
+  write(folder_ / "a.wav", WavBytes{.sample_rate = 1000, .samples = sixteen_bits(song(60, {30.0})), .declares_more = 60'000}.bytes());
   EXPECT_EQ(run((folder_ / "a.wav").string()), 1);
   EXPECT_TRUE(support::has_line(errors(), {"a.wav", "cut short", "30 s"})) << errors();
   EXPECT_NE(said().find("detections:  1\n"), std::string::npos) << said();

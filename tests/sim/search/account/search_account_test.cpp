@@ -18,21 +18,21 @@ TEST(SearchSentences, GiveMismatchSweepAndDeclarationOnceEach) {
 }
 
 TEST(SearchSentences, GiveTheScoreBesideTheOneFromWhichItIsAMismatch) {
-  EXPECT_EQ(to_string({.believes = true, .surprise_bits = -19.04}),
+  EXPECT_EQ(to_string({.believes = true, .mismatch_bits = -19.04}),
             "The SNR that it measured fits the oceans of its tables (model-mismatch score -19.0 bits at the end; from 6.75 on it is a "
             "mismatch).");
 }
 
 TEST(SearchSentences, ExplainASweepBeforeAnyMismatchByTheMissingDetections) {
   EXPECT_EQ(
-      to_string({.believes = true, .surprise_bits = -9.0, .sweep_step = 43, .max_steps = 100}),
+      to_string({.believes = true, .mismatch_bits = -9.0, .sweep_step = 43, .max_steps = 100}),
       "The SNR that it measured fits the oceans of its tables, but there were too few detections: the source may be fainter or silent for "
       "longer than expected, or not there (model-mismatch score -9.0 bits at the end; from 6.75 on it is a mismatch). From step 43 of 100 "
       "on it swept the whole area in parallel tracks: it had detected nothing "
       "for long, where its tables predict detections.");
-  const SearchAccount mismatch_later{.believes = true, .surprise_bits = 7.0, .surprised_step = 44, .sweep_step = 43};
+  const SearchAccount mismatch_later{.believes = true, .mismatch_bits = 7.0, .mismatch_step = 44, .sweep_step = 43};
   EXPECT_TRUE(mismatch_later.swept_in_silence());
-  const SearchAccount mismatch{.believes = true, .surprise_bits = 13.0, .surprised_step = 43, .sweep_step = 43};
+  const SearchAccount mismatch{.believes = true, .mismatch_bits = 13.0, .mismatch_step = 43, .sweep_step = 43};
   EXPECT_FALSE(mismatch.swept_in_silence());
 }
 

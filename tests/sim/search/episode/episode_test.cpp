@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "sim/search/belief_model.hpp"
-#include "sim/search/told_ocean.hpp"
+#include "sim/search/known_ocean.hpp"
 #include "tests/firmware/place.hpp"
 
 namespace earshot::search {
@@ -144,7 +144,7 @@ TEST_F(EpisodeTest, BelievesThatTheSourceIsNearWhereItIsLoud) {
   const World world(settings, curve);
   model.belief = belief_model(settings);
   const auto told = std::make_unique<policy::OceanTables>();
-  make_told_ocean(settings, curve, *told);
+  make_known_ocean(settings, curve, *told);
   ASSERT_EQ(model.spec.push_back({.feature = policy::Feature::kEffectiveCells}), Status::kOk);
   episode.start_at(world, model, *told, at(5'000, 5'000), at(5'000, 6'500));  // 28.5 dB
   // Cells of 500 m, 20 north by 60 east: that of the source, and one as far from the vehicle as the area reaches.

@@ -1,4 +1,4 @@
-// What an episode hears of the looks on its steps.
+// What an episode hears of the measurements on its steps.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,12 +39,13 @@ class ListeningEpisode : public testing::Test {
   Episode episode;
 };
 
-TEST_F(ListeningEpisode, HearsTheLoudestLookOnItsWayWhereItWasTaken) {
-  // A step of 500 s ends 7 km north of the source, and comes from 6 km. At 2 m/s the first of 60 looks was 118 m nearer.
-  // Of two looks it was 2 m nearer.
-  for (const auto& [listening, looks, nearer_m] : {std::tuple{Listening::kLoudest, 60, 118.0}, std::tuple{Listening::kMean, 60, 59.0},
-                                                   std::tuple{Listening::kLoudest, 2, 2.0}, std::tuple{Listening::kMean, 2, 1.0}}) {
-    listen(listening, looks);
+TEST_F(ListeningEpisode, HearsTheLoudestMeasurementOnItsWayWhereItWasTaken) {
+  // A step of 500 s ends 7 km north of the source, and comes from 6 km. At 2 m/s the first of 60 measurements was 118 m nearer.
+  // Of two measurements it was 2 m nearer.
+  for (const auto& [listening, measurements, nearer_m] :
+       {std::tuple{Listening::kLoudest, 60, 118.0}, std::tuple{Listening::kMean, 60, 59.0}, std::tuple{Listening::kLoudest, 2, 2.0},
+        std::tuple{Listening::kMean, 2, 1.0}}) {
+    listen(listening, measurements);
     const World calm = world();
     episode.start_at(calm, kSeesNothing, kNoOceans, at(16'000, 10'000), settings.source);
     EXPECT_NEAR(episode.snr().value, 24.0, 1e-6) << "the start has one look";
@@ -73,7 +74,7 @@ TEST_F(ListeningEpisode, NeverReachesBackBeyondItsStep) {
   episode.start_at(calm, kSeesNothing, kNoOceans, at(16'000, 10'000), settings.source);
   episode.step(calm, kNorth);
   episode.step(calm, kNorth);
-  EXPECT_NEAR(episode.snr().value, 30.0 - 6.102, 1e-5);  // the second step's first look, 2 m from where it began
+  EXPECT_NEAR(episode.snr().value, 30.0 - 6.102, 1e-5);  // the second step's first measurement, 2 m from where it began
 }
 
 TEST_F(ListeningEpisode, MovesDriftsAndSwimsAsFarAsWithoutAWindow) {

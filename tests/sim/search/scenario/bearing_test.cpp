@@ -22,7 +22,7 @@ class Bearings : public testing::Test {
 
   [[nodiscard]] World world() const { return World(settings, soundscape, conditions); }
 
-  /// How far bearings are off the truth, degrees, of many looks from one place; the source lies at (10 km, 10 km).
+  /// How far bearings are off the truth, degrees, of many measurements from one place; the source lies at (10 km, 10 km).
   std::vector<double> off_deg(NorthEast place, double truth_deg, int count) {
     const World w = world();
     Surroundings surroundings;
@@ -55,21 +55,21 @@ TEST_F(Bearings, LieNormallyAboutTheDirectionOfTheSourceFromTheVehicle) {
     NorthEast place;
     double truth_deg;
   };
-  constexpr int kLooks = 20'000;
+  constexpr int kMeasurements = 20'000;
   for (const Case& c :
        {Case{at(20'000, 10'000), 180.0}, Case{at(10'000, 20'000), 270.0}, Case{at(4'000, 10'000), 0.0}, Case{at(5'000, 5'000), 45.0}}) {
     double sum = 0.0;
     double squares = 0.0;
     int within = 0;
-    for (const double off : off_deg(c.place, c.truth_deg, kLooks)) {
+    for (const double off : off_deg(c.place, c.truth_deg, kMeasurements)) {
       sum += off;
       squares += off * off;
       within += std::abs(off) < 10.0 ? 1 : 0;
     }
     // Five standard errors: 5 * 10 / sqrt(20000) of the mean, and that over sqrt(2) of the deviation.
-    EXPECT_NEAR(sum / kLooks, 0.0, 0.36) << c.truth_deg;
-    EXPECT_NEAR(std::sqrt(squares / kLooks), 10.0, 0.25) << c.truth_deg;
-    EXPECT_NEAR(static_cast<double>(within) / kLooks, 0.6827, 0.017) << c.truth_deg;
+    EXPECT_NEAR(sum / kMeasurements, 0.0, 0.36) << c.truth_deg;
+    EXPECT_NEAR(std::sqrt(squares / kMeasurements), 10.0, 0.25) << c.truth_deg;
+    EXPECT_NEAR(static_cast<double>(within) / kMeasurements, 0.6827, 0.017) << c.truth_deg;
   }
 }
 
@@ -83,7 +83,7 @@ TEST_F(Bearings, SayHowUncertainTheyAreAndNoMirrorImageOfAnArrayThatTellsLeftFro
   EXPECT_FALSE(bearing->mirror_axis);
 }
 
-TEST_F(Bearings, AreNoneOfALookThatIsTooFaintToMeasure) {
+TEST_F(Bearings, AreNoneOfAMeasurementThatIsTooFaintToMeasure) {
   conditions.floor = Decibels{20.0};
   conditions.fluctuation = Decibels{3.0};
   const World w = world();
@@ -161,11 +161,11 @@ TEST_F(Bearings, AreTheSameWhetherListenedToOrPutTogetherFromArrivals) {
   Surroundings by_one;
   by_one.start(w, at(22'000, 10'000), settings.source, Pcg32(4));
   Surroundings by_all = by_one;
-  for (int look = 0; look < 50; ++look)
+  for (int measurement = 0; measurement < 50; ++measurement)
     EXPECT_EQ(by_all.reception_of(w, by_all.arrivals(w, at(22'000, 10'000))), by_one.listen(w, at(22'000, 10'000)));
 }
 
-TEST_F(Bearings, OfAWindowAreOfItsLastLookThatWasMeasured) {
+TEST_F(Bearings, OfAWindowAreOfItsLastMeasurementThatWasMeasured) {
   settings.listening = {.listening = config::Listening::kLoudest, .length = Duration::seconds(60)};
   conditions.floor = Decibels{-50.0};
   conditions.calls = CallPattern{.interval_s = 25.0, .song_s = 1e6, .pause_s = 0.0, .listening_s = 1.0};

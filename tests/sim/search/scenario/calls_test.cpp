@@ -60,22 +60,23 @@ TEST(CallConditions, BeginASearchAnywhereInSongAndPause) {
 }
 
 TEST(CallConditions, OfASongAreAsManyAsBeginInIt) {
-  struct Look {
+  struct Measurement {
     double song_s;
     double at_s;  // since the song began
     bool is_heard;
   };
   // A call every 15 s, heard for 5 s. 600 s have 40 calls, the last at 585 s; 601 s have one more, at 600 s; 10 s have one.
-  const std::vector<Look> looks{{600, 0.01, true},   {600, 4.99, true},   {600, 5.01, false},   {600, 14.99, false},  {600, 15.01, true},
-                                {600, 585.01, true}, {600, 589.99, true}, {600, 590.01, false}, {600, 600.01, false}, {600, 899.99, false},
-                                {600, 900.01, true}, {601, 600.01, true}, {601, 604.99, true},  {601, 605.01, false}, {601, 615.01, false},
-                                {10, 0.01, true},    {10, 15.01, false}};
-  for (const Look& look : looks) {
-    const World world = world_of({.interval_s = 15.0, .song_s = look.song_s, .pause_s = 300.0, .listening_s = 5.0});
+  const std::vector<Measurement> measurements{
+      {600, 0.01, true},   {600, 4.99, true},    {600, 5.01, false},   {600, 14.99, false},  {600, 15.01, true},  {600, 585.01, true},
+      {600, 589.99, true}, {600, 590.01, false}, {600, 600.01, false}, {600, 899.99, false}, {600, 900.01, true}, {601, 600.01, true},
+      {601, 604.99, true}, {601, 605.01, false}, {601, 615.01, false}, {10, 0.01, true},     {10, 15.01, false}};
+  for (const Measurement& measurement : measurements) {
+    const World world = world_of({.interval_s = 15.0, .song_s = measurement.song_s, .pause_s = 300.0, .listening_s = 5.0});
     Surroundings surroundings = search_in(world, 3);
     const double sung_s = surroundings.arrivals(world, kVehicle)[0].sung_s;
-    (void)surroundings.pass(world, {}, look.song_s + 300.0 - sung_s + look.at_s);
-    EXPECT_EQ(surroundings.listen(world, kVehicle).too_faint, !look.is_heard) << look.song_s << " s of song, at " << look.at_s;
+    (void)surroundings.pass(world, {}, measurement.song_s + 300.0 - sung_s + measurement.at_s);
+    EXPECT_EQ(surroundings.listen(world, kVehicle).too_faint, !measurement.is_heard)
+        << measurement.song_s << " s of song, at " << measurement.at_s;
   }
 }
 

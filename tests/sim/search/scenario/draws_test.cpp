@@ -140,16 +140,16 @@ TEST(SearchConditions, FluctuateByJustAsMuchAsTheySay) {
     conditions.fluctuation = Decibels{fluctuation_db};
     const World world = world_of(conditions);
     Surroundings search = search_in(world, 1);
-    constexpr int kLooks = 1'000'000;
+    constexpr int kMeasurements = 1'000'000;
     double sum = 0.0;
     double squares = 0.0;
-    for (int i = 0; i < kLooks; ++i) {
+    for (int i = 0; i < kMeasurements; ++i) {
       const double off = (search.listen(world, kVehicle).snr.value - 18.0) / fluctuation_db;
       sum += off;
       squares += off * off;
     }
-    EXPECT_NEAR(sum / kLooks, 0.0, 0.005);      // five standard errors of 1 / sqrt(n)
-    EXPECT_NEAR(squares / kLooks, 1.0, 0.007);  // five of sqrt(2 / n)
+    EXPECT_NEAR(sum / kMeasurements, 0.0, 0.005);      // five standard errors of 1 / sqrt(n)
+    EXPECT_NEAR(squares / kMeasurements, 1.0, 0.007);  // five of sqrt(2 / n)
   }
 }
 

@@ -24,7 +24,7 @@ class Conditions : public testing::Test {
   Conditions() { settings.start_region = inside_border(settings); }
 
   [[nodiscard]] World world() const { return World(settings, soundscape, conditions); }
-  /// SNRs heard standing still (no step is taken between looks) in many searches, 12 km from the source.
+  /// SNRs heard standing still (no step is taken between measurements) in many searches, 12 km from the source.
   std::vector<double> heard_in_searches(int count) {
     const World w = world();
     Pcg32 random(5);
@@ -116,7 +116,7 @@ TEST_F(Conditions, FluctuationOfASearchIsUniformBetweenItsBounds) {
   EXPECT_NEAR(fourth, 1'161.6, 121.0);
 }
 
-TEST_F(Conditions, FluctuationIsDrawnAnewAtEveryLook) {
+TEST_F(Conditions, FluctuationIsDrawnAnewAtEveryMeasurement) {
   conditions.fluctuation = Decibels{4.0};
   const World w = world();
   episode.start_at(w, kSeesNothing, kNoOceans, at(12'000, 22'000), settings.source);
@@ -303,7 +303,7 @@ TEST_F(Conditions, OfSeveralSourcesTheLoudestIsHeardAndAnyIsFound) {
 TEST_F(Conditions, CallsGoOnWhileTheVehicleSteps) {
   conditions.floor = Decibels{-50.0};
   conditions.calls = CallPattern{.interval_s = 10.0, .song_s = 500.0, .pause_s = 500.0, .listening_s = 5.0};
-  const World w = world();  // a step takes 500 s: a look in the song is followed by one in the pause
+  const World w = world();  // a step takes 500 s: a measurement in the song is followed by one in the pause
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     episode.start_at(w, kSeesNothing, kNoOceans, at(22'000, 22'000), settings.source, Pcg32(seed));
     bool was_heard = !episode.reception().too_faint;
@@ -327,7 +327,7 @@ TEST_F(Conditions, ArrivalsTellOfEverySourceAndMakeTheReceptionThatListeningGive
     Surroundings by_one;
     by_one.start(w, at(22'000, 10'000), settings.source, Pcg32(seed));
     Surroundings by_all = by_one;
-    for (int look = 0; look < 20; ++look) {
+    for (int measurement = 0; measurement < 20; ++measurement) {
       const policy::Reception reception = by_one.listen(w, at(22'000, 10'000));
       const Arrivals arrivals = by_all.arrivals(w, at(22'000, 10'000));
       ASSERT_EQ(arrivals.size(), 3U);
@@ -338,7 +338,7 @@ TEST_F(Conditions, ArrivalsTellOfEverySourceAndMakeTheReceptionThatListeningGive
       (void)by_all.pass(w, {}, 7.0);
     }
   }
-  EXPECT_GT(faint, 100);  // both are met: of some 1000 looks
+  EXPECT_GT(faint, 100);  // both are met: of some 1000 measurements
   EXPECT_LT(faint, 900);
 }
 

@@ -15,7 +15,7 @@
 #include "firmware/boards/linux/port/port_set.hpp"
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/host/mission/mission_file.hpp"
-#include "firmware/host/mission/mission_judge.hpp"
+#include "firmware/host/mission/mission_verifier.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "firmware/runtime/runtime.hpp"
 #include "serial_port.hpp"
@@ -24,10 +24,10 @@ using namespace earshot;
 
 int main(int argc, char** argv) try {
   if (argc != 4) throw std::invalid_argument("usage: my_vehicle MISSION SERIAL_LINE FOLDER");
-  host::MissionJudge judge;  // takes a vehicle's configuration where signed missions alone may be flown
-  const host::MissionFile mission = judge.load_mission(argv[1]);
+  host::MissionVerifier verifier;  // takes a vehicle's configuration where signed missions alone may be flown
+  const host::MissionFile mission = verifier.load_mission(argv[1]);
   host::require_named_files(mission);
-  const host::SignedSearch search = judge.load_search(mission);
+  const host::SignedSearch search = verifier.load_search(mission);
   const auto runtime = std::make_unique<runtime::Runtime>();
   if (runtime->configure(mission.mission, *search.policy.policy, *search.tables.tables) != Status::kOk)
     throw std::invalid_argument("this mission cannot be flown with its policy");
@@ -35,7 +35,7 @@ int main(int argc, char** argv) try {
   const board::HostClock host;
   board::HostMissionClock clock(host);
   board::PortSet ports;
-  board::open_ports(mission, host, host::IfMissing::kKeepTrying, board::WakesFor::kLooks, ports);
+  board::open_ports(mission, host, host::IfMissing::kKeepTrying, board::WakesFor::kMeasurements, ports);
   ports.add(std::make_unique<SerialPort>(ports.next_index(), argv[2]));
 
   std::filesystem::create_directories(argv[3]);

@@ -39,10 +39,10 @@ class SetHost final : public HostClock {
 class Taken final : public InputSink {
  public:
   void take(std::uint8_t /*port*/, const Value& value) override { values.push_back(value); }
-  void tell_trouble(std::uint8_t /*port*/, BusTrouble trouble, bool is_there) override {
+  void report_trouble(std::uint8_t /*port*/, BusTrouble trouble, bool is_there) override {
     troubles.set(static_cast<std::size_t>(trouble), is_there);
   }
-  void tell_order_trouble(std::uint8_t /*port*/, OrderTrouble trouble) override { order_troubles.push_back(trouble); }
+  void report_order_trouble(std::uint8_t /*port*/, OrderTrouble trouble) override { order_troubles.push_back(trouble); }
   [[nodiscard]] bool has(BusTrouble trouble) const { return troubles[static_cast<std::size_t>(trouble)]; }
   template <class Message>
   [[nodiscard]] std::vector<Message> all() const {

@@ -66,22 +66,22 @@ TEST_F(CanPortOrders, AreMarkedForTheChallengeThatTheVehicleTellsOnceASecond) {
   port_->publish(clock_.time + Duration::milliseconds(200), {});
   const std::vector<Heard> told = heard(n2k::kChallengePgn);
   ASSERT_EQ(told.size(), 1U);
-  const Result<messages::ToldChallenge> challenge = n2k::read_challenge(told[0].bytes);
+  const Result<messages::PublishedChallenge> challenge = n2k::read_challenge(told[0].bytes);
   ASSERT_TRUE(challenge.ok());
   EXPECT_TRUE(key.verifies(challenge.value()));
   messages::OperatorCommand start{
       .time = clock_.time, .expiry = clock_.time + Duration::seconds(10), .issuer = 4711, .number = 3, .order = Order::kStart};
-  const auto say = [&] {
+  const auto send_composed = [&] {
     n2k::FastPacketFrames frames;
     ASSERT_EQ(n2k::compose_command(start, {.source = kCommander, .destination = kOwn, .sequence = sequence_++}, frames), Status::kOk);
     send_all(frames);
     collect();
   };
-  say();
+  send_composed();
   start.mark = key.mark_of(start, challenge.value().challenge);
-  say();
+  send_composed();
   start.mark = key.old_mark_of(start);
-  say();
+  send_composed();
   const std::vector<messages::OperatorCommand> orders = taken_.all<messages::OperatorCommand>();
   ASSERT_EQ(orders.size(), 3U);
   EXPECT_FALSE(orders[0].is_verified);

@@ -163,10 +163,10 @@ TEST_F(CanPortTest, BringsFixesSnrAndOrdersWithTheirDates) {
   EXPECT_NEAR(fixes[0].position.north.value, 12'000, 0.02) << "1e-7 degree is 11 mm";
   EXPECT_NEAR(fixes[0].depth.value, 100.0, 1e-4) << "0.1 Pa";
   EXPECT_NEAR(fixes[0].speed.value, 1.5, 1e-9);
-  const std::vector<messages::SnrMeasurement> looks = taken_.all<messages::SnrMeasurement>();
-  ASSERT_EQ(looks.size(), 1U);
-  EXPECT_EQ(looks[0].snr, Decibels{12.5});
-  EXPECT_GE(looks[0].time, fixes[0].time) << "both arrived by the kernel's clock, which SetClock takes as it is";
+  const std::vector<messages::SnrMeasurement> measurements = taken_.all<messages::SnrMeasurement>();
+  ASSERT_EQ(measurements.size(), 1U);
+  EXPECT_EQ(measurements[0].snr, Decibels{12.5});
+  EXPECT_GE(measurements[0].time, fixes[0].time) << "both arrived by the kernel's clock, which SetClock takes as it is";
   const std::vector<messages::OperatorCommand> orders = taken_.all<messages::OperatorCommand>();
   ASSERT_EQ(orders.size(), 1U);
   EXPECT_EQ(orders[0],
@@ -295,9 +295,9 @@ TEST_F(CanPortTest, TellsItsStateOnceASecondAndAtOnceWhenItIsNewsAndEveryDecisio
   ++outputs.health.steps_taken;
   outputs.decision.emplace();
   publish(outputs);
-  const std::vector<Heard> news = heard();
+  const std::vector<Heard> published = heard();
   const auto count = [&](std::uint32_t pgn) {
-    return std::ranges::count_if(news, [pgn](const Heard& message) { return message.identifier.pgn == pgn; });
+    return std::ranges::count_if(published, [pgn](const Heard& message) { return message.identifier.pgn == pgn; });
   };
   EXPECT_EQ(count(n2k::kHealthPgn), 1);
   EXPECT_EQ(count(n2k::kPortHealthPgn), 2);

@@ -32,8 +32,8 @@ class TroubleWatchTest : public testing::Test {
       if (has_pressure_) signs_.readings.pressure_pa = n2k::Reading<double>{0.0, now_.mission};
       if (has_pressure_ && is_gauge_) signs_.readings.depth = n2k::Reading<Meters>{{}, now_.mission};
       if (has_position_ && has_heading_ && has_pressure_ && is_gauge_ && is_near_) ++signs_.fixes;
-      if (has_snr_) ++signs_.looks;
-      troubles = watch_.look(signs_, now_);
+      if (has_snr_) ++signs_.measurements;
+      troubles = watch_.check(signs_, now_);
     }
     return troubles;
   }
@@ -110,7 +110,7 @@ TEST_F(TroubleWatchTest, BlamesNothingOnTheBusThatHappenedWhileTheLinkWasDown) {
   now_.mission = now_.mission + Duration::seconds(60);
   watch_.restart(signs_, now_);
   has_position_ = has_snr_ = false;
-  EXPECT_EQ(watch_.look(signs_, now_), only({}));
+  EXPECT_EQ(watch_.check(signs_, now_), only({}));
   signs_.has_address = true;
   EXPECT_EQ(after(4), only({})) << "and what is heard again gets its five seconds";
   EXPECT_EQ(after(1), only({kNoPosition, kNoSnr}));
@@ -124,10 +124,10 @@ TEST_F(TroubleWatchTest, SaysThatPositionsAreFarAwayWhereNothingElseIsMissing) {
 TEST_F(TroubleWatchTest, WaitsForFiveSecondsOfBothClocks) {
   (void)after(1);
   now_.host = now_.host + Duration::seconds(100);  // a simulator that pauses
-  EXPECT_EQ(watch_.look(signs_, now_), only({}));
+  EXPECT_EQ(watch_.check(signs_, now_), only({}));
   (void)after(1);
   now_.mission = now_.mission + Duration::seconds(100);  // a rehearsal's mission clock
-  EXPECT_EQ(watch_.look(signs_, now_), only({}));
+  EXPECT_EQ(watch_.check(signs_, now_), only({}));
 }
 
 TEST_F(TroubleWatchTest, GivesAClaimASecond) {

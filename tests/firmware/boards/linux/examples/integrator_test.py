@@ -55,17 +55,17 @@ class SerialVehicle:
         os.close(self.master)
         os.close(self.slave)
 
-    def say(self, line):
+    def send(self, line):
         os.write(self.master, line.encode("ascii") + b"\n")
 
-    def tell_where(self):
-        self.say(f"NAV {self.north_m:.1f} {self.east_m:.1f} 300.0 {self.heading_deg:.1f} 2.0")
+    def publish_place(self):
+        self.send(f"NAV {self.north_m:.1f} {self.east_m:.1f} 300.0 {self.heading_deg:.1f} 2.0")
 
     def live(self, seconds):
         """Says where it is, four times a second, and sails as it was told last."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
-            self.tell_where()
+            self.publish_place()
             step_end = time.monotonic() + 0.25
             while (left := step_end - time.monotonic()) > 0:
                 if select.select([self.master], [], [], left)[0]:
@@ -118,7 +118,7 @@ class Integrator(unittest.TestCase):
             try:
                 vehicle.live(2.0)
                 self.assertEqual(vehicle.told, [], "commanded before START")
-                vehicle.say("START")
+                vehicle.send("START")
                 searching = vehicle.live_until(lambda: len(vehicle.told) > 3)
                 self.assertTrue(searching, (self.folder / "said").read_text())
                 self.assertTrue(

@@ -7,12 +7,12 @@ namespace {
 
 using detector::Hearing;
 
-Duration& of(Ear::Account& account, Hearing hearing) {
+Duration& of(HydrophoneProcessor::Account& account, Hearing hearing) {
   return account.sound.at(static_cast<std::size_t>(hearing));
 }
 
 TEST(HearingWords, TellWhatWasHeardAndWhatNot) {
-  Ear::Account account{.looks = 112, .too_faint = 3, .detections = 2};
+  HydrophoneProcessor::Account account{.measurements = 112, .too_faint = 3, .detections = 2};
   of(account, Hearing::kHears) = Duration::seconds(118);
   of(account, Hearing::kFillingUp) = Duration::milliseconds(2'500);
   // 118 s and 2.5 s are 120.5 s, written without a digit behind the point, of which the even is taken.
@@ -23,7 +23,7 @@ TEST(HearingWords, TellWhatWasHeardAndWhatNot) {
 }
 
 TEST(HearingWords, SayWhatToDoAboutEachThingInTheWay) {
-  Ear::Account account;
+  HydrophoneProcessor::Account account;
   of(account, Hearing::kSelfNoise) = Duration::seconds(30);
   of(account, Hearing::kFlowNoise) = Duration::seconds(20);
   const std::string text = to_string(account);
@@ -34,9 +34,9 @@ TEST(HearingWords, SayWhatToDoAboutEachThingInTheWay) {
       << text;
 }
 
-TEST(HearingWords, TellLooksThatCameFasterThanTheyWereTakenOnlyWhereSomeDid) {
-  EXPECT_EQ(to_string(Ear::Account{}).find("faster"), std::string::npos);
-  EXPECT_NE(to_string(Ear::Account{.left_out = 7}).find("and 0 detections, of which 7 came faster than they were taken"),
+TEST(HearingWords, TellMeasurementsThatCameFasterThanTheyWereTakenOnlyWhereSomeDid) {
+  EXPECT_EQ(to_string(HydrophoneProcessor::Account{}).find("faster"), std::string::npos);
+  EXPECT_NE(to_string(HydrophoneProcessor::Account{.left_out = 7}).find("and 0 detections, of which 7 came faster than they were taken"),
             std::string::npos);
 }
 

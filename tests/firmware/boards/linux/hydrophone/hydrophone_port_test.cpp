@@ -51,8 +51,10 @@ class HydrophonePortTest : public testing::Test {
   void SetUp() override { ENTER_PRIVATE_NETWORK_OR_SKIP(); }
 
   static HydrophonePort hydrophone(const std::optional<detector::SoundSettings>& hearing = std::nullopt) {
-    return {
-        2, {.name = "ears", .kind = host::PortKind::kLcm, .address = kSoundUrl, .roles = {Role::kHydrophone}}, hearing, WakesFor::kLooks};
+    return {2,
+            {.name = "ears", .kind = host::PortKind::kLcm, .address = kSoundUrl, .roles = {Role::kHydrophone}},
+            hearing,
+            WakesFor::kMeasurements};
   }
 
   /// Sends until all that the driver's ADC took is reported, for half a minute at most.
@@ -90,10 +92,10 @@ class KeepingSink final : public InputSink {
  public:
   void take(std::uint8_t port, const Value& value) override {
     EXPECT_EQ(port, 2);
-    if (const auto* look = std::get_if<messages::SnrMeasurement>(&value)) looks.push_back(*look);
+    if (const auto* measurement = std::get_if<messages::SnrMeasurement>(&value)) measurements.push_back(*measurement);
   }
-  void tell_chain(std::uint8_t /*port*/, const HeardChain& chain) override { chains.push_back(chain); }
-  std::vector<messages::SnrMeasurement> looks;
+  void report_chain(std::uint8_t /*port*/, const HeardChain& chain) override { chains.push_back(chain); }
+  std::vector<messages::SnrMeasurement> measurements;
   std::vector<HeardChain> chains;
 };
 
@@ -110,7 +112,7 @@ class HourAhead final : public Clock {
   bool takes_sound = false;
 };
 
-TEST_F(HydrophonePortTest, BringsTheLoopLooksDatedOnTheMissionClockWhenThatTakesThem) {
+TEST_F(HydrophonePortTest, BringsTheLoopMeasurementsDatedOnTheMissionClockWhenThatTakesThem) {
   detector::SoundSettings hearing;
   hearing.floor_window = Duration::seconds(32);  // known after 8 s
   HydrophonePort port = hydrophone(hearing);
@@ -126,15 +128,15 @@ TEST_F(HydrophonePortTest, BringsTheLoopLooksDatedOnTheMissionClockWhenThatTakes
   HourAhead clock;
   KeepingSink sink;
   port.collect(clock, sink);
-  EXPECT_TRUE(sink.looks.empty());
+  EXPECT_TRUE(sink.measurements.empty());
   EXPECT_TRUE(sink.chains.empty());
   clock.takes_sound = true;
   port.collect(clock, sink);
-  ASSERT_GE(sink.looks.size(), 5U);
+  ASSERT_GE(sink.measurements.size(), 5U);
   ASSERT_EQ(sink.chains.size(), 1U);
-  EXPECT_LE(sink.looks.back().time, (Time{began_us} + HourAhead::kHour + Duration::seconds(20)));
-  EXPECT_GE(sink.looks.back().time, (Time{began_us} + HourAhead::kHour + Duration::seconds(18)));
-  EXPECT_NE(port.remark().find("of 20 s of sound: " + std::to_string(sink.looks.size()) + " SNR measurements"), std::string::npos)
+  EXPECT_LE(sink.measurements.back().time, (Time{began_us} + HourAhead::kHour + Duration::seconds(20)));
+  EXPECT_GE(sink.measurements.back().time, (Time{began_us} + HourAhead::kHour + Duration::seconds(18)));
+  EXPECT_NE(port.remark().find("of 20 s of sound: " + std::to_string(sink.measurements.size()) + " SNR measurements"), std::string::npos)
       << port.remark();
 }
 

@@ -40,7 +40,7 @@ class HydrophoneReceiverTest : public testing::Test {
 };
 
 /// Hears nothing before it is let go, then everything.
-class HeldListener final : public SampleListener {
+class HeldSink final : public SampleSink {
  public:
   void hear(const messages::HydrophoneBlock& block, std::span<const float> samples) override {
     is_free_.wait(false);
@@ -57,10 +57,10 @@ class HeldListener final : public SampleListener {
   std::atomic<bool> is_free_{false};
 };
 
-/// So that a test that fails ends, too: a receiver waits for its listener.
+/// So that a test that fails ends, too: a receiver waits for its sink.
 struct LetGoAtTheEnd {
-  HeldListener& listener;
-  ~LetGoAtTheEnd() { listener.let_go(); }
+  HeldSink& sink;
+  ~LetGoAtTheEnd() { sink.let_go(); }
 };
 
 /// Sends so many blocks, not faster than they are received.
@@ -94,36 +94,36 @@ TEST_F(HydrophoneReceiverTest, HearsEverySampleOfEightChannelsAtNinetySixKiloher
   RecordProperty("samples_missing", std::to_string(meter.read().samples_missing));
 }
 
-TEST_F(HydrophoneReceiverTest, CountsEverySampleForWhichASlowListenersRingHadNoRoom) {
-  HeldListener listener;
-  HydrophoneReceiver receiver(kUrl, listener);
-  const LetGoAtTheEnd release{listener};
+TEST_F(HydrophoneReceiverTest, CountsEverySampleForWhichASlowSinksRingHadNoRoom) {
+  HeldSink sink;
+  HydrophoneReceiver receiver(kUrl, sink);
+  const LetGoAtTheEnd release{sink};
   support::HydrophoneDriver driver(kUrl, {});
-  constexpr std::uint64_t kHeld = 256;  // blocks of 8 x 1024 samples in a ring of 2^21; the listener gave none of them back
+  constexpr std::uint64_t kHeld = 256;  // blocks of 8 x 1024 samples in a ring of 2^21; the sink gave none of them back
   constexpr std::uint64_t kTooMany = 40;
   send(driver, receiver, kHeld + kTooMany);
   ASSERT_TRUE(comes_true([&] { return receiver.counters().samples_overrun == kTooMany * kDriverBlock; }))
       << receiver.counters().samples_overrun;
   EXPECT_EQ(receiver.counters().blocks, kHeld);
-  listener.let_go();
-  ASSERT_TRUE(comes_true([&] { return listener.meter.read().samples_heard == kHeld * kDriverBlock; }));
-  EXPECT_EQ(listener.meter.read().samples_missing, 0U) << "of what was lost last no block has told yet";
+  sink.let_go();
+  ASSERT_TRUE(comes_true([&] { return sink.meter.read().samples_heard == kHeld * kDriverBlock; }));
+  EXPECT_EQ(sink.meter.read().samples_missing, 0U) << "of what was lost last no block has told yet";
   send(driver, receiver, 1);
-  ASSERT_TRUE(comes_true([&] { return listener.meter.read().samples_heard == (kHeld + 1) * kDriverBlock; }));
-  EXPECT_EQ(listener.meter.read().samples_missing, kTooMany * kDriverBlock);
-  EXPECT_EQ(listener.meter.read().missing_at_sender, 0U);
+  ASSERT_TRUE(comes_true([&] { return sink.meter.read().samples_heard == (kHeld + 1) * kDriverBlock; }));
+  EXPECT_EQ(sink.meter.read().samples_missing, kTooMany * kDriverBlock);
+  EXPECT_EQ(sink.meter.read().missing_at_sender, 0U);
 }
 
-TEST_F(HydrophoneReceiverTest, LetsItsListenerHearAllThatWasReceivedBeforeItEnds) {
-  HeldListener listener;
-  auto receiver = std::make_unique<HydrophoneReceiver>(kUrl, listener);
-  const LetGoAtTheEnd release{listener};
+TEST_F(HydrophoneReceiverTest, LetsItsSinkHearAllThatWasReceivedBeforeItEnds) {
+  HeldSink sink;
+  auto receiver = std::make_unique<HydrophoneReceiver>(kUrl, sink);
+  const LetGoAtTheEnd release{sink};
   support::HydrophoneDriver driver(kUrl, {});
   send(driver, *receiver, 96);
   ASSERT_TRUE(comes_true([&] { return receiver->counters().blocks == 96; }));
-  listener.let_go();
+  sink.let_go();
   receiver.reset();
-  EXPECT_EQ(listener.meter.read().samples_heard, 96 * kDriverBlock);
+  EXPECT_EQ(sink.meter.read().samples_heard, 96 * kDriverBlock);
 }
 
 TEST_F(HydrophoneReceiverTest, EndsThoughNobodyEverSentAnything) {

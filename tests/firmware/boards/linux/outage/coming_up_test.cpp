@@ -137,17 +137,17 @@ TEST(ComingUp, ReleasesTheWeightOnALeakWhereTheMissionDoes) {
 
 TEST(ComingUp, ReleasesTheWeightNoSoonerThanTheMissionsRuleDoes) {
   ComingUp core(mission_that_releases_on_a_leak(Duration::seconds(5)), in_search());
-  const auto tell = [&](double s, bool has_leak) {
+  const auto report_leak = [&](double s, bool has_leak) {
     core.take({.arrival = after(s), .port = 1, .sequence = 0, .value = messages::VehicleStatus{.time = after(s), .has_leak = has_leak}});
   };
-  tell(0, true);
+  report_leak(0, true);
   EXPECT_FALSE(core.step(after(4)).setpoint->release_weight);
-  tell(4.5, false);
+  report_leak(4.5, false);
   EXPECT_FALSE(core.step(after(6)).setpoint->release_weight) << "a drop on the sensor";
-  tell(7, true);
+  report_leak(7, true);
   EXPECT_FALSE(core.step(after(11)).setpoint->release_weight);
   EXPECT_TRUE(core.step(after(12)).setpoint->release_weight);
-  tell(13, false);
+  report_leak(13, false);
   EXPECT_TRUE(core.step(after(14)).setpoint->release_weight);
 }
 

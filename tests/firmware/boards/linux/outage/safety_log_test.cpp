@@ -227,16 +227,16 @@ TEST(SafetyPlaces, InMemoryAloneAreNoDiskWhoeverAskedForThem) {
   EXPECT_TRUE(places[0].survives_power_cut);
   EXPECT_FALSE(places[1].survives_power_cut);
   EXPECT_TRUE(places[2].survives_power_cut);
-  const std::vector<std::string> doubts = doubts_about(places, folders);
-  ASSERT_EQ(doubts.size(), 1U) << "of /run/earshot nobody expects more";
-  EXPECT_NE(doubts[0].find(places[1].file.string() + ": it is in memory"), std::string::npos) << doubts[0];
+  const std::vector<std::string> warnings = warnings_about(places, folders);
+  ASSERT_EQ(warnings.size(), 1U) << "of /run/earshot nobody expects more";
+  EXPECT_NE(warnings[0].find(places[1].file.string() + ": it is in memory"), std::string::npos) << warnings[0];
 
   const auto none = safety_places("/dev/shm/search", {}, folders, &is_under_dev);
   ASSERT_EQ(none.size(), 3U);
-  const std::vector<std::string> all = doubts_about(none, folders);
+  const std::vector<std::string> all = warnings_about(none, folders);
   ASSERT_EQ(all.size(), 3U);
   EXPECT_NE(all[2].find("OBEYED_NOT_DURABLE"), std::string::npos) << all[2];
-  EXPECT_TRUE(doubts_about(safety_places("/a/search", {}, folders, [](const fs::path&) { return false; }), folders).empty());
+  EXPECT_TRUE(warnings_about(safety_places("/a/search", {}, folders, [](const fs::path&) { return false; }), folders).empty());
 }
 
 }  // namespace

@@ -34,9 +34,9 @@ class BeginningTest : public testing::Test {
     {
       host::Journal journal(path, {.existing = host::ExistingJournal::kReplace});
       const wire::Encoded mission(message_, Time{5});
-      (void)journal.append(Time{5}, wire::kMissionChannel, mission.bytes(), host::Weight::kOrder);
-      (void)journal.append(Time{5}, wire::kPolicyChannel, policy_, host::Weight::kOrder);
-      if (third_) (void)journal.append(Time{5}, *third_, tables_, host::Weight::kOrder);
+      (void)journal.append(Time{5}, wire::kMissionChannel, mission.bytes(), host::Priority::kOrder);
+      (void)journal.append(Time{5}, wire::kPolicyChannel, policy_, host::Priority::kOrder);
+      if (third_) (void)journal.append(Time{5}, *third_, tables_, host::Priority::kOrder);
       (void)journal.close();
     }
     host::JournalReader reader(path);

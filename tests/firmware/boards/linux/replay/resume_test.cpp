@@ -32,17 +32,17 @@ namespace fs = std::filesystem;
 using Bytes = std::vector<std::uint8_t>;
 
 /// A record without its number and its place.
-struct Said {
+struct Written {
   Time time;
   std::string channel;
   Bytes data;
   std::uint64_t end = 0;  ///< of the record in the file
-  friend bool operator==(const Said& a, const Said& b) { return a.time == b.time && a.channel == b.channel && a.data == b.data; }
+  friend bool operator==(const Written& a, const Written& b) { return a.time == b.time && a.channel == b.channel && a.data == b.data; }
 };
 
-std::vector<Said> records_of(const fs::path& journal) {
+std::vector<Written> records_of(const fs::path& journal) {
   host::JournalReader reader(journal);
-  std::vector<Said> records;
+  std::vector<Written> records;
   for (host::JournalRecord record; reader.next(record);)
     records.push_back({.time = record.time, .channel = record.channel, .data = record.data, .end = reader.offset()});
   EXPECT_EQ(reader.end(), host::JournalReader::End::kWhole);
@@ -50,8 +50,8 @@ std::vector<Said> records_of(const fs::path& journal) {
 }
 
 /// What was said, but that it was gone on with.
-std::vector<Said> without_resumptions(std::vector<Said> records) {
-  std::erase_if(records, [](const Said& record) { return record.channel == wire::kJournalResumedChannel; });
+std::vector<Written> without_resumptions(std::vector<Written> records) {
+  std::erase_if(records, [](const Written& record) { return record.channel == wire::kJournalResumedChannel; });
   return records;
 }
 
@@ -85,7 +85,7 @@ class Resuming : public testing::Test {
     std::uint64_t taken = 0;
     bool is_turn_begun = false;
     messages::Input input;
-    for (const Said& record : records_) {
+    for (const Written& record : records_) {
       if (record.end > bytes) break;
       const bool is_of_script = !record.channel.starts_with(wire::kPortReportChannel);
       if (health >= turns && is_of_script && wire::read_input(record.channel, record.time, record.data, 0, input) == Status::kOk) ++taken;
@@ -110,7 +110,7 @@ class Resuming : public testing::Test {
   const fs::path cut_ = folder_ / "journal.lcmlog";
   config::Mission mission_;
   std::vector<Happening> script_;
-  std::vector<Said> records_;
+  std::vector<Written> records_;
   Bytes bytes_;
 };
 
@@ -120,8 +120,9 @@ TEST_F(Resuming, AfterAKillAtEveryTurnOfManyMissionsTheRestIsTheSameByteForByte)
     fly_whole(seed);
     for (std::size_t i = 0; i < records_.size(); ++i) {
       if (records_[i].channel != wire::kHealthChannel) continue;
-      const bool has_decided = i > 0 && std::ranges::any_of(std::span(records_).subspan(i - std::min<std::size_t>(i, 3), 3),
-                                                            [](const Said& said) { return said.channel == wire::kDecisionChannel; });
+      const bool has_decided =
+          i > 0 && std::ranges::any_of(std::span(records_).subspan(i - std::min<std::size_t>(i, 3), 3),
+                                       [](const Written& written) { return written.channel == wire::kDecisionChannel; });
       // A turn that decides is rare: of the others every fifth will do.
       if (!has_decided && i % 5 != 0) continue;
       decisions += has_decided ? 1 : 0;
@@ -159,7 +160,7 @@ TEST_F(Resuming, FromAJournalThatIsCutAtAnyByteEveryInputCountsOnceAndTheRestIsT
 TEST_F(Resuming, InLockStepWhatCameAfterTheLastTurnIsTakenOnceMore) {
   fly_whole(3);
   const auto last_turn =
-      std::find_if(records_.rbegin() + 1, records_.rend(), [](const Said& r) { return r.channel == wire::kHealthChannel; });
+      std::find_if(records_.rbegin() + 1, records_.rend(), [](const Written& r) { return r.channel == wire::kHealthChannel; });
   const std::uint64_t turn_end = last_turn->end;
   leave(bytes_.size() - 1);
   std::optional<Resumption> before = resume_from(GoOnAfter::kLastTurn);
@@ -171,7 +172,7 @@ TEST_F(Resuming, InLockStepWhatCameAfterTheLastTurnIsTakenOnceMore) {
 
 TEST_F(Resuming, ManyTimesInOneMissionChangesNothing) {
   fly_whole(7);
-  leave(std::ranges::find(std::span(records_).subspan(20), wire::kHealthChannel, &Said::channel)->end);
+  leave(std::ranges::find(std::span(records_).subspan(20), wire::kHealthChannel, &Written::channel)->end);
   for (int kills = 0; kills < 5; ++kills) {
     std::optional<Resumption> before = resume_from(GoOnAfter::kLastInput);
     ASSERT_TRUE(before) << kills;
@@ -229,7 +230,7 @@ TEST_F(Resuming, GoesOnBeforeARecordThatAPowerCutToreOutOfTheLastSecondUnlessAnO
     };
     bool is_light = true;
     for (std::size_t i = records_.size() - 1; i-- > records_.size() - 12;) {
-      const Said& behind = records_[i + 1];
+      const Written& behind = records_[i + 1];
       is_light = is_light && !behind.channel.starts_with("EARSHOT_OPERATOR_COMMAND") &&
                  behind.channel != "EARSHOT_COMMAND_ACKNOWLEDGEMENT" && behind.channel != "EARSHOT_SAFETY_EVENT";
       bool is_state_kept = true;

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "firmware/host/journal/reading/record_source.hpp"
-#include "firmware/messages/dictionary/mission_words.hpp"
 #include "firmware/messages/dictionary/health_words.hpp"
+#include "firmware/messages/dictionary/mission_words.hpp"
 #include "tests/firmware/host/journal/known_journal.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/text/tells.hpp"
@@ -32,15 +32,15 @@ Entry record_of(const Content& content) {
 /// What a timeline tells of records that a test makes.
 class TimelineTest : public ::testing::Test {
  protected:
-  std::vector<std::string> tell(const Entry& entry) {
+  std::vector<std::string> events_of(const Entry& entry) {
     std::vector<std::string> lines;
     for (const Event& event : timeline_.take(entry)) lines.push_back(event.text);
     return lines;
   }
-  std::vector<std::string> tell(const Content& content) { return tell(record_of(content)); }
+  std::vector<std::string> events_of(const Content& content) { return events_of(record_of(content)); }
   template <class Value>
-  std::vector<std::string> tell_input(const Value& value) {
-    return tell(Content(messages::Input{.arrival = kBegan, .port = 1, .sequence = 0, .value = value}));
+  std::vector<std::string> events_of_input(const Value& value) {
+    return events_of(Content(messages::Input{.arrival = kBegan, .port = 1, .sequence = 0, .value = value}));
   }
 
   Timeline timeline_;
@@ -81,43 +81,43 @@ TEST_F(TimelineTest, TellsAStateOnceHoweverLongItLasts) {
   messages::Health health;
   health.state = messages::MissionState::kSearch;
   health.authority = messages::Authority::kCommand;
-  EXPECT_EQ(tell(health), Lines{"SEARCH"});
-  EXPECT_EQ(tell(health), Lines{});
+  EXPECT_EQ(events_of(health), Lines{"SEARCH"});
+  EXPECT_EQ(events_of(health), Lines{});
   health.is_paused = true;
-  EXPECT_EQ(tell(health), Lines{"SEARCH, paused by an operator"});
+  EXPECT_EQ(events_of(health), Lines{"SEARCH, paused by an operator"});
 }
 
-TEST_F(TimelineTest, TellsOnceInASearchThatItIsSurprisedAndWhenItBeginsToSweep) {
+TEST_F(TimelineTest, TellsOnceInASearchThatItHasAMismatchAndWhenItBeginsToSweep) {
   messages::Health health;
   health.state = messages::MissionState::kSearch;
   health.authority = messages::Authority::kCommand;
-  health.surprise_bits = 6.7F;
-  EXPECT_EQ(tell(health), Lines{"SEARCH"});
-  health.surprise_bits = 6.75F;
-  EXPECT_TRUE(support::lines_tell(tell(health), {{messages::kIsSurprised, "model-mismatch", "score", "6.8 bits"}}));
-  health.surprise_bits = 5.0F;
-  EXPECT_EQ(tell(health), Lines{});
-  health.surprise_bits = 7.0F;
-  EXPECT_EQ(tell(health), Lines{});
+  health.mismatch_bits = 6.7F;
+  EXPECT_EQ(events_of(health), Lines{"SEARCH"});
+  health.mismatch_bits = 6.75F;
+  EXPECT_TRUE(support::lines_tell(events_of(health), {{messages::kIsMismatched, "model-mismatch", "score", "6.8 bits"}}));
+  health.mismatch_bits = 5.0F;
+  EXPECT_EQ(events_of(health), Lines{});
+  health.mismatch_bits = 7.0F;
+  EXPECT_EQ(events_of(health), Lines{});
   health.is_sweeping = true;
-  EXPECT_TRUE(support::lines_tell(tell(health), {{"SEARCH", messages::kSweeps}}));
-  EXPECT_EQ(tell(health), Lines{});
+  EXPECT_TRUE(support::lines_tell(events_of(health), {{"SEARCH", messages::kSweeps}}));
+  EXPECT_EQ(events_of(health), Lines{});
   health = {};
-  (void)tell(health);
+  (void)events_of(health);
   health.state = messages::MissionState::kSearch;
-  health.surprise_bits = 7.0F;
-  EXPECT_EQ(tell(health).size(), 2U) << "another search";
+  health.mismatch_bits = 7.0F;
+  EXPECT_EQ(events_of(health).size(), 2U) << "another search";
 }
 
-TEST_F(TimelineTest, TellsThatASearchSweepsBecauseItHasHeardNothingWhereNothingHasSurprisedIt) {
+TEST_F(TimelineTest, TellsThatASearchSweepsBecauseItHasHeardNothingWhereNoMismatchIs) {
   messages::Health health;
   health.state = messages::MissionState::kSearch;
   health.authority = messages::Authority::kCommand;
-  (void)tell(health);
+  (void)events_of(health);
   health.is_sweeping = true;
-  EXPECT_TRUE(support::lines_tell(tell(health), {{"SEARCH", messages::kSweepsInSilence}}));
+  EXPECT_TRUE(support::lines_tell(events_of(health), {{"SEARCH", messages::kSweepsInSilence}}));
   health.is_sweeping = false;
-  EXPECT_EQ(tell(health), Lines{"SEARCH"}) << "something is heard";
+  EXPECT_EQ(events_of(health), Lines{"SEARCH"}) << "something is heard";
 }
 
 // Who gives an order sends it until it is answered, and each time it comes it is answered.
@@ -132,20 +132,20 @@ TEST_F(TimelineTest, TellsAnOrderThatIsSentAgainAndAgainOnceAndHowOften) {
   obeyed.number = 1;
   const std::string order = "order START, number 1 of issuer 77, by port 1";
   const std::string answer = "order START, number 1 of issuer 77: obeyed";
-  EXPECT_EQ(tell_input(start), Lines{order});
-  EXPECT_EQ(tell(obeyed), Lines{answer});
+  EXPECT_EQ(events_of_input(start), Lines{order});
+  EXPECT_EQ(events_of(obeyed), Lines{answer});
   for (int i = 0; i < 10; ++i) {
-    EXPECT_EQ(tell_input(start), Lines{});
-    EXPECT_EQ(tell(obeyed), Lines{});
+    EXPECT_EQ(events_of_input(start), Lines{});
+    EXPECT_EQ(events_of(obeyed), Lines{});
   }
   messages::Health health;
   health.state = messages::MissionState::kSearch;
   health.authority = messages::Authority::kCommand;
-  EXPECT_EQ(tell(health), (Lines{order + " (11 times)", answer + " (11 times)", "SEARCH"}));
-  EXPECT_EQ(tell_input(start), Lines{});
+  EXPECT_EQ(events_of(health), (Lines{order + " (11 times)", answer + " (11 times)", "SEARCH"}));
+  EXPECT_EQ(events_of_input(start), Lines{});
   start.number = 2;
-  EXPECT_TRUE(support::lines_tell(tell_input(start), {{order, "12", "times"}, {"START", "number 2", "issuer 77", "port 1"}}));
-  (void)tell(obeyed);
+  EXPECT_TRUE(support::lines_tell(events_of_input(start), {{order, "12", "times"}, {"START", "number 2", "issuer 77", "port 1"}}));
+  (void)events_of(obeyed);
   const std::vector<Event> end = timeline_.finish(std::nullopt);
   ASSERT_EQ(end.size(), 2U);
   EXPECT_EQ(end[0].text, answer + " (12 times)");
@@ -165,7 +165,7 @@ TEST_F(TimelineTest, TellsAProgramThatWasStoppedFromAnOperatorsAbort) {
   const auto order_by = [this](std::uint8_t port, messages::Order order) {
     messages::OperatorCommand command;
     command.order = order;
-    (void)tell(Content(messages::Input{.arrival = kBegan, .port = port, .sequence = 0, .value = command}));
+    (void)events_of(Content(messages::Input{.arrival = kBegan, .port = port, .sequence = 0, .value = command}));
   };
   const auto abort_by = [&order_by](std::uint8_t port) { order_by(port, messages::Order::kAbort); };
   const messages::ClosingRecord closing{.time = kBegan,
@@ -175,78 +175,80 @@ TEST_F(TimelineTest, TellsAProgramThatWasStoppedFromAnOperatorsAbort) {
                                         .steps_taken = 2};
   order_by(0, messages::Order::kPause);  // that the safety record held, given again by the vehicle itself
   abort_by(1);
-  EXPECT_TRUE(support::lines_tell(tell(aborted()), {{"ABORT", messages::to_string(messages::EndReason::kOperatorAbort), "after 2 steps"}}));
+  EXPECT_TRUE(
+      support::lines_tell(events_of(aborted()), {{"ABORT", messages::to_string(messages::EndReason::kOperatorAbort), "after 2 steps"}}));
   abort_by(0);  // it was over before
   EXPECT_TRUE(support::lines_tell(
-      tell(closing),
+      events_of(closing),
       {{"end", "program", "stopped", "ABORT", messages::to_string(messages::EndReason::kOperatorAbort), "after 2 steps", "no", "lost"}}));
   timeline_ = Timeline();
   abort_by(0);
-  EXPECT_TRUE(support::lines_tell(tell(aborted()), {{"ABORT", "program", "stopped", "after 2 steps"}}));
-  EXPECT_TRUE(support::lines_tell(tell(closing), {{"end", "stopped", "ABORT", "stopped", "after 2 steps", "no", "lost"}}));
+  EXPECT_TRUE(support::lines_tell(events_of(aborted()), {{"ABORT", "program", "stopped", "after 2 steps"}}));
+  EXPECT_TRUE(support::lines_tell(events_of(closing), {{"end", "stopped", "ABORT", "stopped", "after 2 steps", "no", "lost"}}));
 }
 
 TEST_F(TimelineTest, TellsWhatIsRefusedOnceInAState) {
   messages::Health health;
   health.authority = messages::Authority::kCommand;
-  (void)tell(health);
+  (void)events_of(health);
   health.counters.navigation_refused = 3;
-  EXPECT_TRUE(support::lines_tell(tell(health), {{"navigation", "3 messages", "refused"}}));
+  EXPECT_TRUE(support::lines_tell(events_of(health), {{"navigation", "3 messages", "refused"}}));
   health.counters.navigation_refused = 4;
-  EXPECT_EQ(tell(health), Lines{});
+  EXPECT_EQ(events_of(health), Lines{});
   health.state = messages::MissionState::kSearch;
   health.counters.snr_refused = 1;
-  EXPECT_TRUE(support::lines_tell(tell(health), {{"SEARCH"}, {"SNR", "1 message", "refused"}}));
+  EXPECT_TRUE(support::lines_tell(events_of(health), {{"SEARCH"}, {"SNR", "1 message", "refused"}}));
   health.counters.navigation_refused = 5;
-  EXPECT_EQ(tell(health).size(), 1U);
+  EXPECT_EQ(events_of(health).size(), 1U);
 }
 
 TEST_F(TimelineTest, TellsBearingsThatAreRefusedApartFromThoseOfASecondSender) {
   messages::Health health;
   health.authority = messages::Authority::kCommand;
-  (void)tell(health);
+  (void)events_of(health);
   health.counters.bearings_refused = 2;
-  EXPECT_TRUE(support::lines_tell(tell(health), {{"bearing", "2 messages", "refused"}}));
+  EXPECT_TRUE(support::lines_tell(events_of(health), {{"bearing", "2 messages", "refused"}}));
   health.counters.bearings_of_others = 1;
-  EXPECT_TRUE(support::lines_tell(tell(health), {{"bearing", "1 message", "not"}}));
+  EXPECT_TRUE(support::lines_tell(events_of(health), {{"bearing", "1 message", "not"}}));
   health.counters.bearings_refused = health.counters.bearings_of_others = 3;
-  EXPECT_EQ(tell(health), Lines{});
+  EXPECT_EQ(events_of(health), Lines{});
 }
 
 TEST_F(TimelineTest, SaysThatADiskDoesNotTakeTheJournal) {
-  EXPECT_EQ(tell_input(messages::PortReport{.port = 0, .link_up = true}), Lines{});
-  EXPECT_EQ(tell_input(messages::PortReport{.port = 0, .link_up = false}), Lines{"the journal: the disk does not take it"});
-  EXPECT_EQ(tell_input(messages::PortReport{.port = 0, .link_up = true}), Lines{"the journal: the disk takes it again"});
+  EXPECT_EQ(events_of_input(messages::PortReport{.port = 0, .link_up = true}), Lines{});
+  EXPECT_EQ(events_of_input(messages::PortReport{.port = 0, .link_up = false}), Lines{"the journal: the disk does not take it"});
+  EXPECT_EQ(events_of_input(messages::PortReport{.port = 0, .link_up = true}), Lines{"the journal: the disk takes it again"});
 }
 
 TEST_F(TimelineTest, SaysHowManySetpointsCouldNotBeSent) {
-  EXPECT_EQ(tell_input(messages::UnsentSetpoints{.count = 1}), Lines{"so far 1 set-point could not be sent"});
+  EXPECT_EQ(events_of_input(messages::UnsentSetpoints{.count = 1}), Lines{"so far 1 set-point could not be sent"});
 }
 
 TEST_F(TimelineTest, LeavesOutAPortThatNoMissionHas) {
-  EXPECT_EQ(tell_input(messages::PortReport{.port = 255, .link_up = false, .lost = 3}), Lines{});
+  EXPECT_EQ(events_of_input(messages::PortReport{.port = 255, .link_up = false, .lost = 3}), Lines{});
 }
 
 TEST_F(TimelineTest, TellsWhatComesOverTheVehicleAndGoesAgain) {
-  EXPECT_EQ(tell_input(status(false, false)), Lines{});
-  EXPECT_EQ(tell_input(status(true, true)), (Lines{"water in the hull", "a ground fault"}));
-  EXPECT_EQ(tell_input(status(false, true)), Lines{"no more water in the hull"});
-  EXPECT_EQ(tell_input(messages::HydrophoneStatus{.time = kBegan, .is_deaf = true}), Lines{"the hydrophone is deaf"});
-  EXPECT_EQ(tell_input(messages::HydrophoneStatus{.time = kBegan, .is_deaf = false}), Lines{"the hydrophone hears again"});
-  EXPECT_EQ(tell_input(messages::AutopilotStatus{.time = kBegan, .follows_setpoints = false}),
+  EXPECT_EQ(events_of_input(status(false, false)), Lines{});
+  EXPECT_EQ(events_of_input(status(true, true)), (Lines{"water in the hull", "a ground fault"}));
+  EXPECT_EQ(events_of_input(status(false, true)), Lines{"no more water in the hull"});
+  EXPECT_EQ(events_of_input(messages::HydrophoneStatus{.time = kBegan, .is_deaf = true}), Lines{"the hydrophone is deaf"});
+  EXPECT_EQ(events_of_input(messages::HydrophoneStatus{.time = kBegan, .is_deaf = false}), Lines{"the hydrophone hears again"});
+  EXPECT_EQ(events_of_input(messages::AutopilotStatus{.time = kBegan, .follows_setpoints = false}),
             Lines{"the autopilot follows no set-points"});
-  EXPECT_EQ(tell_input(messages::AutopilotStatus{.time = kBegan, .follows_setpoints = true}), Lines{"the autopilot follows set-points"});
-  EXPECT_EQ(tell_input(messages::AutopilotStatus{.time = kBegan, .follows_setpoints = true}), Lines{});
+  EXPECT_EQ(events_of_input(messages::AutopilotStatus{.time = kBegan, .follows_setpoints = true}),
+            Lines{"the autopilot follows set-points"});
+  EXPECT_EQ(events_of_input(messages::AutopilotStatus{.time = kBegan, .follows_setpoints = true}), Lines{});
 }
 
 TEST_F(TimelineTest, TellsThatTheDropWeightIsToGo) {
-  EXPECT_EQ(tell(some_setpoint()), Lines{});
-  EXPECT_EQ(tell(some_setpoint(true)), Lines{"the drop weight is asked to be released"});
-  EXPECT_EQ(tell(some_setpoint(true)), Lines{});
+  EXPECT_EQ(events_of(some_setpoint()), Lines{});
+  EXPECT_EQ(events_of(some_setpoint(true)), Lines{"the drop weight is asked to be released"});
+  EXPECT_EQ(events_of(some_setpoint(true)), Lines{});
 }
 
 TEST_F(TimelineTest, MindsAPolicyThatIsNotTheMissions) {
-  (void)tell(known_mission());
+  (void)events_of(known_mission());
   const std::vector<Event> events = timeline_.take(record_of(PolicyBytes{.size = 3, .crc32 = 0x12}));
   ASSERT_EQ(events.size(), 1U);
   EXPECT_TRUE(events[0].is_lack);
@@ -256,8 +258,8 @@ TEST_F(TimelineTest, MindsAPolicyThatIsNotTheMissions) {
 TEST_F(TimelineTest, TellsTheFirstOfTheRecordsThatItCannotRead) {
   const Record record{
       .number = 5, .time = kBegan, .channel = "EARSHOT_HEALTH", .size_bytes = 1, .content = Unreadable{.is_known_channel = true}};
-  EXPECT_TRUE(support::lines_tell(tell(Entry(record)), {{"5", "EARSHOT_HEALTH", "cannot", "read"}}));
-  EXPECT_EQ(tell(Entry(record)), Lines{});
+  EXPECT_TRUE(support::lines_tell(events_of(Entry(record)), {{"5", "EARSHOT_HEALTH", "cannot", "read"}}));
+  EXPECT_EQ(events_of(Entry(record)), Lines{});
 }
 
 TEST_F(TimelineTest, SaysWhatIsMissingAtTheEndAndThatItIsALack) {

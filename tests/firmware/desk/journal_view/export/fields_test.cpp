@@ -104,9 +104,9 @@ TEST(JournalFields, HoldEveryFieldOfADecisionAndOfHealth) {
   for (const std::string& name : of_health) EXPECT_TRUE(fields_of(messages::Health{}).contains(name)) << name;
 }
 
-TEST(JournalFields, SayHowSurprisedTheVehicleIsWhetherItSweepsAndWhatItDeclares) {
+TEST(JournalFields, StateTheMismatchWhetherItSweepsAndWhatItDeclares) {
   messages::Health health;
-  health.surprise_bits = 13.5F;
+  health.mismatch_bits = 13.5F;
   health.is_sweeping = true;
   nlohmann::ordered_json fields = fields_of(health);
   EXPECT_EQ(fields.at("surprise_bits"), 13.5);
@@ -117,7 +117,7 @@ TEST(JournalFields, SayHowSurprisedTheVehicleIsWhetherItSweepsAndWhatItDeclares)
   EXPECT_EQ(to_line(fields.at("surprise_bits")), "null") << "it holds no belief";
   EXPECT_EQ(to_line(fields.at("found_probability")), "null") << "it declares nothing";
   decision.sweeping = true;
-  decision.belief.emplace().surprise_bits = 6.25F;
+  decision.belief.emplace().mismatch_bits = 6.25F;
   decision.found = {.probability = 0.75F, .snr = {}, .least_snr = Decibels{14.5}, .likeliest = {}, .closest_approach = Meters{640.0}};
   fields = fields_of(decision);
   EXPECT_EQ(fields.at("surprise_bits"), 6.25);

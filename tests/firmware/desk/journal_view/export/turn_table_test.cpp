@@ -53,16 +53,16 @@ TEST(TurnTable, SaysLatitudeAndLongitudeWhereTheOriginIsKnown) {
   EXPECT_NE(rows[2].find(",2000.000,0.0090437,10.0179663,299.500,"), std::string::npos) << rows[2];
 }
 
-TEST(TurnTable, SaysOfEachTurnHowSurprisedItIsWhetherItSweepsAndWhetherItDeclares) {
+TEST(TurnTable, SaysOfEachTurnTheMismatchWhetherItSweepsAndWhetherItDeclares) {
   const support::TemporaryFolder folder;
   {
     WrittenJournal journal(folder / "journal");
     messages::Health health;
     health.state = messages::MissionState::kSearch;
-    health.surprise_bits = 13.5F;
+    health.mismatch_bits = 13.5F;
     health.is_sweeping = true;
     journal.message(after(1000), wire::kHealthChannel, health);
-    health.surprise_bits = -2.0F;
+    health.mismatch_bits = -2.0F;
     health.is_sweeping = false;
     health.is_found = true;
     journal.message(after(2000), wire::kHealthChannel, health);

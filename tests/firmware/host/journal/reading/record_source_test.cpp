@@ -139,7 +139,7 @@ TEST_F(RecordSourceTest, ReadsOnWhereARecordWasHalfWrittenWhenItIsWhole) {
   RecordSource source(path_);
   EXPECT_EQ(all_of(source).size(), 2U);
   replace(whole);
-  source.look_again();
+  source.resume_reading();
   const std::vector<Entry> rest = all_of(source);
   ASSERT_EQ(rest.size(), 1U);
   EXPECT_EQ(std::get<Record>(rest[0]).number, 2U);

@@ -60,10 +60,10 @@ TEST(CommandKey, MarksACommandForAChallengeAsPythonsBlake2bDoes) {
 TEST(CommandKey, MarksAChallengeAsPythonsBlake2bDoes) {
   const CommandMark mark = CommandMark{0x1c, 0xf9, 0x3d, 0xf5, 0x22, 0xea, 0xbe, 0x66, 0x83, 0x00, 0x13, 0xaa, 0x3b, 0xf3, 0x3a, 0x80};
   EXPECT_EQ(key().mark_of(challenge(), start().time), mark);
-  messages::ToldChallenge told{.time = start().time, .challenge = challenge(), .mark = mark};
-  EXPECT_TRUE(key().verifies(told));
-  ++told.time.us;
-  EXPECT_FALSE(key().verifies(told));
+  messages::PublishedChallenge published{.time = start().time, .challenge = challenge(), .mark = mark};
+  EXPECT_TRUE(key().verifies(published));
+  ++published.time.us;
+  EXPECT_FALSE(key().verifies(published));
 }
 
 // hashlib.blake2b(order, ...): as it was before there was a challenge.

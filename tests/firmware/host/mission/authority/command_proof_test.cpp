@@ -22,7 +22,7 @@ OperatorCommand start_for(const CommandProof& proof) {
                           .issuer = 7,
                           .number = 1,
                           .order = messages::Order::kStart};
-  command.mark = proof.key.mark_of(command, proof.told(command.time).challenge);
+  command.mark = proof.key.mark_of(command, proof.published(command.time).challenge);
   return command;
 }
 
@@ -72,11 +72,11 @@ TEST(CommandProof, SaysOfAMarkWithoutAChallengeThatItIsOldUnlessItIsToCount) {
 
 TEST(CommandProof, IsToldWithAMarkOfWhoKnowsTheKey) {
   const CommandProof proof = proof_of("auv-7", "a mission");
-  messages::ToldChallenge told = proof.told(Time{5});
-  EXPECT_EQ(told.time, Time{5});
-  EXPECT_TRUE(proof.key.verifies(told));
-  told.challenge.nonce[0] ^= 1U;
-  EXPECT_FALSE(proof.key.verifies(told));
+  messages::PublishedChallenge published = proof.published(Time{5});
+  EXPECT_EQ(published.time, Time{5});
+  EXPECT_TRUE(proof.key.verifies(published));
+  published.challenge.nonce[0] ^= 1U;
+  EXPECT_FALSE(proof.key.verifies(published));
 }
 
 TEST(NewChallenge, BearsTheVehiclesNameTheMissionAndANonceOfItsOwn) {

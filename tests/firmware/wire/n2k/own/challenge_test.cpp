@@ -8,9 +8,9 @@
 namespace earshot::n2k {
 namespace {
 
-std::vector<std::uint8_t> bytes_on_bus(const messages::ToldChallenge& told) {
+std::vector<std::uint8_t> bytes_on_bus(const messages::PublishedChallenge& published) {
   FastPacketFrames frames;
-  EXPECT_EQ(compose_challenge(told, {.source = 0x40}, frames), Status::kOk);
+  EXPECT_EQ(compose_challenge(published, {.source = 0x40}, frames), Status::kOk);
   FastPacketAssembly assembly;
   std::span<const std::uint8_t> bytes;
   for (const Frame& frame : frames) static_cast<void>(assembly.accept({.pgn = kChallengePgn, .source = 0x40}, frame, bytes));
@@ -18,18 +18,18 @@ std::vector<std::uint8_t> bytes_on_bus(const messages::ToldChallenge& told) {
 }
 
 TEST(ChallengeMessage, LiesByteForByteWhereOtherProgramsExpectIt) {
-  messages::ToldChallenge told{.time = Time{0x0807060504030201}, .challenge = {}};
-  std::iota(told.challenge.nonce.begin(), told.challenge.nonce.end(), std::uint8_t{0x10});
-  std::iota(told.challenge.vehicle.begin(), told.challenge.vehicle.end(), std::uint8_t{0x40});
-  std::iota(told.challenge.mission.begin(), told.challenge.mission.end(), std::uint8_t{0x80});
-  std::iota(told.mark.begin(), told.mark.end(), std::uint8_t{0xF0});
+  messages::PublishedChallenge published{.time = Time{0x0807060504030201}, .challenge = {}};
+  std::iota(published.challenge.nonce.begin(), published.challenge.nonce.end(), std::uint8_t{0x10});
+  std::iota(published.challenge.vehicle.begin(), published.challenge.vehicle.end(), std::uint8_t{0x40});
+  std::iota(published.challenge.mission.begin(), published.challenge.mission.end(), std::uint8_t{0x80});
+  std::iota(published.mark.begin(), published.mark.end(), std::uint8_t{0xF0});
   std::vector<std::uint8_t> expected{0xFC, 0x9F, 1, 2, 3, 4, 5, 6, 7, 8};
   for (const auto& [first, count] : {std::pair{0x10, 16}, {0x40, 32}, {0x80, 32}, {0xF0, 16}}) {
     for (int i = 0; i < count; ++i) expected.push_back(static_cast<std::uint8_t>(first + i));
   }
   ASSERT_EQ(expected.size(), 106U);
-  EXPECT_EQ(bytes_on_bus(told), expected);
-  EXPECT_EQ(read_challenge(expected).value(), told);
+  EXPECT_EQ(bytes_on_bus(published), expected);
+  EXPECT_EQ(read_challenge(expected).value(), published);
 }
 
 TEST(ChallengeMessage, OfAnotherMakerOrCutShortIsNone) {

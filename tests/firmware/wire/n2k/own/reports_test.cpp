@@ -45,7 +45,7 @@ TEST(Reports, OfHealthComeBack) {
   health.is_paused = true;
   health.is_sweeping = true;
   health.is_found = true;
-  health.surprise_bits = 13.5F;
+  health.mismatch_bits = 13.5F;
   health.response = config::Response::kRelease;
   ASSERT_EQ(health.ports.push_back({}), Status::kOk);
   FastPacketFrames frames;
@@ -64,7 +64,7 @@ TEST(Reports, OfHealthComeBack) {
   EXPECT_TRUE(read.value().health.is_paused);
   EXPECT_TRUE(read.value().health.is_sweeping);
   EXPECT_TRUE(read.value().health.is_found);
-  EXPECT_EQ(read.value().health.surprise_bits, 13.5F);
+  EXPECT_EQ(read.value().health.mismatch_bits, 13.5F);
   EXPECT_EQ(read.value().health.response, config::Response::kRelease);
   EXPECT_EQ(read.value().port_count, 1);
 }
@@ -73,7 +73,7 @@ TEST(Reports, OfTheHealthOfAnOlderVehicleComeBackWithoutWhatItDoesNotSay) {
   messages::Health health;
   health.steps_taken = 7;
   health.is_sweeping = health.is_found = true;
-  health.surprise_bits = 13.5F;
+  health.mismatch_bits = 13.5F;
   health.response = config::Response::kHold;
   FastPacketFrames frames;
   ASSERT_EQ(compose_health(health, Time{5}, kSender, frames), Status::kOk);
@@ -85,18 +85,18 @@ TEST(Reports, OfTheHealthOfAnOlderVehicleComeBackWithoutWhatItDoesNotSay) {
   EXPECT_EQ(read.value().health.steps_taken, 7U);
   EXPECT_FALSE(read.value().health.is_sweeping);
   EXPECT_FALSE(read.value().health.is_found);
-  EXPECT_EQ(read.value().health.surprise_bits, 0.0F);
+  EXPECT_EQ(read.value().health.mismatch_bits, 0.0F);
   EXPECT_EQ(read.value().health.response, config::Response::kWarn);
 }
 
-TEST(Reports, OfHealthLeaveWhereTheyCanTheSurpriseThatNoFieldHolds) {
+TEST(Reports, OfHealthLeaveWhereTheyCanTheMismatchThatNoFieldHolds) {
   constexpr float kInfinite = std::numeric_limits<float>::infinity();
-  const auto told = [](float surprise_bits) {
+  const auto told = [](float mismatch_bits) {
     messages::Health health;
-    health.surprise_bits = surprise_bits;
+    health.mismatch_bits = mismatch_bits;
     FastPacketFrames frames;
     EXPECT_EQ(compose_health(health, Time{5}, kSender, frames), Status::kOk);
-    return read_health(bytes_of(frames)).value().health.surprise_bits;
+    return read_health(bytes_of(frames)).value().health.mismatch_bits;
   };
   EXPECT_EQ(told(kInfinite), 655.32F) << "16 bits of hundredths, below reserved, out of range and not available";
   EXPECT_EQ(told(-1.0F), 0.0F);
@@ -143,7 +143,7 @@ TEST(Reports, LieByteForByteWhereOtherProgramsExpectThem) {
   health.is_paused = true;
   health.is_found = true;                        // 1, below the response in six bits: 0001'1001
   health.response = config::Response::kRelease;  // 6
-  health.surprise_bits = 47.87F;                 // 4787 is 0x12B3
+  health.mismatch_bits = 47.87F;                 // 4787 is 0x12B3
   ASSERT_EQ(compose_health(health, Time{0x0807060504030201}, kSender, frames), Status::kOk);
   EXPECT_EQ(bytes_of(frames), (Bytes{0xFC, 0x9F, 1,    2,    3,    4,    5,    6,    7,    8,    3,    7,    1,    2,    3,    4,
                                      1,    2,    3,    4,    5,    6,    0x11, 0x12, 0x13, 0x14, 0x15, 0x16, 0x21, 0x22, 0x23, 0x24,

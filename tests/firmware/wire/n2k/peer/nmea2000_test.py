@@ -17,7 +17,7 @@ DATABASE = canboat.Database("si")
 # Of the tables' messages, those that canboat knows under several definitions.
 IDS = {59392: "isoAcknowledgement", 126464: "pgnListTransmitAndReceive"}
 # Its database has these in SI; what it reads, it tells in percent and ampere hours, as we do.
-TOLD_UNITS = {"ratio": 100.0, "C": 1.0 / 3600.0}
+PUBLISHED_UNITS = {"ratio": 100.0, "C": 1.0 / 3600.0}
 SKIPPED_KINDS = {"RESERVED", "SPARE"}
 
 
@@ -124,7 +124,7 @@ class AgreesWithCanboat(unittest.TestCase):
             for (field, first, bits, numerator, denominator, *_), theirs in self.pairs(pgn, ours):
                 self.assertEqual((theirs.bit_offset, theirs.bit_length), (int(first), int(bits)), f"{name} {field}")
                 if theirs.field_type in ("NUMBER", "DATE", "TIME", "DURATION"):
-                    resolution = theirs.resolution * TOLD_UNITS.get(theirs.unit, 1.0)
+                    resolution = theirs.resolution * PUBLISHED_UNITS.get(theirs.unit, 1.0)
                     self.assertAlmostEqual(
                         resolution * float(denominator) / float(numerator), 1.0, 12, f"{name} {field}"
                     )
