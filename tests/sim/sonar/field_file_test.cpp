@@ -126,7 +126,7 @@ TEST_F(FieldFile, SaysOfItsRadialWhereItPointsAndHowDeepTheSeaFloorIs) {
   const netcdf::Reader file(folder_ / "field.nc");
   EXPECT_EQ(file.read("bearing"), std::vector<double>{90.0});
   EXPECT_EQ(file.text_attribute("bearing", "units"), "degree");
-  EXPECT_TRUE(support::tells(file.text_attribute("bearing", "long_name"), {"bearing", "radial", "clockwise", "north"}));
+  EXPECT_TRUE(support::tells(file.text_attribute("bearing", "long_name").value(), {"bearing", "radial", "clockwise", "north"}));
   EXPECT_EQ(file.read("sea_floor_depth"), (std::vector<double>{60.0, 55.0, 50.0}));
   EXPECT_EQ(file.text_attribute("sea_floor_depth", "units"), "m");
   EXPECT_EQ(file.read("range"), (std::vector<double>{10.0, 20.0, 30.0}));

@@ -151,7 +151,7 @@ void print_node() {
       if (i == 5) node.accept(request, now);
     }
     // A group function (126208) asks for a heartbeat (126993) every second.
-    if (i == 5) node.accept({.identifier = 0x0DED4023, .size = 8, .data = {0x00, 11, 0, 0x11, 0xF0, 0x01, 0xE8, 0x03}}, now);
+    if (i == 5) node.accept(Frame{.identifier = 0x0DED4023, .size = 8, .data = {0x00, 11, 0, 0x11, 0xF0, 0x01, 0xE8, 0x03}}, now);
   }
   std::cout << '\n';
 }
