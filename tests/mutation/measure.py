@@ -287,7 +287,9 @@ def run_all(
     planted = {n: Planted(of_file[n], plans[of_file[n]][n], excuses.get(n)) for n in chosen}
     began = time.monotonic()
     with ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
-        running = [pool.submit(try_fault, planted[number], number, baseline, options.seconds, near) for number in chosen]
+        running = [
+            pool.submit(try_fault, planted[number], number, baseline, options.seconds, near) for number in chosen
+        ]
         for done, future in enumerate(running, 1):
             future.result()
             show(f"{done} of {len(running)} faults")

@@ -108,7 +108,9 @@ class Marker:
             return
         name = bytes(challenge.vehicle).rstrip(b"\0").decode("ascii", "replace")
         self.heard.add("".join(letter if letter.isprintable() else "?" for letter in name))  # anybody may say so
-        true_mark = blake2b(self.key, b"EARSHOT CHALLENGE1", struct.pack("<q", challenge.utime), challenge_bytes(challenge))
+        true_mark = blake2b(
+            self.key, b"EARSHOT CHALLENGE1", struct.pack("<q", challenge.utime), challenge_bytes(challenge)
+        )
         is_true = hmac.compare_digest(bytes(challenge.mark), true_mark) and bytes(challenge.vehicle) == self.vehicle
         if not is_true or self.mission not in (None, bytes(challenge.mission)):
             return

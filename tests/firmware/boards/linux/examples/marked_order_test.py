@@ -56,7 +56,7 @@ class MarkerTest(unittest.TestCase):
     def hear(self, start: int, utime: int, key: bytes = KEY) -> int:
         """Of a start of the vehicle. @return the start that the next order is marked for"""
         challenge = Challenge(utime, bytes([start]) * 16)
-        parts = b"EARSHOT CHALLENGE1", struct.pack("<q", utime), marked_order.told(challenge)
+        parts = b"EARSHOT CHALLENGE1", struct.pack("<q", utime), marked_order.challenge_bytes(challenge)
         challenge.mark = marked_order.blake2b(key, *parts)
         self.marker.hear(challenge)
         return self.next_start()
