@@ -39,7 +39,7 @@ class Autopilot final : public Device {
   /// A fault: it goes on as it was told last, takes set-points, and says so, and does not follow them.
   void obey(bool is_obedient) { helm_.obey(is_obedient); }
   /// Called with every set-point that is taken.
-  void publish(std::function<void(Time, const messages::Setpoint&)> on_setpoint) { on_setpoint_ = std::move(on_setpoint); }
+  void call_back(std::function<void(Time, const messages::Setpoint&)> on_setpoint) { on_setpoint_ = std::move(on_setpoint); }
 
  private:
   void publish(Time now, Frames& frames);

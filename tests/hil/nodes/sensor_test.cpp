@@ -10,14 +10,15 @@
 namespace earshot::hil {
 namespace {
 
-constexpr Nameplate kPlate{.model = "test", .device_class = 60, .device_function = 155, .preferred_address = 0x25, .unique_number = 1};
+constexpr Nameplate kSensorPlate{
+    .model = "test", .device_class = 60, .device_function = 155, .preferred_address = 0x25, .unique_number = 1};
 
 /// Says nothing, notes when it was to.
 class SensorTest : public testing::Test {
  protected:
   std::vector<Occasion> occasions_;
   Status answer_ = Status::kOk;
-  Sensor sensor_{kPlate,
+  Sensor sensor_{kSensorPlate,
                  {{.message = n2k::table::kSpeed, .period = Duration::milliseconds(100), .compose = [this](const Occasion& o, Frames&) {
                      occasions_.push_back(o);
                      return answer_;

@@ -275,8 +275,8 @@ TEST_F(Programs, EvaluateWarnsWhenToldToTestAnotherTaskThanAPolicyWasTrainedFor)
   const std::string said = content(folder / "err");
   const auto warnings = nlohmann::json::parse(content(folder / "a.json"))["warnings"];
   ASSERT_EQ(warnings.size(), 2U);
-  EXPECT_TRUE(support::tells(warnings[0], {kFixedSource, "trained", "changing", "one"}));
-  EXPECT_TRUE(support::tells(warnings[1], {kFixedSource, "trained", "anywhere", "2000 m"}));
+  EXPECT_TRUE(support::tells(warnings[0].get<std::string>(), {kFixedSource, "trained", "changing", "one"}));
+  EXPECT_TRUE(support::tells(warnings[1].get<std::string>(), {kFixedSource, "trained", "anywhere", "2000 m"}));
   for (const auto& warning : warnings)
     EXPECT_NE(said.find("earshot evaluate: warning: " + warning.get<std::string>() + "\n"), std::string::npos) << said;
   EXPECT_EQ(std::ranges::count(said, '\n'), 2) << said;

@@ -78,11 +78,12 @@ TEST(Fixed, NeverWritesMinusZero) {
 }
 
 TEST(CompassPoint, IsTheNearestOfTheSixteen) {
-  EXPECT_EQ(compass_point(205.0), "SSW");
-  EXPECT_EQ(compass_point(359.0), "N");
-  EXPECT_EQ(compass_point(-45.0), "NW");
-  EXPECT_EQ(compass_point(33.7), "NNE");
-  EXPECT_EQ(compass_point(33.8), "NE");
+  const auto point = [](double degrees) { return compass_point(Radians{degrees * std::numbers::pi / 180.0}); };
+  EXPECT_EQ(point(205.0), "SSW");
+  EXPECT_EQ(point(359.0), "N");
+  EXPECT_EQ(point(-45.0), "NW");
+  EXPECT_EQ(point(33.7), "NNE");
+  EXPECT_EQ(point(33.8), "NE");
 }
 
 }  // namespace
