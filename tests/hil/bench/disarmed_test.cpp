@@ -63,7 +63,7 @@ TEST(Disarmed, CannotDoWithoutWhatNoMissionCanPutOff) {
 }
 
 /// A mission that is released by a leak, and warned of a ground fault.
-config::Mission mission() {
+config::Mission mission_with_rules() {
   config::Mission mission;
   (void)mission.safety.rules.push_back({.condition = Condition::kLeak, .persistence = {}, .response = config::Response::kRelease});
   (void)mission.safety.rules.push_back({.condition = Condition::kGroundFault, .persistence = {}, .response = config::Response::kWarn});
@@ -75,7 +75,7 @@ Expectation expectation(std::vector<Condition> rules) {
 }
 
 TEST(ExpectedWithoutFiring, IsWhatARuleDoesForARuleThatIsNotThereCannotFire) {
-  const Expectation left = expected_without_firing(expectation({Condition::kLeak}), {Condition::kLeak}, mission());
+  const Expectation left = expected_without_firing(expectation({Condition::kLeak}), {Condition::kLeak}, mission_with_rules());
   EXPECT_EQ(left.end, messages::EndReason::kSafetyRule);
   EXPECT_TRUE(left.releases_weight);
   EXPECT_TRUE(left.rules.empty());
@@ -84,11 +84,12 @@ TEST(ExpectedWithoutFiring, IsWhatARuleDoesForARuleThatIsNotThereCannotFire) {
 
 TEST(ExpectedWithoutFiring, IsTheFiringOfRulesThatDoNothingButWarn) {
   const Expectation whole = expectation({Condition::kGroundFault});
-  EXPECT_EQ(expected_without_firing(whole, whole.rules, mission()), whole);
+  EXPECT_EQ(expected_without_firing(whole, whole.rules, mission_with_rules()), whole);
 }
 
 TEST(ExpectedWithoutFiring, KnowsTheRulesThatNoMissionSwitchesOff) {
-  const Expectation left = expected_without_firing(expectation({Condition::kNavigationAge}), {Condition::kNavigationAge}, mission());
+  const Expectation left =
+      expected_without_firing(expectation({Condition::kNavigationAge}), {Condition::kNavigationAge}, mission_with_rules());
   EXPECT_TRUE(left.rules.empty());
 }
 

@@ -127,7 +127,7 @@ TEST(SoundscapeOf, RefusesALibraryWithoutTheVehiclesDepthOrThatDoesNotReachAsFar
   const support::TemporaryFolder folder;
   const Scenario scenario = with_library(folder / "library.nc", 30.0, 20.0);
   const std::string depth = complaint_of(scenario, Meters{200.0});
-  EXPECT_TRUE(support::has_line(depth, {"library.nc", "no", "200"})) << depth;
+  EXPECT_TRUE(support::has_line(depth, {"library.nc", "no", "200.000000 m"})) << depth;
   const std::string range = complaint_of(scenario, Meters{300.0}, Meters{201.0});
   EXPECT_NE(range.find("library.nc: must extend to 201"), std::string::npos) << range;
 }
