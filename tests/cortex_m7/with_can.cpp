@@ -59,7 +59,8 @@ extern "C" __attribute__((used)) void keep_can(const n2k::LocalPlane& plane, con
   asm volatile("" : : "r"(made) : "memory");
   keep(&n2k::Node::accept);
   keep(&n2k::Node::step);
-  keep(static_cast<Status (n2k::NavigationReceiver::*)(const n2k::Frame&, Time, messages::Navigation&)>(&n2k::NavigationReceiver::accept));
+  keep(static_cast<Status (n2k::NavigationReceiver::*)(const n2k::HeardFrame&, Time, messages::Navigation&)>(
+      &n2k::NavigationReceiver::accept));
   keep(&n2k::NavigationReceiver::zero_at_surface);
   keep(&n2k::OrderReceiver::accept);
   keep(&n2k::VehicleCondition::accept_hull);
