@@ -188,7 +188,7 @@ Case load_case(const std::filesystem::path& path, const std::filesystem::path& u
     for (const TableReader& table : root.tables("fault")) made.faults.push_back(read_fault(table, made));
   }
   if (made.sound_port == 0 &&
-      std::ranges::any_of(made.faults, [](const TimedFault& fault) { return fault.traits().hits == Befalls::kSound; }))
+      std::ranges::any_of(made.faults, [](const TimedFault& fault) { return fault.traits().hits == FaultTarget::kSound; }))
     root.problem("mission", "must have a port of the role \"hydrophone\", for faults in its samples");
   made.expected = read_expectation(root.table("expect"), mission, made.speed.has_value());
   file.finish();

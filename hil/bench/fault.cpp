@@ -31,7 +31,7 @@ std::string in_words(const TimedFault& fault) {
   if (!fault.how.empty()) text << " (" << fault.how << ")";
   if (!traits.amount.empty()) text << " " << fault.amount << " " << unit_of(traits);
   if (traits.has_direction) text << " towards " << fault.direction_deg << " degrees";
-  if (traits.hits == Befalls::kFrames) {
+  if (traits.hits == FaultTarget::kFrames) {
     text << " of " << fault.share * 100.0 << " % of " << (fault.device.empty() ? "all" : "the " + fault.device + "'s") << " frames";
     if (fault.pgn) text << " of " << *fault.pgn;
   } else if (!fault.device.empty()) {

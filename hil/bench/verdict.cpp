@@ -103,7 +103,7 @@ void judge_notice(const Case& c, const JournalFindings& journal, std::vector<std
         return trouble.trouble == state && trouble.is_there == begins;
       });
     };
-    const bool is_controllers = fault.traits().hits == Befalls::kController;
+    const bool is_controllers = fault.traits().hits == FaultTarget::kController;
     if (is_controllers && !reports(true)) wrong.push_back("the journal does not report that it began: " + in_words(fault));
     if (is_controllers && fault.until && !reports(false)) wrong.push_back("the journal does not report that it ended: " + in_words(fault));
     if (fault.fault == Fault::kSoundDropout && fault.until && journal.lost.at(c.sound_port) == 0)
@@ -130,7 +130,7 @@ void judge_faults(const Case& c, const BenchFlight& flight, std::vector<std::str
   if (!flight.failure.empty()) return;
   for (const TimedFault& fault : flight.idle) wrong.push_back("the fault never acted: " + in_words(fault));
   const bool has_frame_fault =
-      std::ranges::any_of(c.faults, [](const TimedFault& fault) { return fault.traits().hits == Befalls::kFrames; });
+      std::ranges::any_of(c.faults, [](const TimedFault& fault) { return fault.traits().hits == FaultTarget::kFrames; });
   if (flight.idle.empty() && has_frame_fault && flight.afflicted == 0) wrong.emplace_back("no frame met the fault");
 }
 

@@ -34,7 +34,7 @@ SoundFault sound_of(const TimedFault& fault) {
 }  // namespace
 
 SeaEquipment::SeaEquipment(const Case& c, const Bench& bench) : case_(c), bus_(bench.interface), sound_url_(own_sound_url()) {
-  if (std::ranges::any_of(c.faults, [](const TimedFault& fault) { return fault.traits().hits == Befalls::kController; })) {
+  if (std::ranges::any_of(c.faults, [](const TimedFault& fault) { return fault.traits().hits == FaultTarget::kController; })) {
     try {
       adapter_.emplace(bus_);
     } catch (const NoSerialCan& e) {
@@ -71,7 +71,7 @@ void SeaEquipment::begin(const TimedFault& fault) {
       has_netem_ = set_netem(bus_, fault.how);
       return;
     default:
-      if (fault.traits().hits == Befalls::kSound) hydrophone_->disturb(sound_of(fault));
+      if (fault.traits().hits == FaultTarget::kSound) hydrophone_->disturb(sound_of(fault));
   }
 }
 
@@ -87,7 +87,7 @@ void SeaEquipment::end(const TimedFault& fault) {
       if (set_netem(bus_, "")) has_netem_ = false;
       return;
     default:
-      if (fault.traits().hits == Befalls::kSound) hydrophone_->disturb({});
+      if (fault.traits().hits == FaultTarget::kSound) hydrophone_->disturb({});
   }
 }
 

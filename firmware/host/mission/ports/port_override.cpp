@@ -44,21 +44,21 @@ std::vector<PortSettings> ports_named(const std::string& bus, const MissionFile&
 
 }  // namespace
 
-void override_ports(MissionFile& file, const PortOverride& said) {
-  if (said.can_interface && !is_interface_name(*said.can_interface))
-    throw BadInput("--can-interface \"" + printable(*said.can_interface) + "\": " + kInterfaceNameRule);
-  if (said.bus) {
-    std::vector<PortSettings> ports = ports_named(*said.bus, file);
+void override_ports(MissionFile& file, const PortOverride& given) {
+  if (given.can_interface && !is_interface_name(*given.can_interface))
+    throw BadInput("--can-interface \"" + printable(*given.can_interface) + "\": " + kInterfaceNameRule);
+  if (given.bus) {
+    std::vector<PortSettings> ports = ports_named(*given.bus, file);
     std::ranges::copy_if(file.ports, std::back_inserter(ports), [](const PortSettings& port) { return port.roles.has(Role::kHydrophone); });
     file.ports = std::move(ports);
     give_command_proof(file);
   }
   for (PortSettings& port : file.ports) {
-    const std::optional<std::string>& over_lcm = port.roles.has(Role::kHydrophone) ? said.hydrophone_url : said.lcm_url;
-    const std::optional<std::string>& address = port.kind == PortKind::kCan ? said.can_interface : over_lcm;
+    const std::optional<std::string>& over_lcm = port.roles.has(Role::kHydrophone) ? given.hydrophone_url : given.lcm_url;
+    const std::optional<std::string>& address = port.kind == PortKind::kCan ? given.can_interface : over_lcm;
     if (address) port.address = *address;
   }
-  const char* const option = said.hydrophone_url ? "--hydrophone-url" : "--lcm-url";
+  const char* const option = given.hydrophone_url ? "--hydrophone-url" : "--lcm-url";
   for (const PortSettings& port : file.ports) {
     for (const PortSettings& other : file.ports) {
       if (&port != &other && is_sound_on_bus(port, other))

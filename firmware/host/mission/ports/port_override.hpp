@@ -21,7 +21,7 @@ struct PortOverride {
 };
 
 /// @throws host::BadInput when an LCM port would then share a hydrophone's bus, and for a name that no interface can have.
-void override_ports(MissionFile& file, const PortOverride& said);
+void override_ports(MissionFile& file, const PortOverride& given);
 
 /// For a simulation that brings the SNR itself: what the hydrophone of a vehicle nearby hears is none of its business.
 void leave_out_hydrophones(MissionFile& file);
