@@ -14,4 +14,11 @@ namespace earshot {
   return wrapped.value < 0.0 ? Radians{wrapped.value + 2.0 * std::numbers::pi} : wrapped;
 }
 
+/// Clockwise from north in degrees, [0, 360). Oracle: CompassDegrees.*
+[[nodiscard]] inline double compass_degrees(Radians heading) {
+  constexpr double kFullTurn_deg = 360.0;
+  const double degrees = wrap_to_two_pi(heading).value * 180.0 / std::numbers::pi;
+  return degrees >= kFullTurn_deg ? 0.0 : degrees;  // of an angle that is a rounding below zero
+}
+
 }  // namespace earshot

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "firmware/core/compass.hpp"
 #include "firmware/core/math.hpp"
@@ -15,10 +14,6 @@ using policy::Feature;
 
 constexpr double kFullTurn_deg = 360.0;
 constexpr double kDegreesPerPoint = 22.5;
-
-double degrees_of(Radians bearing) {
-  return wrap_to_two_pi(bearing).value * 180.0 / std::numbers::pi;
-}
 
 enum class Unit : std::uint8_t { kMeters, kDecibels, kShare, kCount };
 
@@ -80,19 +75,19 @@ std::string_view to_string(Subject subject) {
 }
 
 std::string degrees_to_string(Radians bearing) {
-  return host::formatted("%03.0f\u00B0", std::fmod(std::round(degrees_of(bearing)), kFullTurn_deg));
+  return host::formatted("%03.0f\u00B0", std::fmod(std::round(compass_degrees(bearing)), kFullTurn_deg));
 }
 
 std::string compass_point(Radians bearing) {
   constexpr std::array<std::string_view, 16> kPoints{"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
                                                      "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"};
-  const double point = std::round(degrees_of(bearing) / kDegreesPerPoint);
+  const double point = std::round(compass_degrees(bearing) / kDegreesPerPoint);
   return std::string(kPoints[static_cast<std::size_t>(point) % kPoints.size()]);
 }
 
 std::string direction_name(const UnitNorthEast& direction) {
   const Radians bearing = bearing_of(direction.north, direction.east);
-  const double point = degrees_of(bearing) / kDegreesPerPoint;
+  const double point = compass_degrees(bearing) / kDegreesPerPoint;
   return std::abs(point - std::round(point)) < 1e-6 ? compass_point(bearing) : degrees_to_string(bearing);
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "firmware/core/compass.hpp"
 #include "firmware/core/geometry.hpp"
 #include "firmware/host/journal/words/rule_event_words.hpp"
 #include "firmware/host/journal/words/sentences.hpp"
@@ -21,7 +22,7 @@ double seconds_since(Time began, Time time) {
 int degrees_towards(const messages::Decision& d) {
   const NorthEast leg = d.waypoint - d.position;
   const Radians bearing = bearing_of(leg.north.value, leg.east.value);
-  return static_cast<int>(std::lround(journal::compass_degrees(bearing))) % 360;
+  return static_cast<int>(std::lround(compass_degrees(bearing))) % 360;
 }
 
 std::string half_row(const std::optional<messages::Decision>& decision, Time began) {

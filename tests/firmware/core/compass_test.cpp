@@ -24,5 +24,12 @@ TEST(WrapToTwoPi, OfWhatIsNotFiniteIsNan) {
   EXPECT_TRUE(std::isnan(wrap_to_two_pi(Radians{-std::numeric_limits<double>::infinity()}).value));
 }
 
+TEST(CompassDegrees, TurnClockwiseFromNorth) {
+  EXPECT_DOUBLE_EQ(compass_degrees(Radians{pi / 2}), 90.0);
+  EXPECT_DOUBLE_EQ(compass_degrees(Radians{-pi / 2}), 270.0);
+  EXPECT_DOUBLE_EQ(compass_degrees(Radians{3 * pi}), 180.0);
+  EXPECT_EQ(compass_degrees(Radians{-1e-300}), 0.0);
+}
+
 }  // namespace
 }  // namespace earshot

@@ -1,13 +1,13 @@
 #include "firmware/host/journal/words/wording.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "firmware/core/compass.hpp"
 #include "firmware/host/text/numbers.hpp"
 #include "firmware/host/text/utc.hpp"
 
 namespace earshot::journal {
+
 std::string utc(Time time) {
   return host::date_and_time(time) + " UTC";
 }
@@ -18,12 +18,6 @@ std::string to_string(NorthEast place) {
 
 double seconds_of(Time time) {
   return static_cast<double>(time.us) / 1e6;
-}
-
-double compass_degrees(Radians heading) {
-  constexpr double kFullTurn_deg = 360.0;
-  const double degrees = wrap_to_two_pi(heading).value * 180.0 / std::numbers::pi;
-  return degrees >= kFullTurn_deg ? 0.0 : degrees;  // of an angle that is a rounding below zero
 }
 
 std::string compass(Radians heading, int places) {

@@ -16,9 +16,7 @@ namespace earshot::journal {
 /// Seconds on the mission's clock, to the microsecond.
 [[nodiscard]] double seconds_of(Time time);
 
-/// Clockwise from north, [0, 360).
-[[nodiscard]] double compass_degrees(Radians heading);
-/// Likewise with so many decimals, below 360 then, too; nothing of what is no number.
+/// compass_degrees() with so many decimals, below 360 then, too; nothing of what is no number.
 [[nodiscard]] std::string compass(Radians heading, int places);
 
 }  // namespace earshot::journal

@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace earshot::journal {
 namespace {
@@ -35,14 +34,6 @@ TEST(JournalWording, WritesNumbersOfAnySizeWithTheirPlaces) {
 TEST(JournalWording, CountsOneAndMany) {
   EXPECT_EQ(host::counted(0, "record"), "0 records");
   EXPECT_EQ(host::counted(1, "record"), "1 record");
-}
-
-// sin and cos of the quarters are exact to a rounding: a thousandth of a degree shows no more.
-TEST(JournalWording, TurnsHeadingsIntoCompassDegrees) {
-  EXPECT_DOUBLE_EQ(compass_degrees(Radians{std::numbers::pi / 2}), 90.0);
-  EXPECT_DOUBLE_EQ(compass_degrees(Radians{-std::numbers::pi / 2}), 270.0);
-  EXPECT_DOUBLE_EQ(compass_degrees(Radians{3 * std::numbers::pi}), 180.0);
-  EXPECT_EQ(compass_degrees(Radians{-1e-300}), 0.0);
 }
 
 TEST(JournalWording, WritesAHeadingJustBelowNorthAsNorth) {
