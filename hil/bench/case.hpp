@@ -53,6 +53,8 @@ struct Case {
 
   [[nodiscard]] Radians start_heading() const;  ///< in (-pi, pi]
   [[nodiscard]] bool has(Fault fault) const;
+  /// Whether any of its faults hits that.
+  [[nodiscard]] bool has(FaultTarget target) const;
   friend bool operator==(const Case&, const Case&) = default;
 };
 

@@ -156,6 +156,10 @@ bool Case::has(Fault fault) const {
   return std::ranges::find(faults, fault, &TimedFault::fault) != faults.end();
 }
 
+bool Case::has(FaultTarget target) const {
+  return std::ranges::any_of(faults, [target](const TimedFault& fault) { return fault.traits().hits == target; });
+}
+
 std::string key_of(config::Condition rule) {
   return std::string(config::kConditionTraits.at(static_cast<std::size_t>(rule)).key);
 }
@@ -187,8 +191,7 @@ Case load_case(const std::filesystem::path& path, const std::filesystem::path& u
   if (root.has("fault")) {
     for (const TableReader& table : root.tables("fault")) made.faults.push_back(read_fault(table, made));
   }
-  if (made.sound_port == 0 &&
-      std::ranges::any_of(made.faults, [](const TimedFault& fault) { return fault.traits().hits == FaultTarget::kSound; }))
+  if (made.sound_port == 0 && made.has(FaultTarget::kSound))
     root.problem("mission", "must have a port of the role \"hydrophone\", for faults in its samples");
   made.expected = read_expectation(root.table("expect"), mission, made.speed.has_value());
   file.finish();

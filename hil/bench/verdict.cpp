@@ -129,9 +129,7 @@ void judge_track(const config::Mission& mission, const BenchFlight& flight, std:
 void judge_faults(const Case& c, const BenchFlight& flight, std::vector<std::string>& wrong) {
   if (!flight.failure.empty()) return;
   for (const TimedFault& fault : flight.idle) wrong.push_back("the fault never acted: " + in_words(fault));
-  const bool has_frame_fault =
-      std::ranges::any_of(c.faults, [](const TimedFault& fault) { return fault.traits().hits == FaultTarget::kFrames; });
-  if (flight.idle.empty() && has_frame_fault && flight.afflicted == 0) wrong.emplace_back("no frame met the fault");
+  if (flight.idle.empty() && c.has(FaultTarget::kFrames) && flight.afflicted == 0) wrong.emplace_back("no frame met the fault");
 }
 
 /// Whether what is not in the journal is no fault of Earshot's.

@@ -34,7 +34,7 @@ SoundFault sound_of(const TimedFault& fault) {
 }  // namespace
 
 SeaEquipment::SeaEquipment(const Case& c, const Bench& bench) : case_(c), bus_(bench.interface), sound_url_(own_sound_url()) {
-  if (std::ranges::any_of(c.faults, [](const TimedFault& fault) { return fault.traits().hits == FaultTarget::kController; })) {
+  if (c.has(FaultTarget::kController)) {
     try {
       adapter_.emplace(bus_);
     } catch (const NoSerialCan& e) {
