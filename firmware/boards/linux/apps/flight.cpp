@@ -110,12 +110,6 @@ LoopResult fly_on(const Flight& f, MissionTurn& turn, MemoryProof& proof, const 
   return result;
 }
 
-/// The record of a flight that was not stopped in order; null: nothing goes on.
-const host::SafetyRecord* open_record(const Flight& f) {
-  const bool is_open = f.options.resume && f.safety != nullptr && f.safety->found() && !f.safety->found()->is_closed;
-  return is_open ? &*f.safety->found() : nullptr;
-}
-
 /// With this start among its starts.
 host::SafetyRecord counted(host::SafetyRecord record) {
   ++record.starts;
@@ -166,8 +160,8 @@ std::optional<Unfinished> unfinished_mission(Flight& f, const std::filesystem::p
   const Flown flown{.mission = f.file.mission, .policy_crc32 = crc32(f.search.policy.bytes), .tables_crc32 = crc32(f.search.tables.bytes)};
   f.manager.ask_for(std::chrono::minutes(30));  // the journal of a month is read again
   if (f.safety == nullptr) return find_unfinished(wanted, flown, GoOnAfter::kLastTurn);
-  const host::SafetyRecord* const record = open_record(f);
   if (!f.safety->found()) report_others_journal(wanted);
+  const host::SafetyRecord* const record = f.record;
   if (record == nullptr) return std::nullopt;
   std::optional<Unfinished> unfinished;
   try {
@@ -198,11 +192,10 @@ std::optional<Unfinished> unfinished_mission(Flight& f, const std::filesystem::p
 /// What the safety record knows and the mission does not: ordered anew, as inputs that the journal holds.
 void order_what_held(const Flight& f, const runtime::Outputs& last, Core& core, MissionTurn& turn) {
   if (!f.holds_orders) return;
-  const host::SafetyRecord* const record = open_record(f);
-  for (const messages::OperatorCommand& order : held_orders(*record, last, core.mission(), f.clock.now()).orders)
+  for (const messages::OperatorCommand& order : held_orders(*f.record, last, core.mission(), f.clock.now()).orders)
     turn.take(kOwnPort, order);
-  const bool is_over = record->end_reason != messages::EndReason::kNone;
-  if (!is_over && !keeps_limits_of(*record, core.mission()))
+  const bool is_over = f.record->end_reason != messages::EndReason::kNone;
+  if (!is_over && !keeps_limits_of(*f.record, core.mission()))
     throw host::BadInput("the limits that an operator made tighter cannot be kept by the mission in its journal");
 }
 
@@ -257,9 +250,9 @@ int fly(Flight& f) {
   std::optional<SafetyLog> safety;
   std::optional<Meanwhile> meanwhile;
   const auto began = std::chrono::steady_clock::now();
-  if (const host::SafetyRecord* const record = open_record(f); record != nullptr) {
-    safety.emplace(*f.safety, f.host, counted(*record));
-    if (is_under_way(*record)) meanwhile.emplace(f.file.mission, f.ports, f.clock, *safety);
+  if (f.record != nullptr) {
+    safety.emplace(*f.safety, f.host, counted(*f.record));
+    if (is_under_way(*f.record)) meanwhile.emplace(f.file.mission, f.ports, f.clock, *safety);
   }
   std::optional<Unfinished> unfinished = unfinished_mission(f, wanted, safety, meanwhile);
   if (f.options.replace)

@@ -43,9 +43,10 @@ struct Flight {
   Clock& clock;
   const HostClock& host;
   ServiceManager manager;
-  host::SafetyCopies* safety = nullptr;  ///< of a vehicle at sea
-  Outage outage = {};                    ///< since its record was written, where the mission goes on
-  bool holds_orders = false;             ///< what that record says is to hold in the mission that is flown
+  host::SafetyCopies* safety = nullptr;        ///< of a vehicle at sea
+  const host::SafetyRecord* record = nullptr;  ///< of a flight that was not stopped in order, as it was found; null: nothing goes on
+  Outage outage = {};                          ///< since that was written
+  bool holds_orders = false;                   ///< what that record says is to hold in the mission that is flown
 };
 
 /// Said when a program was stopped and the record could not be closed.

@@ -44,17 +44,17 @@ std::optional<Time> rehearsal_began(const Options& o, Time utc) {
   return began;
 }
 
-/// How long nobody has flown, where the mission goes on that the record tells of.
-Outage outage_of(const Options& o, const host::SafetyCopies& safety, const HostClock& host) {
-  const bool goes_on = o.resume && safety.found() && !safety.found()->is_closed;
-  return goes_on ? outage_since(*safety.found(), host) : Outage{};
+/// The record of a flight that was not stopped in order; null: nothing goes on.
+const host::SafetyRecord* open_record(const Options& o, const host::SafetyCopies& safety) {
+  const bool is_open = o.resume && safety.found() && !safety.found()->is_closed;
+  return is_open ? &*safety.found() : nullptr;
 }
 
 /// The mission clock at sea. Of a mission that goes on it goes by the record; no wall clock that was set meanwhile, either way, is asked.
-std::unique_ptr<Clock> clock_at_sea(const Options& o, const host::SafetyCopies& safety, const HostClock& host, const Outage& outage) {
+/// @param record  of the mission that goes on; null: a new one begins
+std::unique_ptr<Clock> clock_at_sea(const Options& o, const host::SafetyRecord* record, const HostClock& host, const Outage& outage) {
   auto clock = std::make_unique<HostMissionClock>(host, o.speed, rehearsal_began(o, host.utc()));
-  const bool goes_on = o.resume && safety.found() && !safety.found()->is_closed;
-  if (goes_on && !o.speed_since) clock->go_on_since(safety.found()->mission_time, outage.passed);
+  if (record != nullptr && !o.speed_since) clock->go_on_since(record->mission_time, outage.passed);
   return clock;
 }
 
@@ -88,8 +88,9 @@ int fly(const Options& o, const HostClock& host, host::SafetyCopies& safety) {
   PortSet ports;
   open_ports(file, host, host::IfMissing::kKeepTrying, WakesFor::kMeasurements, ports);  // a link may come after the vehicle computer
   settle(ports);
-  const Outage outage = outage_of(o, safety, host);
-  const std::unique_ptr<Clock> clock = clock_at_sea(o, safety, host, outage);
+  const host::SafetyRecord* const record = open_record(o, safety);
+  const Outage outage = record != nullptr ? outage_since(*record, host) : Outage{};
+  const std::unique_ptr<Clock> clock = clock_at_sea(o, record, host, outage);
   // A vehicle in mid-search must not be left alone with its last set-point because somebody's terminal closed or a key slipped.
   program::ignore_unmeant_signals();
   program::install_sighup_handler();
@@ -107,6 +108,7 @@ int fly(const Options& o, const HostClock& host, host::SafetyCopies& safety) {
                 .host = host,
                 .manager = service_manager(),
                 .safety = &safety,
+                .record = record,
                 .outage = outage};
   return fly(flight);
 }
