@@ -24,8 +24,7 @@ namespace {
 using namespace earshot;
 
 /// Reports on standard error what the page lacks. @return the exit status
-int report_missing(const std::filesystem::path& folder_or_journal, const report::Flight& flight) {
-  const std::filesystem::path& folder = folder_or_journal;
+int report_missing(const std::filesystem::path& folder, const report::Flight& flight) {
   for (const std::string& name : flight.missing)
     std::cerr << host::printable((folder / name).string()) << ": not there; the page is without it\n";
   if (!flight.journal.is_whole())
