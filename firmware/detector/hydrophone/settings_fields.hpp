@@ -12,7 +12,7 @@ struct Described<detector::SoundSettings> {
   static constexpr std::string_view kType = "hearing_t";
   static constexpr std::string_view kChannel = "EARSHOT_HEARING";
   static constexpr std::string_view kMeaning = "What a microcontroller listens for in its hydrophone's samples. On its serial line alone.";
-  static constexpr std::tuple kFields{
+  static constexpr LineList kFields{
       sent_time("utime"),
       field<&Settings::calibration, &Calibration::sensitivity>("sensitivity_db", {.meaning = "of the hydrophone, dB re 1 V/uPa"}),
       field<&Settings::calibration, &Calibration::fixed_gain>("fixed_gain_db"),

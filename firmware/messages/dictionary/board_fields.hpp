@@ -24,7 +24,7 @@ struct Described<BoardReport> {
   static constexpr std::string_view kType = "board_t";
   static constexpr std::string_view kChannel = "EARSHOT_BOARD";
   static constexpr std::string_view kMeaning = "How a microcontroller that flies a mission is doing. On its serial line alone.";
-  static constexpr std::tuple kFields{
+  static constexpr LineList kFields{
       field<&BoardReport::time>("utime"),
       field<&BoardReport::event>("event", {.values = FieldFormat::Values::kPlain}),
       field<&BoardReport::status>("status", {.meaning = "Status of firmware/core/status.hpp; of REFUSED why"}),

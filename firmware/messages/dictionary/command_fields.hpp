@@ -34,7 +34,7 @@ struct Described<OperatorCommand> {
   static constexpr std::string_view kMeaning =
       "Order of a person (or of the simulator in a person's place).\n"
       "It is acknowledged on EARSHOT_COMMAND_ACKNOWLEDGEMENT; send the same numbers again until it is.";
-  static constexpr std::tuple kFields{
+  static constexpr LineList kFields{
       field<&OperatorCommand::time>("utime", {.meaning = "when it was given; refused when more than 30 s from its arrival (but for ABORT)",
                                               .key = "given_time_s",
                                               .bus = on_bus::instant("Time", 96)}),
@@ -76,7 +76,7 @@ struct Described<CommandAcknowledgement> {
       "What became of an operator command; the same again, sent because this was lost, is answered with the same outcome. It leaves by the "
       "port that the\n"
       "command came by.";
-  static constexpr std::tuple kFields{
+  static constexpr LineList kFields{
       field<&CommandAcknowledgement::time>("utime", {.is_in_files = false, .bus = on_bus::instant("Time", 104)}),
       field<&CommandAcknowledgement::issuer>("issuer", {.bus = on_bus::any_number("Issuer", 32)}),
       field<&CommandAcknowledgement::number>("number", {.bus = on_bus::any_number("Number", 64)}),
@@ -94,7 +94,7 @@ struct Described<PublishedChallenge> {
       "What the marks of orders are made for besides the order (firmware/authority/README.md): this vehicle, this start of its program, "
       "this mission.\n"
       "Every turn, of a vehicle whose mission names a key.";
-  static constexpr std::tuple kFields{
+  static constexpr LineList kFields{
       field<&PublishedChallenge::time>("utime", {.bus = on_bus::instant("Time", 16)}),
       bytes<&PublishedChallenge::challenge, &Challenge::nonce>(
           "nonce", {.meaning = "drawn anew at every start", .bus_words = bus_words(80, "Nonce0", "Nonce1", "Nonce2", "Nonce3")}),

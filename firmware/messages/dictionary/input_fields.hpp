@@ -19,7 +19,7 @@ struct Described<Navigation> {
   static constexpr std::string_view kType = "nav_state_t";
   static constexpr std::string_view kChannel = "EARSHOT_NAV_STATE";
   static constexpr std::string_view kMeaning = "Where the vehicle is. Frame: the mission's north-east plane, depth positive down.";
-  static constexpr std::tuple kFields{
+  static constexpr LineList kFields{
       field<&Navigation::time>("utime", {.meaning = "when it was valid, microseconds, UTC by the wall clock", .key = "valid_time_s"}),
       field<&Navigation::position, &NorthEast::north>("north_m"),
       field<&Navigation::position, &NorthEast::east>("east_m"),
@@ -34,7 +34,7 @@ struct Described<SnrMeasurement> {
   static constexpr std::string_view kType = "snr_estimate_t";
   static constexpr std::string_view kChannel = "EARSHOT_SNR_ESTIMATE";
   static constexpr std::string_view kMeaning = "SNR at the hydrophone.";
-  static constexpr std::tuple kFields{
+  static constexpr LineList kFields{
       field<&SnrMeasurement::time>(
           "utime", {.meaning = "end of the interval it was measured over, microseconds, UTC by the wall clock", .key = "valid_time_s"}),
       field<&SnrMeasurement::snr>("snr_db"),
@@ -50,7 +50,7 @@ struct Described<BearingMeasurement> {
   static constexpr std::string_view kMeaning =
       "From where the source is heard, as an array of hydrophones measures it. It comes beside snr_estimate_t.\n"
       "Angles are true, clockwise from north, 0 to 2 pi.";
-  static constexpr std::tuple kFields{
+  static constexpr LineList kFields{
       field<&BearingMeasurement::time>(
           "utime", {.meaning = "end of the interval it was measured over, microseconds, UTC by the wall clock", .key = "valid_time_s"}),
       field<&BearingMeasurement::bearing, &Bearing::direction>("bearing_rad", {.meaning = "of the source from the vehicle"}),
@@ -70,7 +70,7 @@ struct Described<VehicleStatus> {
   static constexpr std::string_view kType = "vehicle_status_t";
   static constexpr std::string_view kChannel = "EARSHOT_VEHICLE_STATUS";
   static constexpr std::string_view kMeaning = "How the vehicle is. What it does not measure is NaN, or false.";
-  static constexpr std::tuple kFields{
+  static constexpr LineList kFields{
       field<&VehicleStatus::time>("utime", {.key = "valid_time_s"}),
       field<&VehicleStatus::altitude>("altitude_m", {.meaning = "above the sea floor; NaN: no bottom is heard"}),
       field<&VehicleStatus::battery_percent>("battery_percent", {.meaning = "charge that is left; NaN: not known"}),
@@ -84,7 +84,7 @@ struct Described<AutopilotStatus> {
   static constexpr std::string_view kType = "autopilot_status_t";
   static constexpr std::string_view kChannel = "EARSHOT_AUTOPILOT_STATUS";
   static constexpr std::string_view kMeaning = "What the autopilot reports of itself.";
-  static constexpr std::tuple kFields{
+  static constexpr LineList kFields{
       field<&AutopilotStatus::time>("utime", {.key = "valid_time_s"}),
       field<&AutopilotStatus::follows_setpoints>("follows_setpoints", {.meaning = "false: a person or another mission steers"}),
   };
@@ -95,7 +95,7 @@ struct Described<HydrophoneStatus> {
   static constexpr std::string_view kType = "hydrophone_status_t";
   static constexpr std::string_view kChannel = "EARSHOT_HYDROPHONE_STATUS";
   static constexpr std::string_view kMeaning = "What a hydrophone reports of itself.";
-  static constexpr std::tuple kFields{
+  static constexpr LineList kFields{
       field<&HydrophoneStatus::time>("utime", {.key = "valid_time_s"}),
       field<&HydrophoneStatus::is_deaf>("deaf", {.meaning = "its samples are still, clipped or below the noise of any sea"}),
   };
@@ -108,7 +108,7 @@ struct Described<PortReport> {
   static constexpr std::string_view kMeaning =
       "What one port of the runtime reports of itself; counters only grow. In the journal, and in health_t.\n"
       "A hydrophone's port counts samples of one channel in `received` and `lost`.";
-  static constexpr std::tuple kFields{
+  static constexpr LineList kFields{
       field<&PortReport::port>(
           "port",
           {.meaning = "its index in the mission file, counted from 1", .key = "reported_port", .bus = on_bus::number("Port", 16, 8)}),
@@ -128,7 +128,7 @@ struct Described<UnsentSetpoints> {
   static constexpr std::string_view kChannel = "EARSHOT_UNSENT_SETPOINTS";
   static constexpr std::string_view kMeaning =
       "No port could send the last turn's set-point. In the journal, channel EARSHOT_UNSENT_SETPOINTS.0.";
-  static constexpr std::tuple kFields{
+  static constexpr LineList kFields{
       field<&UnsentSetpoints::count>("count", {.meaning = "of the whole mission so far, this one included"}),
   };
 };

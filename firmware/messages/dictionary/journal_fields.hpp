@@ -33,7 +33,7 @@ struct Described<ClosingRecord> {
   static constexpr std::string_view kChannel = "EARSHOT_JOURNAL_END";
   static constexpr std::string_view kMeaning =
       "The last record of a journal whose program ended in order: what the journal lacks, and how the flight stood.";
-  static constexpr std::tuple kFields{
+  static constexpr LineList kFields{
       field<&ClosingRecord::time>("utime", {.meaning = "of the last turn", .is_in_files = false}),
       field<&ClosingRecord::ending>("ending", {.meaning = "why the program ended", .values = FieldFormat::Values::kPlain}),
       field<&ClosingRecord::state>("state", {.meaning = "of the mission: health_t's"}),
@@ -52,7 +52,7 @@ struct Described<JournalPart> {
   static constexpr std::string_view kType = "journal_part_t";
   static constexpr std::string_view kChannel = "EARSHOT_JOURNAL_PART";
   static constexpr std::string_view kMeaning = "A later part of a journal begins with it; it bears no record's number of its own.";
-  static constexpr std::tuple kFields{
+  static constexpr LineList kFields{
       field<&JournalPart::part>("part", {.meaning = "counted from 1: the second file has 2"}),
       field<&JournalPart::first_record_crc32>(
           "first_record_crc32", {.meaning = "of the journal's first record, as it stands there: which journal this is a part of"}),
@@ -66,7 +66,7 @@ struct Described<JournalResumed> {
   static constexpr std::string_view kMeaning =
       "Where another process went on with a mission from its journal: what stands before was written by one that was killed or lost its "
       "power.";
-  static constexpr std::tuple kFields{
+  static constexpr LineList kFields{
       field<&JournalResumed::time>("utime", {.is_in_files = false}),
       field<&JournalResumed::cut_bytes>(
           "cut_bytes", {.meaning = "behind what stands before: of a record that was never whole, or of a turn that is made again"}),
@@ -80,7 +80,7 @@ struct Described<ControllerTrouble> {
   static constexpr std::string_view kChannel = "EARSHOT_CONTROLLER_TROUBLE";
   static constexpr std::string_view kMeaning =
       "The CAN controller of a port is in trouble from now on, or no longer: its kernel reported it. It steers nothing.";
-  static constexpr std::tuple kFields{
+  static constexpr LineList kFields{
       field<&ControllerTrouble::time>("utime", {.meaning = "microseconds on the mission clock", .is_in_files = false}),
       field<&ControllerTrouble::port>("port"),
       field<&ControllerTrouble::trouble>("trouble", {.values = FieldFormat::Values::kPlain}),

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <cstddef>
-#include <tuple>
-#include <utility>
+#include <type_traits>
 
 #include "firmware/messages/dictionary/field.hpp"
+#include "firmware/messages/dictionary/line_list.hpp"
 
 namespace earshot::messages {
 
@@ -23,16 +22,13 @@ concept IsDescribed = requires {
 template <IsDescribed Message, class Take>
 constexpr void for_each_line_type(Take&& take) {
   using Fields = std::remove_const_t<decltype(Described<Message>::kFields)>;
-  [&]<std::size_t... kLines>(std::index_sequence<kLines...>) {
-    (take.template operator()<std::tuple_element_t<kLines, Fields>>(), ...);
-  }
-  (std::make_index_sequence<std::tuple_size_v<Fields>>{});
+  [&]<class... Each>(Types<Each...>) { (take.template operator()<Each>(), ...); }(typename Fields::Lines{});
 }
 
 /// Calls `take(line)` with each line of a message, in their order.
 template <IsDescribed Message, class Take>
 constexpr void for_each_line(Take&& take) {
-  std::apply([&](const auto&... lines) { (take(lines), ...); }, Described<Message>::kFields);
+  detail::for_each_line(Described<Message>::kFields, take);
 }
 
 namespace detail {
@@ -46,10 +42,10 @@ struct Joined<Types<Some...>> {
 template <class... Some, class... More, class... Lists>
 struct Joined<Types<Some...>, Types<More...>, Lists...> : Joined<Types<Some..., More...>, Lists...> {};
 
-template <class Fields>
+template <class Lines>
 struct ReachesOf;
 template <class... Lines>
-struct ReachesOf<std::tuple<Lines...>> : Joined<Types<>, typename Lines::Reaches...> {};
+struct ReachesOf<Types<Lines...>> : Joined<Types<>, typename Lines::Reaches...> {};
 
 }  // namespace detail
 
@@ -57,7 +53,7 @@ struct ReachesOf<std::tuple<Lines...>> : Joined<Types<>, typename Lines::Reaches
 template <IsDescribed Message>
 consteval bool covers_all_members() {
   using Fields = std::remove_const_t<decltype(Described<Message>::kFields)>;
-  return reaches_all_members<Message>(typename detail::ReachesOf<Fields>::Type{});
+  return reaches_all_members<Message>(typename detail::ReachesOf<typename Fields::Lines>::Type{});
 }
 
 }  // namespace earshot::messages

@@ -136,7 +136,7 @@ struct Described<MissionRecord> {
   static constexpr std::string_view kMeaning =
       "What is flown: the first record of a journal. The second, on EARSHOT_POLICY, holds the bytes of the .policy file, the third, on\n"
       "EARSHOT_TABLES, those of the .tables file: none, where the policy does not search by any.";
-  static constexpr std::tuple kFields{
+  static constexpr LineList kFields{
       sent_time("utime"),
       detail::of_mission<&Mission::operating_area, &Rectangle::south_west, &NorthEast::north>("south_m", {.meaning = "operating area"}),
       detail::of_mission<&Mission::operating_area, &Rectangle::south_west, &NorthEast::east>("west_m"),

@@ -18,7 +18,7 @@ struct Described<Setpoint> {
   static constexpr std::string_view kType = "setpoint_t";
   static constexpr std::string_view kChannel = "EARSHOT_SETPOINT";
   static constexpr std::string_view kMeaning = "What the autopilot is to do.";
-  static constexpr std::tuple kFields{
+  static constexpr LineList kFields{
       sent_time("utime"),
       field<&Setpoint::heading>("heading_rad", {.meaning = "clockwise from north"}),
       field<&Setpoint::speed>("speed_mps"),
@@ -38,7 +38,7 @@ struct Described<Decision> {
   static constexpr std::size_t kPublishedObservation = 64;
   static constexpr std::size_t kPublishedLogits = 32;
   static_assert(config::kMaxObservation <= kPublishedObservation && config::kMaxActions <= kPublishedLogits);
-  static constexpr std::tuple kFields{
+  static constexpr LineList kFields{
       field<&Decision::time>("utime", {.is_in_files = false, .bus = on_bus::instant("Time", 16)}),
       field<&Decision::step>("step", {.meaning = "0 for the first action", .bus = on_bus::any_number("Step", 80)}),
       field<&Decision::position, &NorthEast::north>("north_m", {.bus = on_bus::metres("North", 112)}),
@@ -110,7 +110,7 @@ struct Described<SafetyEvent> {
   static constexpr std::string_view kType = "safety_event_t";
   static constexpr std::string_view kChannel = "EARSHOT_SAFETY_EVENT";
   static constexpr std::string_view kMeaning = "A rule of the safety supervisor begins to act, or no longer acts.";
-  static constexpr std::tuple kFields{
+  static constexpr LineList kFields{
       field<&SafetyEvent::time>("utime", {.is_in_files = false}),
       field<&SafetyEvent::rule>("rule",
                                 {.meaning = "its place among the mission's rules, those first that no mission can switch off; counts "
@@ -129,7 +129,7 @@ struct Described<Health> {
   static constexpr std::string_view kType = "health_t";
   static constexpr std::string_view kChannel = "EARSHOT_HEALTH";
   static constexpr std::string_view kMeaning = "State of the runtime, and its heartbeat: the last thing that a turn does.";
-  static constexpr std::tuple kFields{
+  static constexpr LineList kFields{
       sent_time("utime", {.bus = on_bus::instant("Time", 16)}),
       field<&Health::turn>("turn", {.meaning = "counts the turns, from 1", .bus = on_bus::counter("Turn", 328)}),
       field<&Health::decisions>("decisions", {.meaning = "made so far in this search", .bus = on_bus::any_number("Decisions", 376)}),
@@ -176,7 +176,7 @@ struct Described<SoundDetection> {
   static constexpr std::string_view kChannel = "EARSHOT_DETECTION";
   static constexpr std::string_view kMeaning =
       "A sound that the vehicle's detector heard from its beginning to its end. It steers nothing.";
-  static constexpr std::tuple kFields{
+  static constexpr LineList kFields{
       field<&SoundDetection::begin>("utime", {.meaning = "when it began, microseconds, UTC by the wall clock", .key = "begin_time_s"}),
       field<&SoundDetection::duration>("duration_us", {.key = "duration_s"}),
       field<&SoundDetection::level>("level_db_re_1upa",

@@ -31,7 +31,7 @@ struct Described<HydrophoneBlock> {
       "Sound: the samples of all hydrophone channels over an interval. On a group or port of its own.\n"
       "At most 131 072 bytes (32 753 samples). Up to 16 000 samples it is one datagram, and what the network loses of it is no more than "
       "that.";
-  static constexpr std::tuple kFields{
+  static constexpr LineList kFields{
       field<&HydrophoneBlock::time>("utime", {.meaning = "when the ADC took the first sample: UTC, microseconds"}),
       field<&HydrophoneBlock::sequence>("sequence", {.meaning = "counts the sender's blocks: a gap is a block lost on its way"}),
       field<&HydrophoneBlock::first_sample>(

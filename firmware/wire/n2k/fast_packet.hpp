@@ -11,7 +11,7 @@
 #include "firmware/core/time.hpp"
 #include "firmware/wire/n2k/frame.hpp"
 #include "firmware/wire/n2k/identifier.hpp"
-#include "firmware/wire/n2k/signals.hpp"
+#include "firmware/wire/n2k/table/signal.hpp"
 
 namespace earshot::n2k {
 

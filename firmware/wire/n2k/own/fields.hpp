@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -23,15 +22,15 @@ namespace detail {
 template <messages::IsDescribed Message, class Take>
 void for_each_line(Take&& take) {
   using Fields = std::remove_const_t<decltype(messages::Described<Message>::kFields)>;
-  [&]<std::size_t... kLines>(std::index_sequence<kLines...>) {
-    (take.template operator()<std::tuple_element_t<kLines, Fields>, kLines>(), ...);
+  [&]<std::size_t... kLines, class... Lines>(std::index_sequence<kLines...>, messages::Types<Lines...>) {
+    (take.template operator()<Lines, kLines>(), ...);
   }
-  (std::make_index_sequence<std::tuple_size_v<Fields>>{});
+  (std::make_index_sequence<Fields::kCount>{}, typename Fields::Lines{});
 }
 
 template <class Message, std::size_t kLine>
 consteval messages::FieldFormat format_of() {
-  return std::get<kLine>(messages::Described<Message>::kFields).format;
+  return messages::line_at<kLine>(messages::Described<Message>::kFields).format;
 }
 
 /// The key of the i-th word of a line's bytes.

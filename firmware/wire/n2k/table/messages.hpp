@@ -9,8 +9,6 @@
 
 namespace earshot::n2k {
 
-inline constexpr std::size_t kMaxMessageSize = 223;  ///< bytes, of a fast packet by the standard; full: does not compile
-
 inline constexpr std::uint32_t kAcknowledgementPgn = 59392;
 inline constexpr std::uint32_t kRequestPgn = 59904;
 inline constexpr std::uint32_t kAddressClaimPgn = 60928;

@@ -11,6 +11,8 @@
 
 namespace earshot::n2k {
 
+inline constexpr std::size_t kMaxMessageSize = 223;  ///< bytes, of a fast packet by the standard; full: does not compile
+
 enum class Direction : std::uint8_t { kToRuntime, kFromRuntime, kBoth };
 
 /// How a message goes over the bus.
