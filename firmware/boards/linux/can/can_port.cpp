@@ -8,6 +8,7 @@
 #include "firmware/wire/n2k/own/conditions.hpp"
 #include "firmware/wire/n2k/own/measurements.hpp"
 #include "firmware/wire/n2k/own/reports.hpp"
+#include "firmware/wire/n2k/table/messages.hpp"
 
 namespace earshot::board {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "firmware/boards/linux/can/can_port.hpp"
 #include "firmware/wire/n2k/own/challenge.hpp"
+#include "firmware/wire/n2k/table/messages.hpp"
 
 namespace earshot::board {
 namespace {

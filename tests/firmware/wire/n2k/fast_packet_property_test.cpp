@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "firmware/wire/n2k/fast_packet.hpp"
+#include "firmware/wire/n2k/table/messages.hpp"
 
 namespace earshot::n2k {
 namespace {

@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "firmware/wire/n2k/table/messages.hpp"
 #include "tests/firmware/wire/n2k/recorded_bus.hpp"
 
 namespace earshot::n2k {

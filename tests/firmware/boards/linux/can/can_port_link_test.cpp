@@ -1,5 +1,6 @@
 #include <cstdlib>
 
+#include "firmware/wire/n2k/table/messages.hpp"
 #include "tests/firmware/boards/linux/can/bus_rig.hpp"
 
 namespace earshot::board {
