@@ -6,8 +6,8 @@
 #include "firmware/core/math.hpp"
 #include "firmware/policy/likelihood/bearing_likelihood.hpp"
 #include "firmware/policy/likelihood/belief_grid.hpp"
-#include "firmware/policy/ocean_belief/cell_places.hpp"
-#include "firmware/policy/ocean_belief/each_drift.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/cell_places.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/each_drift.hpp"
 #include "firmware/policy/ocean_belief/log_weight/log_weight.hpp"
 #include "firmware/policy/ocean_belief/ocean_belief.hpp"
 

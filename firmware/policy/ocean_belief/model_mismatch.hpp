@@ -6,7 +6,7 @@
 
 #include "firmware/messages/health.hpp"
 #include "firmware/policy/belief/reception.hpp"
-#include "firmware/policy/ocean_belief/hypothesis.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/hypothesis.hpp"
 
 namespace earshot::policy {
 

@@ -9,9 +9,9 @@
 #include "firmware/policy/belief/belief_summary.hpp"
 #include "firmware/policy/likelihood/belief_grid.hpp"
 #include "firmware/policy/likelihood/normal_table.hpp"
-#include "firmware/policy/ocean_belief/cell_places.hpp"
-#include "firmware/policy/ocean_belief/each_drift.hpp"
 #include "firmware/policy/ocean_belief/expected_border.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/cell_places.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/each_drift.hpp"
 #include "firmware/policy/ocean_belief/log_weight/log_weight.hpp"
 
 namespace earshot::policy {

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "firmware/policy/likelihood/belief_grid.hpp"
-#include "firmware/policy/ocean_belief/lane_likelihoods.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/lane_likelihoods.hpp"
 #include "firmware/policy/ocean_belief/log_weight/log_weight.hpp"
 #include "firmware/policy/ocean_belief/ocean_belief.hpp"
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "firmware/core/random.hpp"
-#include "firmware/policy/ocean_belief/drift.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/drift.hpp"
 #include "firmware/policy/tables/ocean_tables.hpp"
 
 namespace earshot::policy {

@@ -8,7 +8,7 @@
 #include "firmware/config/capacities.hpp"
 #include "firmware/policy/belief/belief_model.hpp"
 #include "firmware/policy/likelihood/belief_grid.hpp"
-#include "firmware/policy/ocean_belief/hypothesis.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/hypothesis.hpp"
 #include "firmware/policy/ocean_belief/log_weight/lanes.hpp"
 #include "firmware/policy/ocean_belief/log_weight/log_weight.hpp"
 
