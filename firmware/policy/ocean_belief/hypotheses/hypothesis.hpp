@@ -21,6 +21,11 @@ struct Hypothesis {
   friend constexpr bool operator==(const Hypothesis&, const Hypothesis&) = default;
 };
 
+/// The current of a hypothesis; none where the source swims.
+[[nodiscard]] inline Drift current_of(const Hypothesis& hypothesis) {
+  return hypothesis.drift.is_current ? hypothesis.drift : Drift{};
+}
+
 /// The source is that much louder than the table says: its level and the noise are known no better.
 inline constexpr std::array<float, 7> kLevelOffsets_db{-9.0F, -6.0F, -3.0F, 0.0F, 3.0F, 6.0F, 9.0F};
 /// Standard deviation of what is measured about that: fluctuation, and what the table says wrongly.
