@@ -7,7 +7,7 @@
 #include <span>
 
 #include "firmware/policy/likelihood/belief_grid.hpp"
-#include "firmware/policy/ocean_belief/cell_places.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/cell_places.hpp"
 #include "firmware/policy/ocean_belief/log_weight/log_weight.hpp"
 #include "policy/baselines/moves.hpp"
 #include "policy/baselines/space_aware_cost.hpp"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "firmware/policy/ocean_belief/lane_likelihoods.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/lane_likelihoods.hpp"
 #include "policy/baselines/bayes.hpp"
 
 namespace earshot::baselines {

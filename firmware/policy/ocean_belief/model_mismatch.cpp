@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "firmware/policy/likelihood/reception_likelihood.hpp"
-#include "firmware/policy/ocean_belief/lane_likelihoods.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/lane_likelihoods.hpp"
 #include "firmware/policy/ocean_belief/log_weight/log_weight.hpp"
 
 namespace earshot::policy {

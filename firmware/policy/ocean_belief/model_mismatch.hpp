@@ -6,7 +6,7 @@
 
 #include "firmware/messages/health.hpp"
 #include "firmware/policy/belief/reception.hpp"
-#include "firmware/policy/ocean_belief/hypothesis.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/hypothesis.hpp"
 
 namespace earshot::policy {
 
@@ -64,12 +64,13 @@ class ModelMismatch {
 
   void hear(const Reception& reception);
 
-  std::array<std::array<float, kLevels>, kSpreads> weights_;  ///< of the parts of P0; they add up to one
-  int known_nothing_;                                         ///< log2 of P0, in 1/512
-  int bearings_;
-  float bits_;
-  bool is_mismatched_;
-  bool calls_for_sweep_;
+  /// Of the parts of P0; they add up to one. Without initial values: start() writes them, and zeros would take flash and time.
+  std::array<std::array<float, kLevels>, kSpreads> weights_;
+  int known_nothing_ = 0;  ///< log2 of P0, in 1/512
+  int bearings_ = 0;
+  float bits_ = 0.0F;
+  bool is_mismatched_ = false;
+  bool calls_for_sweep_ = false;
 };
 
 }  // namespace earshot::policy

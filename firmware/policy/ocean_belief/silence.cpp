@@ -6,7 +6,7 @@
 #include "firmware/core/math.hpp"
 #include "firmware/core/random.hpp"
 #include "firmware/policy/likelihood/normal_table.hpp"
-#include "firmware/policy/ocean_belief/hypothesis.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/hypothesis.hpp"
 #include "firmware/policy/ocean_belief/log_weight/log_weight.hpp"
 
 namespace earshot::policy {

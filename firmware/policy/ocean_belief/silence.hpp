@@ -54,10 +54,12 @@ class Silence {
  private:
   [[nodiscard]] static float in_bits(int log);
 
-  std::array<std::uint8_t, kSources> unheard_;  ///< -log2 of each product, in 1/16; no product is less than 2^-16
-  int against_belief_;                          ///< in 1/512 bits, both
-  int against_tables_;
-  bool is_behind_;
+  /// -log2 of each product, in 1/16; no product is less than 2^-16. Without initial values: start() writes them, and zeros would take flash
+  /// and time.
+  std::array<std::uint8_t, kSources> unheard_;
+  int against_belief_ = 0;  ///< in 1/512 bits, both
+  int against_tables_ = 0;
+  bool is_behind_ = false;
   NorthEast position_;  ///< of the measurement that is to be counted
   Decibels least_;      ///< nothing of that or louder was heard there
 };

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "firmware/policy/belief/reception.hpp"
-#include "firmware/policy/ocean_belief/hypothesis.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/hypothesis.hpp"
 #include "firmware/policy/tables/ocean_tables.hpp"
 #include "tests/firmware/policy/belief/belief_rig.hpp"
 

@@ -7,7 +7,7 @@
 #include "firmware/config/capacities.hpp"
 #include "firmware/policy/belief/belief_model.hpp"
 #include "firmware/policy/belief/reception.hpp"
-#include "firmware/policy/ocean_belief/hypothesis_block.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/hypothesis_block.hpp"
 #include "firmware/policy/tables/ocean_tables.hpp"
 
 namespace earshot::policy {

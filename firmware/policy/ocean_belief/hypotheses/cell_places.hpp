@@ -7,7 +7,7 @@
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/policy/belief/belief_model.hpp"
-#include "firmware/policy/ocean_belief/drift.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/drift.hpp"
 
 namespace earshot::policy {
 

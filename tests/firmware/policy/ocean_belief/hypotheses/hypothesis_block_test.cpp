@@ -1,4 +1,4 @@
-#include "firmware/policy/ocean_belief/hypothesis_block.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/hypothesis_block.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "firmware/policy/likelihood/belief_grid.hpp"
-#include "firmware/policy/ocean_belief/cell_places.hpp"
-#include "firmware/policy/ocean_belief/lane_likelihoods.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/cell_places.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/lane_likelihoods.hpp"
 #include "tests/firmware/policy/ocean_belief/ocean_rig.hpp"
 
 namespace earshot::policy {

@@ -1,4 +1,4 @@
-#include "firmware/policy/ocean_belief/hypothesis_block.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/hypothesis_block.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "firmware/policy/ocean_belief/lane_likelihoods.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/lane_likelihoods.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "firmware/policy/ocean_belief/hypothesis.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/hypothesis.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "firmware/policy/ocean_belief/candidates.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/candidates.hpp"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "firmware/core/random.hpp"
-#include "firmware/policy/ocean_belief/drift.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/drift.hpp"
 #include "firmware/policy/tables/ocean_tables.hpp"
 
 namespace earshot::policy {
@@ -20,6 +20,11 @@ struct Hypothesis {
   Drift drift = {};
   friend constexpr bool operator==(const Hypothesis&, const Hypothesis&) = default;
 };
+
+/// The current of a hypothesis; none where the source swims.
+[[nodiscard]] inline Drift current_of(const Hypothesis& hypothesis) {
+  return hypothesis.drift.is_current ? hypothesis.drift : Drift{};
+}
 
 /// The source is that much louder than the table says: its level and the noise are known no better.
 inline constexpr std::array<float, 7> kLevelOffsets_db{-9.0F, -6.0F, -3.0F, 0.0F, 3.0F, 6.0F, 9.0F};

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "firmware/policy/ocean_belief/hypothesis_block.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/hypothesis_block.hpp"
 
 namespace earshot::policy {
 

@@ -8,7 +8,7 @@
 #include "firmware/config/capacities.hpp"
 #include "firmware/policy/belief/belief_model.hpp"
 #include "firmware/policy/likelihood/belief_grid.hpp"
-#include "firmware/policy/ocean_belief/hypothesis.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/hypothesis.hpp"
 #include "firmware/policy/ocean_belief/log_weight/lanes.hpp"
 #include "firmware/policy/ocean_belief/log_weight/log_weight.hpp"
 
@@ -22,8 +22,10 @@ inline constexpr std::int16_t kLeastLogLikelihood = -32'768 - kForgotten;
 
 /// How likely every place is whatever the hypothesis.
 struct PlacePrior {
-  std::array<std::int16_t, config::kMaxBeliefCells> log_weights;  ///< [north x east]; at least kForgotten, the likeliest 0
-  int scale;                                                      ///< what has been taken off every weight
+  /// [north x east]; at least kForgotten, the likeliest 0. Without initial values: what fills it knows how many cells there are, and zeros
+  /// would take flash and time.
+  std::array<std::int16_t, config::kMaxBeliefCells> log_weights;
+  int scale = 0;  ///< what has been taken off every weight
 };
 
 /// The probability of every place under each of eight hypotheses, as log weights.
@@ -74,13 +76,15 @@ class HypothesisBlock {
   void take_off_highest(const Lanes& lanes);
   void spread_word(const BeliefModel& model, std::size_t word, const LogLanes& penalties);
 
+  // Without initial values but for the first and the last: start() writes all that is read, and zeros in every block would take flash and
+  // time.
   std::array<Hypothesis, kLanes> hypotheses_;
-  std::array<LogLanes, config::kMaxBeliefCells>
-      weights_;                    ///< [north x east]; none counts as less than the highest of its hypothesis and kForgotten
+  /// [north x east]; none counts as less than the highest of its hypothesis and kForgotten.
+  std::array<LogLanes, config::kMaxBeliefCells> weights_;
   LogLanes highest_;               ///< of each hypothesis; at least kLeastLogLikelihood
   std::array<int, kLanes> scale_;  ///< what has been taken off every weight of a hypothesis
   mutable FloatLanes sums_;        ///< of each hypothesis over the cells, the likeliest counted as one
-  mutable bool has_sums_;          ///< of the weights as they are
+  mutable bool has_sums_ = false;  ///< of the weights as they are
 };
 
 }  // namespace earshot::policy

@@ -1,4 +1,4 @@
-#include "firmware/policy/ocean_belief/drift.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/drift.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/core/random.hpp"
-#include "firmware/policy/ocean_belief/hypothesis.hpp"
-#include "firmware/policy/ocean_belief/hypothesis_block.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/hypothesis.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/hypothesis_block.hpp"
 #include "firmware/policy/tables/ocean_tables.hpp"
 
 namespace earshot::policy {

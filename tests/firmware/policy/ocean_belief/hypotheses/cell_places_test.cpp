@@ -1,4 +1,4 @@
-#include "firmware/policy/ocean_belief/cell_places.hpp"
+#include "firmware/policy/ocean_belief/hypotheses/cell_places.hpp"
 
 #include <gtest/gtest.h>
 
