@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "firmware/wire/n2k/signals.hpp"
+
 namespace earshot::n2k {
 namespace {
 
