@@ -66,7 +66,7 @@ class LockStepPort final : public board::Port {
   void collect(board::Clock& clock, board::InputSink& sink) override;
   std::uint64_t publish(Time /*now*/, const runtime::Outputs& /*outputs*/) override { return 0; }
   [[nodiscard]] int file_descriptor() const override { return -1; }
-  [[nodiscard]] std::string description() const override { return "simulation link"; }
+  [[nodiscard]] board::PortWords words() const override { return {.label = "simulation link"}; }
 
  private:
   LockStepClock& clock_;

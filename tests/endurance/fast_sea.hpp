@@ -72,7 +72,7 @@ class FastSea final : public board::Port {
   void collect(board::Clock& clock, board::InputSink& sink) override;
   std::uint64_t publish(Time now, const runtime::Outputs& outputs) override;
   [[nodiscard]] int file_descriptor() const override { return -1; }
-  [[nodiscard]] std::string description() const override { return "a sea in memory"; }
+  [[nodiscard]] board::PortWords words() const override { return {.label = "a sea in memory"}; }
 
   [[nodiscard]] const Sent& sent() const { return sent_; }
 

@@ -22,7 +22,7 @@ class Witness final : public board::Port {
   void collect(board::Clock& clock, board::InputSink& sink) override;
   std::uint64_t publish(Time now, const runtime::Outputs& outputs) override;
   [[nodiscard]] int file_descriptor() const override { return -1; }
-  [[nodiscard]] std::string description() const override { return "a witness"; }
+  [[nodiscard]] board::PortWords words() const override { return {.label = "a witness"}; }
 
   /// What came out.
   struct Seen {

@@ -57,7 +57,7 @@ LcmPort::LcmPort(std::uint8_t index, const host::PortSettings& settings, host::I
     : Port(index, settings.roles),
       name_(settings.name),
       address_(settings.address),
-      command_proof_(settings.command_proof),
+      orders_(index, settings.command_proof),
       snr_is_simulators_(settings.snr_is_simulators),
       endpoint_(host::parse_lcm_url(settings.address), channels_of(settings.roles), is_abort, if_missing) {}
 
@@ -92,27 +92,15 @@ bool LcmPort::take_order(Clock& clock, std::span<const std::uint8_t> data, Input
   const wire::ReadOrder order = wire::read_order(data);
   messages::OperatorCommand command = order.command;
   if (order.form == wire::OrderForm::kUnreadable) {
-    sink.report_order_trouble(index(), OrderTrouble::kUnreadable);
-    answer_unreadable(clock, command);
+    if (const auto answer = orders_.refuse_unreadable(command, clock.now(), sink)) send_dated(wire::kAcknowledgementChannel, *answer);
     return false;
   }
   if (order.form == wire::OrderForm::kAbort) sink.report_order_trouble(index(), OrderTrouble::kCutAbort);
-  judge_mark(command_proof_, command, sink);
+  orders_.judge_mark(command, sink);
   command.time = clock.mission_time_of(command.time);
   command.expiry = clock.mission_time_of(command.expiry);
   sink.take(index(), command);
   return true;
-}
-
-/// At once, and from here: what is no order is no input. A flood is answered no more often than orders are.
-void LcmPort::answer_unreadable(Clock& clock, const messages::OperatorCommand& command) {
-  if (++unreadable_answered_ > config::kMaxAcknowledgements) return;
-  send_dated(wire::kAcknowledgementChannel, messages::CommandAcknowledgement{.time = clock.now(),
-                                                                             .port = index(),
-                                                                             .issuer = command.issuer,
-                                                                             .number = command.number,
-                                                                             .order = command.order,
-                                                                             .outcome = messages::CommandOutcome::kUnreadable});
 }
 
 bool LcmPort::take(Clock& clock, const wire::Lc02Message& message, InputSink& sink) {
@@ -143,12 +131,12 @@ void LcmPort::send_dated(std::string_view channel, Message message) {
 
 std::uint64_t LcmPort::publish(Time now, const runtime::Outputs& outputs) {
   std::uint64_t setpoints = 0;
-  unreadable_answered_ = 0;
+  orders_.end_turn();
   if (has(host::Role::kAutopilot) && outputs.setpoint) {
     if (send(wire::kSetpointChannel, *outputs.setpoint, date_of(now))) ++setpoints;
   }
   if (has(host::Role::kOperator)) {
-    if (command_proof_) (void)send(wire::kChallengeChannel, command_proof_->published(date_of(now)));
+    if (orders_.proof()) (void)send(wire::kChallengeChannel, orders_.proof()->published(date_of(now)));
     for (const messages::CommandAcknowledgement& acknowledgement : outputs.acknowledgements) {
       if (acknowledgement.port == index()) send_dated(wire::kAcknowledgementChannel, acknowledgement);
     }
@@ -172,6 +160,10 @@ messages::PortReport LcmPort::report() const {
   report.lost += lcm.lost_by_kernel + lcm.overwritten + lcm.datagrams.incomplete;
   report.malformed += lcm.datagrams.malformed + lcm.datagrams.too_large;
   return report;
+}
+
+PortWords LcmPort::words() const {
+  return {.label = label(), .details = "on " + endpoint_.interfaces(), .remark = remark(), .strangers = strangers()};
 }
 
 std::string LcmPort::remark() const {

@@ -41,8 +41,10 @@ void HydrophonePort::collect(Clock& clock, InputSink& sink) {
   }
 }
 
-std::string HydrophonePort::description() const {
-  return label() + " on " + receiver_.interfaces() + (hears_.empty() ? "" : ": " + hears_);
+PortWords HydrophonePort::words() const {
+  return {.label = name_ + ", hydrophone, LCM " + address_,
+          .details = "on " + receiver_.interfaces() + (hears_.empty() ? "" : ": " + hears_),
+          .remark = remark()};
 }
 
 messages::PortReport HydrophonePort::report() const {

@@ -11,7 +11,7 @@ namespace earshot::board {
 namespace {
 
 std::string line_of(const Port& port) {
-  return "  port " + std::to_string(port.index()) + ": " + port.description() + "\n";
+  return "  port " + std::to_string(port.index()) + ": " + port.words().description() + "\n";
 }
 
 /// @param report  whose port and link it is
@@ -27,6 +27,10 @@ messages::PortReport summed(messages::PortReport report, const messages::PortRep
 
 void PortSet::add(std::unique_ptr<Port> port) {
   if (ports_.size() + 1 >= config::kMaxPorts) throw std::invalid_argument("more than " + std::to_string(config::kMaxPorts - 1) + " ports");
+  const FurtherDuties duties = port->further_duties();
+  if (duties.bus_member != nullptr) bus_members_.push_back(duties.bus_member);
+  if (duties.sound_listener != nullptr) sound_listeners_.push_back(duties.sound_listener);
+  if (duties.detection_sender != nullptr) detection_senders_.push_back(duties.detection_sender);
   ports_.push_back(std::move(port));
 }
 
@@ -39,11 +43,11 @@ void PortSet::publish(Time now, const runtime::Outputs& outputs) {
 }
 
 void PortSet::publish_detection(const messages::SoundDetection& detection) {
-  for (const auto& port : ports_) port->publish_detection(detection);
+  for (DetectionSender* const sender : detection_senders_) sender->publish_detection(detection);
 }
 
 void PortSet::note_speed(MetersPerSecond speed) {
-  for (const auto& port : ports_) port->note_speed(speed);
+  for (SoundListener* const listener : sound_listeners_) listener->note_speed(speed);
 }
 
 void PortSet::report_changes(InputSink& sink) {
@@ -61,14 +65,14 @@ void PortSet::count_on_from(const std::array<messages::PortReport, config::kMaxP
 }
 
 void PortSet::serve() {
-  for (const auto& port : ports_) port->serve();
+  for (BusMember* const member : bus_members_) member->serve();
 }
 
 void PortSet::settle(std::chrono::milliseconds most) {
   constexpr Duration kPollInterval = Duration::milliseconds(10);
   for (const auto deadline = std::chrono::steady_clock::now() + most; std::chrono::steady_clock::now() < deadline;) {
-    // Every port is asked every time: one that waits for an address must go on claiming it beside another.
-    const auto unsettled = std::ranges::count_if(ports_, [](const auto& port) { return !port->settle(); });
+    // Every member is asked every time: one that waits for an address must go on claiming it beside another.
+    const auto unsettled = std::ranges::count_if(bus_members_, [](BusMember* member) { return !member->settle(); });
     if (unsettled == 0) return;
     wait_for_ports({}, kPollInterval);
   }
@@ -95,7 +99,7 @@ bool PortSet::carries_setpoints() const {
 
 std::uint64_t PortSet::blocks_heard() const {
   std::uint64_t sum = 0;
-  for (const auto& port : ports_) sum += port->blocks_heard();
+  for (const SoundListener* const listener : sound_listeners_) sum += listener->blocks_heard();
   return sum;
 }
 
@@ -117,7 +121,7 @@ std::vector<PortSet::Link> PortSet::links() const {
   std::vector<Link> links;
   for (const auto& port : ports_) {
     links.push_back({.port = port->index(),
-                     .label = "port " + std::to_string(port->index()) + ", " + host::printable(port->label()),
+                     .label = "port " + std::to_string(port->index()) + ", " + host::printable(port->words().label),
                      .is_up = port->report().link_up});
   }
   return links;
@@ -126,14 +130,14 @@ std::vector<PortSet::Link> PortSet::links() const {
 std::vector<PortSet::Held> PortSet::memory() const {
   std::vector<Held> held;
   for (const auto& port : ports_)
-    held.push_back({.port = std::to_string(port->index()) + ", " + port->description(), .bytes = port->memory()});
+    held.push_back({.port = std::to_string(port->index()) + ", " + port->words().description(), .bytes = port->memory()});
   return held;
 }
 
 std::vector<std::string> PortSet::remarks() const {
   std::vector<std::string> remarks;
   for (const auto& port : ports_) {
-    if (std::string remark = port->remark(); !remark.empty()) remarks.push_back(std::move(remark));
+    if (std::string remark = port->words().remark; !remark.empty()) remarks.push_back(std::move(remark));
   }
   return remarks;
 }
@@ -141,7 +145,7 @@ std::vector<std::string> PortSet::remarks() const {
 std::vector<std::string> PortSet::strangers() const {
   std::vector<std::string> strangers;
   for (const auto& port : ports_) {
-    if (std::string met = port->strangers(); !met.empty()) strangers.push_back(std::move(met));
+    if (std::string met = port->words().strangers; !met.empty()) strangers.push_back(std::move(met));
   }
   return strangers;
 }

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "firmware/boards/linux/port/further_duties.hpp"
 #include "firmware/boards/linux/port/port.hpp"
 #include "firmware/config/capacities.hpp"
 
@@ -19,7 +20,8 @@ namespace earshot::board {
 /// Port 0 of every input: this computer itself (its stop signal). The mission's ports count from 1.
 inline constexpr std::uint8_t kOwnPort = messages::kOwnPort;
 
-/// All ports of a vehicle, polled as one. Nothing allocates once they have been added.
+/// All ports of a vehicle, polled as one: owns them, and the counts that were reported of each. Nothing allocates once they have been
+/// added.
 class PortSet {
  public:
   /// @throws std::invalid_argument for more than kMaxPorts - 1.
@@ -38,9 +40,9 @@ class PortSet {
   void count_on_from(const std::array<messages::PortReport, config::kMaxPorts>& reported);
   /// A message that the port brought was not taken: its report counts it.
   void count_lost(std::uint8_t port) { ++before_.at(port).lost; }
-  /// Lets every port do what its bus wants of it; to be called at least ten times a second of the host's time.
+  /// Lets the members of a bus do what it wants of them; to be called at least ten times a second of the host's time.
   void serve();
-  /// Waits until every port whose link is up could send, but no longer than `most`.
+  /// Waits until every member of a bus whose link is up could send, but no longer than `most`.
   void settle(std::chrono::milliseconds most);
   /// Looks after every link, once a second of the host's time however often it is called.
   void tend();
@@ -50,7 +52,7 @@ class PortSet {
   [[nodiscard]] std::uint64_t setpoints_sent() const { return setpoints_sent_; }
   /// Whether there is an autopilot's port among them: without one nobody is to have set-points.
   [[nodiscard]] bool carries_setpoints() const;
-  /// Of all hydrophones.
+  /// Of all sound listeners.
   [[nodiscard]] std::uint64_t blocks_heard() const;
   /// The descriptions of the ports whose links are down, a line each; empty when all are up.
   [[nodiscard]] std::string down() const;
@@ -77,6 +79,9 @@ class PortSet {
 
  private:
   std::vector<std::unique_ptr<Port>> ports_;
+  std::vector<BusMember*> bus_members_;  ///< of ports_, each in their order
+  std::vector<SoundListener*> sound_listeners_;
+  std::vector<DetectionSender*> detection_senders_;
   std::array<messages::PortReport, config::kMaxPorts> reported_{};
   std::array<messages::PortReport, config::kMaxPorts> before_{};  ///< counted by a process before this one, and by count_lost()
   std::array<pollfd, config::kMaxPorts> readable_{};

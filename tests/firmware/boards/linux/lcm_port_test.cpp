@@ -66,7 +66,7 @@ TEST_F(LcmPortTest, GivenASimulatorThatTellsTheSnrIgnoresThatOfStrangersAndSaysS
   EXPECT_EQ(sink.bearings, 0);
   EXPECT_EQ(vehicle.report().received, 0U) << "what stands in the journal is the flight's alone";
   EXPECT_EQ(vehicle.report().malformed, 0U);
-  EXPECT_TRUE(support::tells(vehicle.strangers(), {"LCM", "udpm://239.255.76.67:7667?ttl=0", "2 SNRs", "3 bearings", "ignored"}));
+  EXPECT_TRUE(support::tells(vehicle.words().strangers, {"LCM", "udpm://239.255.76.67:7667?ttl=0", "2 SNRs", "3 bearings", "ignored"}));
 }
 
 /// Mission time an hour ahead of the wall's.
@@ -124,7 +124,7 @@ TEST_F(LcmPortTest, TakesEverySnrAndBearingWhereNoSimulatorTellsThem) {
   EXPECT_EQ(sink.snrs, 2);
   EXPECT_EQ(sink.bearings, 3);
   EXPECT_EQ(vehicle.report().received, 5U);
-  EXPECT_EQ(vehicle.strangers(), "");
+  EXPECT_EQ(vehicle.words().strangers, "");
 }
 
 }  // namespace

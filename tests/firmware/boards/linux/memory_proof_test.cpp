@@ -111,7 +111,7 @@ class VehiclePort final : public Port {
     return 1;
   }
   [[nodiscard]] int file_descriptor() const override { return -1; }
-  [[nodiscard]] std::string description() const override { return "a vehicle"; }
+  [[nodiscard]] PortWords words() const override { return {.label = "a vehicle"}; }
 
   void (*asks)() = nullptr;
 

@@ -40,7 +40,7 @@ namespace earshot::board {
 namespace {
 
 /// Remembers how fast it was told that the vehicle is.
-class PublishingPort final : public Port {
+class PublishingPort final : public Port, public SoundListener {
  public:
   explicit PublishingPort(std::uint8_t index) : Port(index, {host::Role::kAutopilot}) {}
   void collect(Clock& /*clock*/, InputSink& /*sink*/) override {}
@@ -50,9 +50,11 @@ class PublishingPort final : public Port {
     acknowledgements = outputs.acknowledgements;
     return outputs.setpoint && can_send ? 1 : 0;
   }
-  void note_speed(MetersPerSecond told) override { speed_mps = told.value; }
   [[nodiscard]] int file_descriptor() const override { return -1; }
-  [[nodiscard]] std::string description() const override { return "a listener"; }
+  [[nodiscard]] PortWords words() const override { return {.label = "a listener"}; }
+  [[nodiscard]] FurtherDuties further_duties() override { return {.sound_listener = this}; }
+  void note_speed(MetersPerSecond told) override { speed_mps = told.value; }
+  [[nodiscard]] std::uint64_t blocks_heard() const override { return 0; }
 
   double speed_mps = -1.0;
   messages::MissionState state{};

@@ -73,7 +73,7 @@ class FakeClock final : public Clock {
   HostMissionClock clock_;
 };
 
-class FakePort final : public Port {
+class FakePort final : public Port, public BusMember {
  public:
   FakePort(std::uint8_t index, FakeHost& host, Script& script) : Port(index, {}), host_(host), script_(script) {}
 
@@ -98,8 +98,10 @@ class FakePort final : public Port {
     if (!answered_at) answered_at = host_.since_start();
     if (*answered_at > collected_at) answered_late = true;
   }
+  [[nodiscard]] bool settle() override { return true; }
   [[nodiscard]] int file_descriptor() const override { return -1; }
-  [[nodiscard]] std::string description() const override { return "a script"; }
+  [[nodiscard]] PortWords words() const override { return {.label = "a script"}; }
+  [[nodiscard]] FurtherDuties further_duties() override { return {.bus_member = this}; }
 
   /// What it says of itself from now on.
   void set_report(messages::PortReport report) {

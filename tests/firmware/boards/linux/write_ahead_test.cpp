@@ -40,7 +40,7 @@ class ReachPort final : public Port {
     return 0;
   }
   [[nodiscard]] int file_descriptor() const override { return -1; }
-  [[nodiscard]] std::string description() const override { return "a listener"; }
+  [[nodiscard]] PortWords words() const override { return {.label = "a listener"}; }
 
   bool is_on_disk = false;
   bool is_in_file = false;

@@ -57,7 +57,7 @@ class SerialPort final : public earshot::board::Port {
   }
 
   [[nodiscard]] int file_descriptor() const override { return file_; }
-  [[nodiscard]] std::string description() const override { return "vehicle, serial line " + name_; }
+  [[nodiscard]] earshot::board::PortWords words() const override { return {.label = "vehicle, serial line " + name_}; }
 
  private:
   static constexpr double kDegree = std::numbers::pi / 180.0;

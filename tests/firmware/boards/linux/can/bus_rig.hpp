@@ -18,6 +18,7 @@
 #include "firmware/wire/n2k/fast_packet.hpp"
 #include "firmware/wire/n2k/identifier.hpp"
 #include "firmware/wire/n2k/own/orders.hpp"
+#include "firmware/wire/n2k/signals.hpp"
 #include "firmware/wire/n2k/table/messages.hpp"
 #include "tests/firmware/boards/linux/set_clock.hpp"
 

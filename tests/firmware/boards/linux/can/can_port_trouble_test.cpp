@@ -25,7 +25,7 @@ TEST_F(CanPortTroubleTest, TellsThatNobodyBringsAnythingAndRemarksNothingAtTheEn
   for (const BusTrouble trouble : {BusTrouble::kNoPosition, BusTrouble::kNoHeading, BusTrouble::kNoDepth, BusTrouble::kNoSnr})
     EXPECT_TRUE(taken_.has(trouble)) << begin_of(trouble);
   EXPECT_EQ(taken_.troubles.count(), 4U);
-  EXPECT_EQ(port_->remark(), "") << "nothing was lost";
+  EXPECT_EQ(port_->words().remark, "") << "nothing was lost";
 }
 
 TEST_F(CanPortTroubleTest, TellsOfADeviceOfItsNameAndRemarksItAtTheEnd) {
@@ -33,7 +33,7 @@ TEST_F(CanPortTroubleTest, TellsOfADeviceOfItsNameAndRemarksItAtTheEnd) {
   claim(kOwnName, 0x77);
   pass(1);
   EXPECT_TRUE(taken_.has(BusTrouble::kSameName));
-  EXPECT_TRUE(support::tells(port_->remark(), {"CAN", "vcan0", "NAME", "back", "them", "unique_number"}));
+  EXPECT_TRUE(support::tells(port_->words().remark, {"CAN", "vcan0", "NAME", "back", "them", "unique_number"}));
 }
 
 TEST_F(CanPortTroubleTest, TellsThatItHasNoAddressAndCountsWhatItCouldNotSend) {
@@ -48,7 +48,7 @@ TEST_F(CanPortTroubleTest, TellsThatItHasNoAddressAndCountsWhatItCouldNotSend) {
   EXPECT_TRUE(taken_.has(BusTrouble::kNoAddress));
   EXPECT_FALSE(taken_.has(BusTrouble::kUnsent)) << "which is why";
   EXPECT_EQ(port_->report().unsent, 6U) << "set-point and health";
-  EXPECT_TRUE(support::tells(port_->remark(), {"CAN", "vcan0", "6 messages", "not", "no", "bus"}));
+  EXPECT_TRUE(support::tells(port_->words().remark, {"CAN", "vcan0", "6 messages", "not", "no", "bus"}));
 }
 
 TEST_F(CanPortTroubleTest, RemarksPositionsThatWaitedForAHeadingOnceThatWasTold) {
@@ -61,7 +61,7 @@ TEST_F(CanPortTroubleTest, RemarksPositionsThatWaitedForAHeadingOnceThatWasTold)
   };
   send_position();
   collect();
-  EXPECT_EQ(port_->remark(), "") << "the first positions are there before the first heading";
+  EXPECT_EQ(port_->words().remark, "") << "the first positions are there before the first heading";
   // The bus is dated by the kernel's clock: the mission's time is what the host's clock says.
   clock_.time = HostClock().utc();
   for (int i = 0; i < 6; ++i) {
@@ -70,7 +70,7 @@ TEST_F(CanPortTroubleTest, RemarksPositionsThatWaitedForAHeadingOnceThatWasTold)
     clock_.time = clock_.time + Duration::seconds(1);
   }
   EXPECT_TRUE(taken_.has(BusTrouble::kNoHeading));
-  EXPECT_TRUE(support::tells(port_->remark(), {"CAN", "vcan0", "7 positions", "no", "missing", "oldest_part_s"}));
+  EXPECT_TRUE(support::tells(port_->words().remark, {"CAN", "vcan0", "7 positions", "no", "missing", "oldest_part_s"}));
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ class NamedPort final : public Port {
   void collect(Clock& /*clock*/, InputSink& /*sink*/) override {}
   std::uint64_t publish(Time /*now*/, const runtime::Outputs& /*outputs*/) override { return 0; }
   [[nodiscard]] int file_descriptor() const override { return -1; }
-  [[nodiscard]] std::string description() const override { return name_; }
+  [[nodiscard]] PortWords words() const override { return {.label = name_}; }
 
  private:
   std::string name_;

@@ -64,7 +64,7 @@ class HydrophonePortTest : public testing::Test {
       std::this_thread::sleep_for(50ms);
       if (port.report().received + port.report().lost == driver.taken()) return;
     }
-    FAIL() << port.remark() << "; taken: " << driver.taken();
+    FAIL() << port.words().remark << "; taken: " << driver.taken();
   }
 };
 
@@ -82,9 +82,9 @@ TEST_F(HydrophonePortTest, ReportsSamplesOfOneChannelAndSaysWhereTheyWereLost) {
   EXPECT_EQ(port.report().port, 2);
   EXPECT_EQ(port.report().lost, 137U);
   EXPECT_TRUE(port.report().link_up);
-  EXPECT_TRUE(
-      support::tells(port.remark(), {"ears", "channel", std::to_string(driver.taken() - 137), "heard", "137", "lost", "37", "0 because",
-                                     "5", "clipped", "1", "changes", "1 beginnings", "0 jumps", "no ADC", "0 malformed", "0 datagrams"}));
+  EXPECT_TRUE(support::tells(port.words().remark,
+                             {"ears", "channel", std::to_string(driver.taken() - 137), "heard", "137", "lost", "37", "0 because", "5",
+                              "clipped", "1", "changes", "1 beginnings", "0 jumps", "no ADC", "0 malformed", "0 datagrams"}));
 }
 
 /// Keeps what the loop would be given.
@@ -136,8 +136,9 @@ TEST_F(HydrophonePortTest, BringsTheLoopMeasurementsDatedOnTheMissionClockWhenTh
   ASSERT_EQ(sink.chains.size(), 1U);
   EXPECT_LE(sink.measurements.back().time, (Time{began_us} + HourAhead::kHour + Duration::seconds(20)));
   EXPECT_GE(sink.measurements.back().time, (Time{began_us} + HourAhead::kHour + Duration::seconds(18)));
-  EXPECT_NE(port.remark().find("of 20 s of sound: " + std::to_string(sink.measurements.size()) + " SNR measurements"), std::string::npos)
-      << port.remark();
+  EXPECT_NE(port.words().remark.find("of 20 s of sound: " + std::to_string(sink.measurements.size()) + " SNR measurements"),
+            std::string::npos)
+      << port.words().remark;
 }
 
 TEST_F(HydrophonePortTest, LetsNoFixAndNoAbortOfTheLoopBeLostOrWaitThoughTwoHundredThousandBlocksPass) {

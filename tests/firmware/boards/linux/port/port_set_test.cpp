@@ -14,7 +14,7 @@ namespace earshot::board {
 namespace {
 
 /// A port that the test sets, and that tells a log what is done with it.
-class SetPort final : public Port {
+class SetPort final : public Port, public BusMember, public SoundListener, public DetectionSender {
  public:
   SetPort(std::uint8_t index, host::Roles roles, std::vector<std::string>& log) : Port(index, roles), log_(log) {}
 
@@ -33,9 +33,9 @@ class SetPort final : public Port {
   }
   [[nodiscard]] int file_descriptor() const override { return descriptor; }
   [[nodiscard]] std::uint64_t blocks_heard() const override { return blocks; }
-  [[nodiscard]] std::string description() const override { return name; }
   [[nodiscard]] std::size_t memory() const override { return 100U * index(); }
-  [[nodiscard]] std::string remark() const override { return remarked; }
+  [[nodiscard]] PortWords words() const override { return says; }
+  [[nodiscard]] FurtherDuties further_duties() override { return {.bus_member = this, .sound_listener = this, .detection_sender = this}; }
 
   [[nodiscard]] messages::PortReport& set_report() { return report_; }
 
@@ -43,12 +43,21 @@ class SetPort final : public Port {
   std::uint64_t blocks = 0;
   int settles_after = 0;
   int descriptor = -1;
-  std::string name = "a port";
-  std::string remarked;
+  PortWords says;
 
  private:
   void note(const std::string& what) { log_.push_back(std::to_string(index()) + " " + what); }
   std::vector<std::string>& log_;
+};
+
+/// One that has no further duties.
+class PlainPort final : public Port {
+ public:
+  explicit PlainPort(std::uint8_t index) : Port(index, {}) {}
+  void collect(Clock& /*clock*/, InputSink& /*sink*/) override {}
+  std::uint64_t publish(Time /*now*/, const runtime::Outputs& /*outputs*/) override { return 0; }
+  [[nodiscard]] int file_descriptor() const override { return -1; }
+  [[nodiscard]] PortWords words() const override { return {.label = "plain"}; }
 };
 
 class TakenReports final : public InputSink {
@@ -98,6 +107,23 @@ TEST_F(PortSetTest, AsksEveryPortInTurn) {
   EXPECT_EQ(done(), (Log{"1 detection", "2 detection", "1 speed 3", "2 speed 3", "1 serve", "2 serve"}));
 }
 
+TEST_F(PortSetTest, AsksForFurtherDutiesOnlyOfPortsThatHaveThem) {
+  ports_.add(std::make_unique<PlainPort>(ports_.next_index()));
+  add().blocks = 4;
+  ports_.publish_detection({});
+  ports_.note_speed(MetersPerSecond{3.0F});
+  ports_.serve();
+  EXPECT_EQ(done(), (Log{"2 detection", "2 speed 3", "2 serve"}));
+  EXPECT_EQ(ports_.blocks_heard(), 4U);
+}
+
+TEST_F(PortSetTest, FindsPortsWithoutABusSettledAtOnce) {
+  ports_.add(std::make_unique<PlainPort>(ports_.next_index()));
+  const auto begin = std::chrono::steady_clock::now();
+  ports_.settle(std::chrono::hours(1));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::minutes(1));
+}
+
 TEST_F(PortSetTest, TendsItsLinksOnceASecondAndNotAtTheFirstCall) {
   add();
   ports_.tend();
@@ -141,29 +167,31 @@ TEST_F(PortSetTest, WaitsForThePortsWhoseLinksAreUp) {
 }
 
 TEST_F(PortSetTest, NamesWhatIsThereAndWhatIsDown) {
-  add().name = "vehicle, CAN can0";
+  add().says = {.label = "vehicle, CAN can0"};
   SetPort& second = add();
-  second.name = "SNR, LCM";
-  EXPECT_EQ(ports_.description(), "  port 1: vehicle, CAN can0\n  port 2: SNR, LCM\n");
+  second.says = {.label = "SNR, LCM", .details = "on lo"};
+  EXPECT_EQ(ports_.description(), "  port 1: vehicle, CAN can0\n  port 2: SNR, LCM on lo\n");
   EXPECT_EQ(ports_.down(), "");
   second.set_report().link_up = false;
-  EXPECT_EQ(ports_.down(), "  port 2: SNR, LCM\n");
+  EXPECT_EQ(ports_.down(), "  port 2: SNR, LCM on lo\n");
   const auto links = ports_.links();
   ASSERT_EQ(links.size(), 2U);
   EXPECT_EQ(links[0].label, "port 1, vehicle, CAN can0");
   EXPECT_TRUE(links[0].is_up);
   EXPECT_EQ(links[1].port, 2);
+  EXPECT_EQ(links[1].label, "port 2, SNR, LCM");
   EXPECT_FALSE(links[1].is_up);
   const auto held = ports_.memory();
   ASSERT_EQ(held.size(), 2U);
-  EXPECT_EQ(held[1].port, "2, SNR, LCM");
+  EXPECT_EQ(held[1].port, "2, SNR, LCM on lo");
   EXPECT_EQ(held[1].bytes, 200U);
 }
 
-TEST_F(PortSetTest, LeavesOutRemarksThatSayNothing) {
+TEST_F(PortSetTest, LeavesOutPortsThatSayNothing) {
   add();
-  add().remarked = "3 messages were lost";
+  add().says = {.remark = "3 messages were lost", .strangers = "2 SNRs were ignored"};
   EXPECT_EQ(ports_.remarks(), Log{"3 messages were lost"});
+  EXPECT_EQ(ports_.strangers(), Log{"2 SNRs were ignored"});
 }
 
 TEST_F(PortSetTest, SumsReportsOfMessagesAndBlocksOfSoundApart) {

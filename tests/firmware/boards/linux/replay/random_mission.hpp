@@ -33,7 +33,7 @@ class ReportingPort final : public Port {
   void collect(Clock& /*clock*/, InputSink& /*sink*/) override {}
   std::uint64_t publish(Time /*now*/, const runtime::Outputs& outputs) override { return outputs.setpoint && can_send ? 1 : 0; }
   [[nodiscard]] int file_descriptor() const override { return -1; }
-  [[nodiscard]] std::string description() const override { return "a script"; }
+  [[nodiscard]] PortWords words() const override { return {.label = "a script"}; }
   void lose(std::uint64_t count) { report_.lost += count; }
 
   bool can_send = true;
