@@ -118,7 +118,7 @@ class CommandLine {
 /// The command line as a person would type it again.
 [[nodiscard]] std::string as_typed(int argc, const char* const* argv);
 
-/// What --version says: "earshotd 0.1.0 (commit be0db8b3ee7314c307930a3fdb09bf5aae68edde, clean tree)".
+/// What --version says: "earshotd 0.2.0 (commit be0db8b3ee7314c307930a3fdb09bf5aae68edde, clean tree)".
 [[nodiscard]] std::string version_line(std::string_view program);
 
 /// The same of any commit (version.hpp).

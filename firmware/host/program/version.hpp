@@ -4,7 +4,7 @@
 
 namespace earshot::program {
 
-/// Of the project, such as 0.1.0.
+/// Of the project, such as 0.2.0.
 [[nodiscard]] std::string version();
 
 /// Commit the programs were built from, "-dirty" appended when the tree differed, or held a file unknown to git; "unknown" outside a
