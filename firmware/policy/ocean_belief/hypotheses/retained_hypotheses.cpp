@@ -9,7 +9,7 @@ namespace earshot::policy {
 namespace {
 
 /// Powers of two below the likeliest at which a hypothesis has no share.
-constexpr int kMostBelow = 60 * kOctave;
+constexpr int kMostBelowLikeliest = 60 * kOctave;
 /// Of those that are held so many drift, once there are any.
 constexpr std::size_t kLeastThatDrift = 8;
 static_assert(kLeastThatDrift < kHeldHypotheses);
@@ -68,7 +68,7 @@ void RetainedHypotheses::share_out() {
   float sum = 0.0F;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     for (std::size_t l = 0; l < kLanes; ++l) {
-      shares_[b][l] = from_log(std::max(posteriors_[b][l] - highest, -kMostBelow));
+      shares_[b][l] = from_log(std::max(posteriors_[b][l] - highest, -kMostBelowLikeliest));
       sum += shares_[b][l];
     }
   }
