@@ -6,7 +6,7 @@
 #include <thread>
 #include <utility>
 
-#include "firmware/wire/n2k/table/messages.hpp"
+#include "firmware/wire/n2k/signals.hpp"
 #include "hil/bus/interface_switch.hpp"
 
 namespace earshot::hil {
