@@ -1,10 +1,12 @@
 #include "firmware/boards/linux/lcm_port.hpp"
 
-#include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "firmware/config/capacities.hpp"
@@ -15,26 +17,48 @@
 namespace earshot::board {
 namespace {
 
-struct Input {
-  host::Role role;
-  std::string_view channel;
-};
+/// The role of the ports that bring a kind of input on its channel; nothing of what no port brings by LCM. A new kind of input does not
+/// compile without its line.
+template <class Message>
+constexpr std::optional<host::Role> kBroughtAs;
+template <>
+constexpr std::optional<host::Role> kBroughtAs<messages::Navigation> = host::Role::kNavigation;
+template <>
+constexpr std::optional<host::Role> kBroughtAs<messages::VehicleStatus> = host::Role::kNavigation;
+template <>
+constexpr std::optional<host::Role> kBroughtAs<messages::SnrMeasurement> = host::Role::kSnr;
+template <>
+constexpr std::optional<host::Role> kBroughtAs<messages::BearingMeasurement> = host::Role::kSnr;
+template <>
+constexpr std::optional<host::Role> kBroughtAs<messages::HydrophoneStatus> = host::Role::kSnr;
+template <>
+constexpr std::optional<host::Role> kBroughtAs<messages::OperatorCommand> = host::Role::kOperator;
+template <>
+constexpr std::optional<host::Role> kBroughtAs<messages::AutopilotStatus> = host::Role::kAutopilot;
+template <>
+constexpr std::optional<host::Role> kBroughtAs<messages::PortReport> = std::nullopt;  // the loop's own
+template <>
+constexpr std::optional<host::Role> kBroughtAs<messages::UnsentSetpoints> = std::nullopt;  // likewise
 
-constexpr auto kInputs = std::to_array<Input>({
-    {host::Role::kNavigation, wire::kNavStateChannel},
-    {host::Role::kNavigation, wire::kVehicleStatusChannel},
-    {host::Role::kSnr, wire::kSnrEstimateChannel},
-    {host::Role::kSnr, wire::kBearingChannel},
-    {host::Role::kSnr, wire::kHydrophoneStatusChannel},
-    {host::Role::kOperator, wire::kOperatorCommandChannel},
-    {host::Role::kAutopilot, wire::kAutopilotStatusChannel},
-});
+/// Calls `take.template operator()<Message>()` with every kind of input that comes by LCM, until it returns true. @return whether it did
+template <class Take>
+bool any_input(Take take) {
+  const auto any_of = [&take]<class... Messages>(const std::variant<Messages...>* /*types*/) {
+    const auto of_one = [&take]<class Message>(const Message* /*type*/) {
+      if constexpr (kBroughtAs<Message>.has_value()) return take.template operator()<Message>();
+      return false;
+    };
+    return (of_one(static_cast<const Messages*>(nullptr)) || ...);
+  };
+  return any_of(static_cast<const InputSink::Value*>(nullptr));
+}
 
 std::vector<std::string_view> channels_of(host::Roles roles) {
   std::vector<std::string_view> channels;
-  for (const auto& [role, channel] : kInputs) {
-    if (roles.has(role)) channels.push_back(channel);
-  }
+  any_input([&]<class Message>() {
+    if (roles.has(*kBroughtAs<Message>)) channels.push_back(wire::channel_of<Message>);
+    return false;
+  });
   return channels;
 }
 
@@ -104,14 +128,11 @@ bool LcmPort::take_order(Clock& clock, std::span<const std::uint8_t> data, Input
 }
 
 bool LcmPort::take(Clock& clock, const wire::Lc02Message& message, InputSink& sink) {
-  if (message.channel == wire::kNavStateChannel) return takes<messages::Navigation>(clock, message.data, sink);
-  if (message.channel == wire::kSnrEstimateChannel) return takes<messages::SnrMeasurement>(clock, message.data, sink);
-  if (message.channel == wire::kBearingChannel) return takes<messages::BearingMeasurement>(clock, message.data, sink);
-  if (message.channel == wire::kOperatorCommandChannel) return take_order(clock, message.data, sink);
-  if (message.channel == wire::kVehicleStatusChannel) return takes<messages::VehicleStatus>(clock, message.data, sink);
-  if (message.channel == wire::kAutopilotStatusChannel) return takes<messages::AutopilotStatus>(clock, message.data, sink);
-  if (message.channel == wire::kHydrophoneStatusChannel) return takes<messages::HydrophoneStatus>(clock, message.data, sink);
-  return false;
+  return any_input([&]<class Message>() {
+    if (message.channel != wire::channel_of<Message>) return false;
+    if constexpr (std::is_same_v<Message, messages::OperatorCommand>) return take_order(clock, message.data, sink);
+    return takes<Message>(clock, message.data, sink);
+  });
 }
 
 template <class Message>

@@ -30,9 +30,6 @@ Clock::Awaited awaited(PortSet& ports, Time next_turn, const MissionTurn& turn) 
       .ports = ports.readable(), .next_turn = next_turn, .navigation_taken = turn.navigation_taken(), .blocks_heard = ports.blocks_heard()};
 }
 
-/// Set-points that say stop and come up and that a loop that was told to stop sends before it ends: on a bus that loses messages one may
-/// not arrive.
-constexpr int kLastSetpoints = 5;
 /// Of the host's time, for turns that are not due because the clock stands still or is scaled.
 constexpr std::chrono::seconds kStopPatience{10};
 

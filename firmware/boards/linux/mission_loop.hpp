@@ -16,6 +16,9 @@
 
 namespace earshot::board {
 
+/// Set-points that tell the vehicle to stop and come up, sent before a program ends: on a bus that loses messages one may not arrive.
+inline constexpr int kLastSetpoints = 5;
+
 /// Why the loop returned.
 enum class LoopEnd : std::uint8_t {
   kMissionOver,  ///< DONE or ABORT, and nobody waits for another turn

@@ -20,7 +20,7 @@ namespace earshot::host {
 namespace {
 
 /// As it was written, or as short as it can be and still be the same number: 0.4, not 0.40000000000000002; with a point, as TOML has it.
-std::string shortest(double number) {
+std::string toml_digits(double number) {
   std::array<char, 32> text{};
   // Left alone, to_chars writes 100000 as 1e+05.
   const double size = std::abs(number);
@@ -101,7 +101,7 @@ struct TableNode {
     value.visit([&text](const auto& v) {
       using Value = std::remove_cvref_t<decltype(v)>;
       if constexpr (toml::is_floating_point<Value>) {
-        text << " = " << shortest(*v);
+        text << " = " << toml_digits(*v);
       } else if constexpr (!toml::is_table<Value> && !toml::is_array<Value>) {
         text << " = " << v;
       }

@@ -11,11 +11,12 @@
 namespace earshot::policy {
 namespace {
 
-/// Between two measurements of the vehicle so many of blocks of eight others are weighed at most. With 50 fewer sources are found
-/// (README.md), with 400 no more than with 200.
+/// Past measurements that blocks of eight candidates take in, at most, between two measurements of the vehicle. With 50 fewer sources are
+/// found, with 400 no more than with 200 (policy/experiments/ocean_belief.md).
 constexpr std::size_t kMeasurementsOfOthers = 200;
-/// One of eight drifts takes so much longer; with a bearing, which is laid over the cells of each of them, so much.
+/// A measurement that eight drifts take in costs as much as so many that eight at rest do.
 constexpr std::size_t kMeasurementsOfDrifts = 2;
+/// Likewise, with a bearing, which is weighed in the cells of each drift.
 constexpr std::size_t kMeasurementsOfDriftsWithBearing = 8;
 /// Before so many measurements nothing tells a drift from another place: what is tried until then are oceans. Bearings tell it earlier.
 constexpr std::uint32_t kMeasurementsBeforeDrifts = 8;

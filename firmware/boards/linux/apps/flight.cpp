@@ -47,8 +47,6 @@ using program::stop_requested;
 
 /// With disks, where nothing is under way.
 constexpr std::chrono::seconds kAshore{3};
-/// That say stop and come up: on a bus that loses messages one may not arrive.
-constexpr int kLastSetpoints = 5;
 
 host::JournalOptions journal_options(const Options& o, const FlightTerms& terms) {
   constexpr std::uint64_t kMegabyte = 1'000'000;

@@ -27,11 +27,11 @@ messages::PortReport summed(messages::PortReport report, const messages::PortRep
 
 void PortSet::add(std::unique_ptr<Port> port) {
   if (ports_.size() + 1 >= config::kMaxPorts) throw std::invalid_argument("more than " + std::to_string(config::kMaxPorts - 1) + " ports");
-  const FurtherDuties duties = port->further_duties();
+  ports_.push_back(std::move(port));
+  const FurtherDuties duties = ports_.back()->further_duties();
   if (duties.bus_member != nullptr) bus_members_.push_back(duties.bus_member);
   if (duties.sound_listener != nullptr) sound_listeners_.push_back(duties.sound_listener);
   if (duties.detection_sender != nullptr) detection_senders_.push_back(duties.detection_sender);
-  ports_.push_back(std::move(port));
 }
 
 void PortSet::collect(Clock& clock, InputSink& sink) {

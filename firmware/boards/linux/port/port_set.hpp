@@ -79,7 +79,7 @@ class PortSet {
 
  private:
   std::vector<std::unique_ptr<Port>> ports_;
-  std::vector<BusMember*> bus_members_;  ///< of ports_, each in their order
+  std::vector<BusMember*> bus_members_;  ///< those of ports_ that are members of a bus, in the order of ports_
   std::vector<SoundListener*> sound_listeners_;
   std::vector<DetectionSender*> detection_senders_;
   std::array<messages::PortReport, config::kMaxPorts> reported_{};

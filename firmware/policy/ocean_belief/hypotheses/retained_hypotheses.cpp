@@ -10,7 +10,7 @@ namespace {
 
 /// Powers of two below the likeliest at which a hypothesis has no share.
 constexpr int kMostBelowLikeliest = 60 * kOctave;
-/// Of those that are held so many drift, once there are any.
+/// So many of the retained hypotheses drift, once any does.
 constexpr std::size_t kLeastThatDrift = 8;
 static_assert(kLeastThatDrift < kHeldHypotheses);
 

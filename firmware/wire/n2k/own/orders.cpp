@@ -13,10 +13,10 @@ using messages::CommandAcknowledgement;
 using messages::OperatorCommand;
 using messages::Order;
 
-template <class FieldFormat>
-Status compose(const Message& message, const FieldFormat& format, const Route& route, FastPacketFrames& frames) {
+template <class OwnMessage>
+Status compose(const Message& message, const OwnMessage& own, const Route& route, FastPacketFrames& frames) {
   MessageWriter writer = begin_own(message);
-  write_fields(format, {}, writer);
+  write_fields(own, {}, writer);
   if (writer.status() != Status::kOk) return writer.status();
   return compose_fast_packet(writer.identifier(route.source, route.destination), route.sequence, writer.bytes(), frames);
 }
