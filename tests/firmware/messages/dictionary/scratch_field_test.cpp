@@ -13,6 +13,7 @@
 #include "firmware/host/definitions/lcm_text.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "firmware/wire/n2k/own/reports.hpp"
+#include "firmware/wire/n2k/table/messages.hpp"
 #include "hil/bus/dbc.hpp"
 #include "tests/support/temporary_folder.hpp"
 

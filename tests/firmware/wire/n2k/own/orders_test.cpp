@@ -1,4 +1,7 @@
 #include "firmware/wire/n2k/own/orders.hpp"
+#include "firmware/messages/dictionary/command_words.hpp"
+#include "firmware/messages/dictionary/words.hpp"
+#include "firmware/wire/n2k/table/messages.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #include "firmware/wire/n2k/own/reports.hpp"
+#include "firmware/wire/n2k/table/messages.hpp"
 
 #include <gtest/gtest.h>
 
