@@ -49,7 +49,7 @@ class BadBus {
   /// @param frames  said now, in their order   @param now  never goes back
   /// @return what arrives now, in this order: first what was said before
   [[nodiscard]] Frames pass(const Frames& frames, const std::vector<Affliction>& afflictions, Time now);
-  /// Frames that a fault hit, so far.
+  /// How often a fault did something to a frame, so far.
   [[nodiscard]] std::uint64_t afflicted() const { return afflicted_; }
 
  private:
@@ -57,7 +57,15 @@ class BadBus {
     Time due;
     n2k::Frame frame;
   };
-  void pass(n2k::Frame frame, const std::vector<Affliction>& afflictions, Time now, Frames& arriving);
+  /// What becomes of one.
+  struct Fate {
+    n2k::Frame frame;
+    int times = 1;
+    Duration late;
+  };
+  void pass(const n2k::Frame& frame, const std::vector<Affliction>& afflictions, Time now, Frames& arriving);
+  /// @return whether it did anything to the frame
+  [[nodiscard]] bool inject(const Affliction& affliction, Time now, Fate& fate);
   [[nodiscard]] bool hits(const AfflictedFrames& which, const n2k::Frame& frame);
 
   Pcg32 random_;

@@ -35,7 +35,7 @@ class BadMessages {
   /// @param messages  said now, in their order   @param now  never goes back
   /// @return what arrives now, in this order: first what was said before
   [[nodiscard]] std::vector<Datagram> pass(const LcmMessages& messages, const std::vector<MessageAffliction>& afflictions, Time now);
-  /// Messages that a fault hit, so far.
+  /// How often a fault did something to a message, so far.
   [[nodiscard]] std::uint64_t afflicted() const { return afflicted_; }
 
  private:
@@ -54,7 +54,8 @@ class BadMessages {
     bool is_shuffled = false;
     std::vector<Duration> replays;
   };
-  void inject(const MessageAffliction& affliction, Fate& fate);
+  /// @return whether it did anything to the message
+  [[nodiscard]] bool inject(const MessageAffliction& affliction, Fate& fate);
   [[nodiscard]] Datagram datagram_of(const Fate& fate);
   void shuffle(std::vector<Datagram>& arriving, const std::vector<std::size_t>& places);
   [[nodiscard]] bool hits(const MessageAffliction& which, const LcmMessage& message);

@@ -165,6 +165,17 @@ TEST(BadBus, SaysAnotherLengthInTheFirstFrameOfAFastPacketAndNothingElse) {
   EXPECT_EQ(spoilt(single, FrameFault::kWrongLength), single) << "its second byte is the heading";
 }
 
+TEST(BadBus, CountsNoFrameToWhichAFaultDidNothing) {
+  BadBus bus(1);
+  (void)bus.pass({frame_of(kHeadingOfCompass)}, only(FrameFault::kWrongLength), Time{});
+  n2k::Frame without_data = frame_of(kHeadingOfCompass);
+  without_data.size = 0;
+  (void)bus.pass({without_data}, only(FrameFault::kNotAvailable), Time{});
+  EXPECT_EQ(bus.afflicted(), 0U);
+  (void)bus.pass({frame_of(kHeadingOfCompass)}, only(FrameFault::kNotAvailable), Time{});
+  EXPECT_EQ(bus.afflicted(), 1U);
+}
+
 TEST(BadBus, PlaysAFrameBackWordForWordOnce) {
   BadBus bus(1);
   const n2k::Frame a = frame_of(kHeadingOfCompass, 1);

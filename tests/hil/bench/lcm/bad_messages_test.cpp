@@ -84,6 +84,65 @@ TEST_F(BadMessagesTest, DatesAMessageAheadAndBehind) {
   EXPECT_EQ(read(pass({fix(1)}, {.fault = FrameFault::kDateError, .seconds = Duration::seconds(-3600)}).at(0)).utime, -3'599'000'000);
 }
 
+template <class Message>
+LcmMessage told(const Message& message) {
+  const wire::Encoded encoded(message, Time{1'000'000});
+  return {.channel = std::string(wire::channel_of<Message>), .data = {encoded.bytes().begin(), encoded.bytes().end()}};
+}
+
+/// What a fault did to one message: it counts it, or lets it pass as it is.
+template <class Message>
+bool is_afflicted(const Message& message, const MessageAffliction& affliction) {
+  const LcmMessage sent = told(message);
+  BadMessages bad(1);
+  const std::vector<Datagram> arrived = bad.pass({sent}, {affliction}, at_s(1));
+  const bool is_another = arrived != BadMessages(1).pass({sent}, {}, at_s(1));
+  EXPECT_EQ(bad.afflicted(), is_another ? 1U : 0U) << sent.channel;
+  return is_another;
+}
+
+TEST_F(BadMessagesTest, DatesEveryMessageThatBearsADate) {
+  const MessageAffliction ahead{.fault = FrameFault::kDateError, .seconds = Duration::seconds(60)};
+  EXPECT_TRUE(is_afflicted(messages::BearingMeasurement{}, ahead));
+  EXPECT_TRUE(is_afflicted(messages::OperatorCommand{}, ahead));
+  EXPECT_TRUE(is_afflicted(messages::Setpoint{}, ahead));
+  EXPECT_TRUE(is_afflicted(messages::Decision{}, ahead));
+  EXPECT_TRUE(is_afflicted(messages::SafetyEvent{}, ahead));
+  EXPECT_TRUE(is_afflicted(messages::Health{}, ahead));
+  EXPECT_TRUE(is_afflicted(messages::CommandAcknowledgement{}, ahead));
+  EXPECT_TRUE(is_afflicted(messages::PublishedChallenge{}, ahead));
+  EXPECT_TRUE(is_afflicted(messages::SoundDetection{}, ahead));
+  EXPECT_FALSE(is_afflicted(messages::PortReport{}, ahead)) << "it bears none";
+}
+
+TEST_F(BadMessagesTest, CountsNoMessageThatHasNoNumberToLose) {
+  const MessageAffliction lost{.fault = FrameFault::kNotAvailable};
+  EXPECT_TRUE(is_afflicted(messages::BearingMeasurement{}, lost));
+  EXPECT_TRUE(is_afflicted(messages::Decision{}, lost)) << "also without a bearing and a belief";
+  EXPECT_TRUE(is_afflicted(messages::Health{}, lost));
+  EXPECT_TRUE(is_afflicted(messages::SafetyEvent{}, lost));
+  EXPECT_FALSE(is_afflicted(messages::AutopilotStatus{}, lost));
+  EXPECT_FALSE(is_afflicted(messages::CommandAcknowledgement{}, lost));
+}
+
+TEST_F(BadMessagesTest, CountsNoMessageOfAStrangersChannelThatItCannotRead) {
+  const LcmMessage strange{.channel = "SOMEBODY_ELSES_CAMERA", .data = std::vector<std::uint8_t>(64, 0x55)};
+  EXPECT_EQ(pass({strange}, {.fault = FrameFault::kNotAvailable}).size(), 1U);
+  EXPECT_EQ(pass({strange}, {.fault = FrameFault::kDateError, .seconds = Duration::seconds(60)}).size(), 1U);
+  EXPECT_EQ(bad_.afflicted(), 0U);
+}
+
+TEST_F(BadMessagesTest, KnowsWhoseEveryMessageIs) {
+  EXPECT_EQ(sender_on(wire::kBearingChannel), "hydrophone");
+  EXPECT_EQ(sender_on(wire::kHydrophoneStatusChannel), "hydrophone");
+  EXPECT_EQ(sender_on(wire::kVehicleStatusChannel), "vehicle-status");
+  EXPECT_EQ(sender_on(wire::kAutopilotStatusChannel), "autopilot");
+  for (const std::string_view own : {wire::kSetpointChannel, wire::kDecisionChannel, wire::kHealthChannel, wire::kAcknowledgementChannel,
+                                     wire::kChallengeChannel, wire::kSafetyEventChannel, wire::kDetectionChannel})
+    EXPECT_EQ(sender_on(own), "earshot") << own;
+  EXPECT_EQ(sender_on(wire::kOperatorCommandChannel), "") << "it is no device of the vehicle's";
+}
+
 TEST_F(BadMessagesTest, LetsMessagesOfOneTurnChangePlacesAndLosesNone) {
   bool has_changed = false;
   for (int i = 0; i < 20; ++i) {
