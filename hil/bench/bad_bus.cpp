@@ -48,36 +48,35 @@ bool BadBus::inject(const Affliction& affliction, Time now, Fate& fate) {
   n2k::Frame& frame = fate.frame;
   const n2k::Frame before = frame;
   switch (affliction.fault) {
-    case FrameFault::kLoss:
+    case Fault::kLoss:
       fate.times = 0;
       return true;
-    case FrameFault::kDelay:
+    case Fault::kDelay:
       fate.late = fate.late + affliction.seconds;
       return true;
-    case FrameFault::kJitter:
+    case Fault::kJitter:
       fate.late = fate.late + Duration{static_cast<std::int64_t>(random_.uniform_double() * static_cast<double>(affliction.seconds.us))};
       return true;
-    case FrameFault::kDuplication:
+    case Fault::kDuplication:
       ++fate.times;
       return true;
-    case FrameFault::kReplay:
+    case Fault::kReplay:
       late_.push_back({.due = now + affliction.seconds, .frame = frame});
       return true;
-    case FrameFault::kCorruption:
+    case Fault::kCorruption:
       if (frame.size > 0) frame.data.at(random_.next() % frame.size) ^= static_cast<std::uint8_t>(1U << random_.next() % 8U);
       break;
-    case FrameFault::kNotAvailable:
+    case Fault::kNotAvailable:
       std::fill_n(frame.data.begin(), frame.size, std::uint8_t{0xFF});
       break;
-    case FrameFault::kTruncation:
+    case Fault::kTruncation:
       frame.size /= 2;
       break;
-    case FrameFault::kWrongLength:
+    case Fault::kWrongLength:
       if (begins_fast_packet(frame)) frame.data[1] = static_cast<std::uint8_t>(frame.data[1] + 1U + random_.next() % 255U);
       break;
-    case FrameFault::kReordering:
-    case FrameFault::kDateError:
-      break;
+    default:
+      throw NoMaker(affliction.fault, "of frames on a CAN bus");
   }
   return frame != before;
 }

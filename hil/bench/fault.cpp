@@ -6,6 +6,16 @@
 
 namespace earshot::hil {
 
+static_assert([] {
+  for (std::size_t i = 0; i < kFaults; ++i) {
+    if (kFaultTraits[i].fault != static_cast<Fault>(i)) return false;
+  }
+  return true;
+}());
+
+NoMaker::NoMaker(Fault fault, std::string_view where)
+    : std::logic_error("the bench has nothing that makes the fault \"" + std::string(traits_of(fault).word) + "\" " + std::string(where)) {}
+
 NorthEast TimedFault::vector() const {
   const double angle = direction_deg * std::numbers::pi / 180.0;
   return {Meters{amount * std::cos(angle)}, Meters{amount * std::sin(angle)}};

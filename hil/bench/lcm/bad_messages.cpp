@@ -145,41 +145,40 @@ std::vector<Datagram> BadMessages::pass(const LcmMessages& messages, const std::
 
 bool BadMessages::inject(const MessageAffliction& affliction, Fate& fate) {
   switch (affliction.fault) {
-    case FrameFault::kLoss:
+    case Fault::kLoss:
       fate.times = 0;
       return true;
-    case FrameFault::kDelay:
+    case Fault::kDelay:
       fate.late = fate.late + affliction.seconds;
       return true;
-    case FrameFault::kJitter:
+    case Fault::kJitter:
       fate.late = fate.late + Duration{static_cast<std::int64_t>(random_.uniform_double() * static_cast<double>(affliction.seconds.us))};
       return true;
-    case FrameFault::kDuplication:
+    case Fault::kDuplication:
       if (fate.times == 0) return false;  // what is lost stays lost
       ++fate.times;
       return true;
-    case FrameFault::kCorruption:
+    case Fault::kCorruption:
       fate.is_flipped = true;
       return true;
-    case FrameFault::kNotAvailable:
+    case Fault::kNotAvailable:
       return change(fate.message, [](auto& value, Time& /*sent*/) { lose_numbers(value); });
-    case FrameFault::kTruncation:
+    case Fault::kTruncation:
       fate.is_cut = true;
       return true;
-    case FrameFault::kWrongLength:
-      return false;
-    case FrameFault::kReplay:
+    case Fault::kReplay:
       fate.replays.push_back(affliction.seconds);
       return true;
-    case FrameFault::kReordering:
+    case Fault::kReordering:
       fate.is_shuffled = true;
       return true;
-    case FrameFault::kDateError:
+    case Fault::kDateError:
       return change(fate.message, [&affliction](auto& value, Time& sent) {
         if (Time* const date = date_in(value, sent)) *date = *date + affliction.seconds;
       });
+    default:
+      throw NoMaker(affliction.fault, "of messages over LCM");
   }
-  return false;
 }
 
 Datagram BadMessages::datagram_of(const Fate& fate) {
