@@ -4,14 +4,11 @@
 #include <numbers>
 #include <sstream>
 
+#include "firmware/messages/dictionary/enumerators.hpp"
+
 namespace earshot::hil {
 
-static_assert([] {
-  for (std::size_t i = 0; i < kFaults; ++i) {
-    if (kFaultTraits[i].fault != static_cast<Fault>(i)) return false;
-  }
-  return true;
-}());
+static_assert(messages::has_a_row_for_each(kFaultTraits, &FaultTraits::fault), "a fault has no row, or it stands in another's place");
 
 NoMaker::NoMaker(Fault fault, std::string_view where)
     : std::logic_error("the bench has nothing that makes the fault \"" + std::string(traits_of(fault).word) + "\" " + std::string(where)) {}

@@ -88,7 +88,6 @@ enum class Fault : std::uint8_t {
   kBusTaken,    ///< by another program, that flies on it
   kOrder,       ///< somebody gives it, in time
 };
-inline constexpr std::size_t kFaults = 65;
 
 /// On which buses there is such a fault.
 enum class FaultBus : std::uint8_t { kEither, kCan, kLcm };
@@ -139,8 +138,8 @@ struct FaultTraits {
   std::span<const std::string_view> subjects = {};
 };
 
-/// In the order of Fault.
-inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
+/// In the order of Fault; fault.cpp does not compile while a fault has no row.
+inline constexpr auto kFaultTraits = std::to_array<FaultTraits>({
     {.fault = Fault::kLoss, .word = "loss", .hits = FaultTarget::kFrames},
     {.fault = Fault::kDelay, .word = "delay", .hits = FaultTarget::kFrames, .amount = "seconds", .lowest = 0.1, .highest = 600.0},
     {.fault = Fault::kJitter, .word = "jitter", .hits = FaultTarget::kFrames, .amount = "seconds", .lowest = 0.1, .highest = 600.0},
@@ -351,7 +350,7 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
      .flight = FaultFlight::kAtSea,
      .is_of_a_moment = true,
      .subjects = kOrders},
-}};
+});
 
 [[nodiscard]] constexpr const FaultTraits& traits_of(Fault fault) {
   return kFaultTraits.at(static_cast<std::size_t>(fault));

@@ -27,7 +27,7 @@ SoundFault sound_of(const TimedFault& fault) {
     case Fault::kSoundShorted:
       return {.line = SoundLine::kShorted};
     default:
-      return {};
+      throw NoMaker(fault.fault, "of a hydrophone's samples");
   }
 }
 
@@ -71,7 +71,8 @@ void SeaEquipment::begin(const TimedFault& fault) {
       has_netem_ = set_netem(bus_, fault.how);
       return;
     default:
-      if (fault.traits().hits == FaultTarget::kSound) hydrophone_->disturb(sound_of(fault));
+      if (fault.traits().hits != FaultTarget::kSound) throw NoMaker(fault.fault, "at sea");
+      hydrophone_->disturb(sound_of(fault));
   }
 }
 
@@ -87,7 +88,8 @@ void SeaEquipment::end(const TimedFault& fault) {
       if (set_netem(bus_, "")) has_netem_ = false;
       return;
     default:
-      if (fault.traits().hits == FaultTarget::kSound) hydrophone_->disturb({});
+      if (fault.traits().hits != FaultTarget::kSound) throw NoMaker(fault.fault, "at sea");
+      hydrophone_->disturb({});
   }
 }
 

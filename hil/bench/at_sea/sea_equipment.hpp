@@ -25,6 +25,7 @@ class SeaEquipment {
 
   /// What earshotd's command line says of it.
   [[nodiscard]] std::vector<std::string> options_of_earshotd() const;
+  /// @throws NoMaker of a fault of nothing that it has
   void begin(const TimedFault& fault);
   void end(const TimedFault& fault);
   /// Faults that the kernel has not counted, in words: they were not injected, or nobody could know.

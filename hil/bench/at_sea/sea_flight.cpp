@@ -265,6 +265,9 @@ class SeaFlyer {
       case Fault::kOrder:
         return give_order(bench_.interface, fault.device == kPauseOrder ? messages::Order::kPause : messages::Order::kAbort,
                           ScaledClock::utc());
+      case Fault::kFullDisk:
+      case Fault::kFileGone:
+        return;  // earshotd is started with it
       default:
         return equipment_.begin(fault);
     }
@@ -286,6 +289,12 @@ class SeaFlyer {
         return widen_queue();
       case Fault::kBusTaken:
         return taken_.reset();
+      case Fault::kStop:
+      case Fault::kFullDisk:
+      case Fault::kFlippedBit:
+      case Fault::kFileGone:
+      case Fault::kOrder:
+        return;  // what it did stays
       default:
         return equipment_.end(fault);
     }

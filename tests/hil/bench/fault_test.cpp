@@ -14,7 +14,7 @@ namespace {
 TEST(Fault, HasAWordOfItsOwnForEveryKindInTheOrderOfKinds) {
   std::set<std::string_view> words;
   for (const FaultTraits& traits : kFaultTraits) words.insert(traits.word);
-  EXPECT_EQ(words.size(), 65U);
+  EXPECT_EQ(words.size(), kFaultTraits.size());
   const auto word_of = [](Fault fault) { return kFaultTraits.at(static_cast<std::size_t>(fault)).word; };
   EXPECT_EQ(word_of(Fault::kLoss), "loss");
   EXPECT_EQ(word_of(Fault::kReplay), "replay");
@@ -28,6 +28,11 @@ TEST(Fault, HasAWordOfItsOwnForEveryKindInTheOrderOfKinds) {
   EXPECT_EQ(word_of(Fault::kFullDisk), "full_disk");
   EXPECT_EQ(word_of(Fault::kNoRoom), "no_room");
   EXPECT_EQ(word_of(Fault::kOrder), "order");
+}
+
+TEST(Fault, IsNamedWhereNothingMakesIt) {
+  EXPECT_STREQ(NoMaker(Fault::kReordering, "of frames on a CAN bus").what(),
+               "the bench has nothing that makes the fault \"reordering\" of frames on a CAN bus");
 }
 
 TEST(Fault, ActsFromItsBeginningUntilBeforeItsEnd) {

@@ -53,6 +53,18 @@ TEST_F(RogueNodesTest, AreThereOnlyAsLongAsTheirFaultActs) {
   }
 }
 
+TEST_F(RogueNodesTest, MakeEveryFaultOfTheBusThatACaseInLockStepMayName) {
+  for (const FaultTraits& traits : kFaultTraits) {
+    if (traits.flight == FaultFlight::kAtSea) continue;
+    const std::vector<TimedFault> faults{{.fault = traits.fault, .from = at_s(0), .amount = traits.lowest}};
+    if (traits.hits == FaultTarget::kBus && traits.bus == FaultBus::kLcm) {
+      EXPECT_THROW((void)seconds_of(faults, 2), NoMaker) << traits.word;
+    } else {
+      EXPECT_NO_THROW((void)seconds_of(faults, 2)) << traits.word;
+    }
+  }
+}
+
 TEST_F(RogueNodesTest, FloodTheBusWithFramesThatWinEveryArbitrationAndBearACounter) {
   const std::vector<Frames> seconds = seconds_of({{.fault = Fault::kFlood, .from = at_s(1), .amount = 300}}, 3);
   ASSERT_EQ(seconds[1].size(), 300U);
