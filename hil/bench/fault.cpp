@@ -28,7 +28,7 @@ std::string unit_of(const FaultTraits& traits) {
 
 }  // namespace
 
-std::string in_words(const TimedFault& fault) {
+std::string to_string(const TimedFault& fault) {
   const FaultTraits& traits = fault.traits();
   std::string word(traits.word);
   for (char& character : word) character = character == '_' ? ' ' : character;

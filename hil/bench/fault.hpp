@@ -391,6 +391,6 @@ struct TimedFault {
 };
 
 /// "loss of 50 % of the compass's frames from 100 s for 20 s"
-[[nodiscard]] std::string in_words(const TimedFault& fault);
+[[nodiscard]] std::string to_string(const TimedFault& fault);
 
 }  // namespace earshot::hil

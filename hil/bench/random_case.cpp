@@ -96,7 +96,7 @@ Case random_case(const std::vector<Case>& pool, std::uint64_t seed) {
   for (std::size_t i = 0, count = all.empty() ? 0 : 2 + random.next() % 2; i < count; ++i)
     made.faults.push_back(moved(all[random.next() % all.size()], random));
   made.when.clear();
-  for (const TimedFault& fault : made.faults) made.when += (made.when.empty() ? "" : "; ") + in_words(fault);
+  for (const TimedFault& fault : made.faults) made.when += (made.when.empty() ? "" : "; ") + to_string(fault);
   return made;
 }
 
