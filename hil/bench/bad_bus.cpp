@@ -28,51 +28,57 @@ Frames BadBus::pass(const Frames& frames, const std::vector<Affliction>& afflict
   return arriving;
 }
 
-void BadBus::pass(n2k::Frame frame, const std::vector<Affliction>& afflictions, Time now, Frames& arriving) {
-  int times = 1;
-  Duration late;
+void BadBus::pass(const n2k::Frame& frame, const std::vector<Affliction>& afflictions, Time now, Frames& arriving) {
+  Fate fate{.frame = frame, .late = {}};
   for (const Affliction& affliction : afflictions) {
-    if (!hits(affliction.frames, frame)) continue;
-    ++afflicted_;
-    switch (affliction.fault) {
-      case FrameFault::kLoss:
-        return;
-      case FrameFault::kDelay:
-        late = late + affliction.seconds;
-        break;
-      case FrameFault::kJitter:
-        late = late + Duration{static_cast<std::int64_t>(random_.uniform_double() * static_cast<double>(affliction.seconds.us))};
-        break;
-      case FrameFault::kDuplication:
-        ++times;
-        break;
-      case FrameFault::kCorruption:
-        if (frame.size > 0) frame.data.at(random_.next() % frame.size) ^= static_cast<std::uint8_t>(1U << random_.next() % 8U);
-        break;
-      case FrameFault::kNotAvailable:
-        std::fill_n(frame.data.begin(), frame.size, std::uint8_t{0xFF});
-        break;
-      case FrameFault::kTruncation:
-        frame.size /= 2;
-        break;
-      case FrameFault::kWrongLength:
-        if (begins_fast_packet(frame)) frame.data[1] = static_cast<std::uint8_t>(frame.data[1] + 1U + random_.next() % 255U);
-        break;
-      case FrameFault::kReplay:
-        late_.push_back({.due = now + affliction.seconds, .frame = frame});
-        break;
-      case FrameFault::kReordering:
-      case FrameFault::kDateError:
-        break;
-    }
+    if (!hits(affliction.frames, fate.frame)) continue;
+    if (inject(affliction, now, fate)) ++afflicted_;
+    if (fate.times == 0) return;
   }
-  for (; times > 0; --times) {
-    if (late > Duration{}) {
-      late_.push_back({.due = now + late, .frame = frame});
+  for (; fate.times > 0; --fate.times) {
+    if (fate.late > Duration{}) {
+      late_.push_back({.due = now + fate.late, .frame = fate.frame});
     } else {
-      arriving.push_back(frame);
+      arriving.push_back(fate.frame);
     }
   }
+}
+
+bool BadBus::inject(const Affliction& affliction, Time now, Fate& fate) {
+  n2k::Frame& frame = fate.frame;
+  const n2k::Frame before = frame;
+  switch (affliction.fault) {
+    case Fault::kLoss:
+      fate.times = 0;
+      return true;
+    case Fault::kDelay:
+      fate.late = fate.late + affliction.seconds;
+      return true;
+    case Fault::kJitter:
+      fate.late = fate.late + Duration{static_cast<std::int64_t>(random_.uniform_double() * static_cast<double>(affliction.seconds.us))};
+      return true;
+    case Fault::kDuplication:
+      ++fate.times;
+      return true;
+    case Fault::kReplay:
+      late_.push_back({.due = now + affliction.seconds, .frame = frame});
+      return true;
+    case Fault::kCorruption:
+      if (frame.size > 0) frame.data.at(random_.next() % frame.size) ^= static_cast<std::uint8_t>(1U << random_.next() % 8U);
+      break;
+    case Fault::kNotAvailable:
+      std::fill_n(frame.data.begin(), frame.size, std::uint8_t{0xFF});
+      break;
+    case Fault::kTruncation:
+      frame.size /= 2;
+      break;
+    case Fault::kWrongLength:
+      if (begins_fast_packet(frame)) frame.data[1] = static_cast<std::uint8_t>(frame.data[1] + 1U + random_.next() % 255U);
+      break;
+    default:
+      throw NoMaker(affliction.fault, "of frames on a CAN bus");
+  }
+  return frame != before;
 }
 
 bool BadBus::hits(const AfflictedFrames& which, const n2k::Frame& frame) {

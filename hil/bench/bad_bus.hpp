@@ -7,24 +7,10 @@
 #include "firmware/core/random.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/wire/n2k/frame.hpp"
+#include "hil/bench/fault.hpp"
 #include "hil/nodes/device.hpp"
 
 namespace earshot::hil {
-
-/// What becomes of frames on a bad bus.
-enum class FrameFault : std::uint8_t {
-  kLoss,          ///< a frame never arrives
-  kDelay,         ///< arrives `seconds` later, behind what was said meanwhile
-  kJitter,        ///< arrives up to `seconds` later, so that frames overtake each other
-  kDuplication,   ///< arrives twice
-  kCorruption,    ///< one bit of its data is another, as no CAN controller would let pass
-  kNotAvailable,  ///< all its data say "not available" (ones)
-  kTruncation,    ///< has only the first half of its data
-  kWrongLength,   ///< a fast packet's first frame says another length
-  kReplay,        ///< arrives once more `seconds` later, word for word: a log that somebody plays back
-  kReordering,    ///< of what is said in one turn, those that it hits change places (LCM only)
-  kDateError,     ///< is dated `seconds` ahead (LCM only: no frame bears a date)
-};
 
 /// Which frames it hits.
 struct AfflictedFrames {
@@ -35,7 +21,7 @@ struct AfflictedFrames {
 
 /// One fault of the bus, as long as it lasts.
 struct Affliction {
-  FrameFault fault = FrameFault::kLoss;
+  Fault fault = Fault::kLoss;  ///< that hits frames (FaultTarget::kFrames)
   AfflictedFrames frames;
   Duration seconds;  ///< of kDelay, kJitter and kReplay
 };
@@ -48,8 +34,9 @@ class BadBus {
 
   /// @param frames  said now, in their order   @param now  never goes back
   /// @return what arrives now, in this order: first what was said before
+  /// @throws NoMaker of a fault that frames on a CAN bus cannot have
   [[nodiscard]] Frames pass(const Frames& frames, const std::vector<Affliction>& afflictions, Time now);
-  /// Frames that a fault hit, so far.
+  /// How often a fault did something to a frame, so far.
   [[nodiscard]] std::uint64_t afflicted() const { return afflicted_; }
 
  private:
@@ -57,7 +44,15 @@ class BadBus {
     Time due;
     n2k::Frame frame;
   };
-  void pass(n2k::Frame frame, const std::vector<Affliction>& afflictions, Time now, Frames& arriving);
+  /// What becomes of one.
+  struct Fate {
+    n2k::Frame frame;
+    int times = 1;
+    Duration late;
+  };
+  void pass(const n2k::Frame& frame, const std::vector<Affliction>& afflictions, Time now, Frames& arriving);
+  /// @return whether it did anything to the frame
+  [[nodiscard]] bool inject(const Affliction& affliction, Time now, Fate& fate);
   [[nodiscard]] bool hits(const AfflictedFrames& which, const n2k::Frame& frame);
 
   Pcg32 random_;

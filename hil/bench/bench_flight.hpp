@@ -77,7 +77,7 @@ struct BenchFlight {
   std::uint64_t received = 0;          ///< frames, of Earshot's
   std::uint64_t lost = 0;              ///< frames that the kernel says it lost
   std::uint64_t refused = 0;           ///< frames for which it had no room (ENOBUFS)
-  std::uint64_t afflicted = 0;         ///< frames that a fault hit
+  std::uint64_t afflicted = 0;         ///< how often a fault did something to a frame, or to a message
   std::vector<TimedFault> idle;        ///< faults of the case that never began to act, in its order
   bool is_weight_released = false;     ///< the vehicle was asked for it
 };

@@ -111,7 +111,7 @@ TimedFault read_fault(TableReader table, const Case& c) {
   if (traits.has_direction) fault.direction_deg = table.number_or("towards_deg", 0.0, Range::between(-360.0, 360.0));
   if (is_at_sea) read_whom(table, fault);
   if (fault.fault == Fault::kNetem) fault.how = read_netem(table);
-  if (index >= kFrameFaults) return fault;
+  if (traits.hits != FaultTarget::kFrames) return fault;
   fault.share = table.number_or("share", 1.0, Range::between(0.0, 1.0));
   if (table.has("of")) fault.device = senders(bus).at(table.choice("of", senders(bus)));
   if (bus == PortKind::kCan && table.has("pgn")) fault.pgn = static_cast<std::uint32_t>(table.integer("pgn", 0, 0x3FFFF));

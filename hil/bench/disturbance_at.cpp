@@ -7,7 +7,7 @@ namespace earshot::hil {
 Disturbance disturbance_at(const std::vector<TimedFault>& faults, Time now, Duration tick) {
   Disturbance d;
   for (const TimedFault& fault : faults) {
-    if (!fault.acts_at(now)) continue;
+    if (fault.traits().hits != FaultTarget::kVehicle || !fault.acts_at(now)) continue;
     switch (fault.fault) {
       case Fault::kRudderStuck:
         d.is_rudder_stuck = true;
@@ -80,7 +80,7 @@ Disturbance disturbance_at(const std::vector<TimedFault>& faults, Time now, Dura
         d.hydrophone.gain_error += Decibels{fault.amount};
         break;
       default:
-        break;
+        throw NoMaker(fault.fault, "of the vehicle");
     }
   }
   return d;

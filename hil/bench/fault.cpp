@@ -4,7 +4,14 @@
 #include <numbers>
 #include <sstream>
 
+#include "firmware/messages/dictionary/enumerators.hpp"
+
 namespace earshot::hil {
+
+static_assert(messages::has_a_row_for_each(kFaultTraits, &FaultTraits::fault), "a fault has no row, or it stands in another's place");
+
+NoMaker::NoMaker(Fault fault, std::string_view where)
+    : std::logic_error("the bench has nothing that makes the fault \"" + std::string(traits_of(fault).word) + "\" " + std::string(where)) {}
 
 NorthEast TimedFault::vector() const {
   const double angle = direction_deg * std::numbers::pi / 180.0;
@@ -21,7 +28,7 @@ std::string unit_of(const FaultTraits& traits) {
 
 }  // namespace
 
-std::string in_words(const TimedFault& fault) {
+std::string to_string(const TimedFault& fault) {
   const FaultTraits& traits = fault.traits();
   std::string word(traits.word);
   for (char& character : word) character = character == '_' ? ' ' : character;

@@ -48,13 +48,12 @@ std::string written(NorthEast place) {
 }
 
 void write_fault(std::ostream& out, const TimedFault& fault) {
-  const auto index = static_cast<std::size_t>(fault.fault);
-  const FaultTraits& traits = kFaultTraits.at(index);
+  const FaultTraits& traits = fault.traits();
   out << "\n[[fault]]\nkind = \"" << traits.word << "\"\nat_s = " << host::shortest((fault.from - Time{}).to_seconds()) << "\n";
   if (fault.until) out << "for_s = " << host::shortest((*fault.until - fault.from).to_seconds()) << "\n";
   if (!traits.amount.empty()) out << traits.amount << " = " << host::shortest(fault.amount) << "\n";
   if (fault.direction_deg != 0.0) out << "towards_deg = " << host::shortest(fault.direction_deg) << "\n";
-  if (index >= kFrameFaults) return;
+  if (traits.hits != FaultTarget::kFrames) return;
   out << "share = " << host::shortest(fault.share) << "\n";
   if (!fault.device.empty()) out << "of = \"" << fault.device << "\"\n";
   if (fault.pgn) out << "pgn = " << *fault.pgn << "\n";
@@ -97,7 +96,7 @@ Case random_case(const std::vector<Case>& pool, std::uint64_t seed) {
   for (std::size_t i = 0, count = all.empty() ? 0 : 2 + random.next() % 2; i < count; ++i)
     made.faults.push_back(moved(all[random.next() % all.size()], random));
   made.when.clear();
-  for (const TimedFault& fault : made.faults) made.when += (made.when.empty() ? "" : "; ") + in_words(fault);
+  for (const TimedFault& fault : made.faults) made.when += (made.when.empty() ? "" : "; ") + to_string(fault);
   return made;
 }
 

@@ -117,7 +117,7 @@ void Results::add(const Case& c, const config::Mission& mission, const BenchFlig
                   const std::vector<std::string>& wrong) {
   json faults = json::array();
   for (const TimedFault& fault : c.faults)
-    faults.push_back({{"words", in_words(fault)}, {"from_s", seconds(fault.from)}, {"until_s", end_of(fault)}});
+    faults.push_back({{"words", to_string(fault)}, {"from_s", seconds(fault.from)}, {"until_s", end_of(fault)}});
   json expected_rules = json::array();
   for (const config::Condition rule : c.expected.rules) expected_rules.push_back(key_of(rule));
   json events = json::array();

@@ -104,8 +104,8 @@ void judge_notice(const Case& c, const JournalFindings& journal, std::vector<std
       });
     };
     const bool is_controllers = fault.traits().hits == FaultTarget::kController;
-    if (is_controllers && !reports(true)) wrong.push_back("the journal does not report that it began: " + in_words(fault));
-    if (is_controllers && fault.until && !reports(false)) wrong.push_back("the journal does not report that it ended: " + in_words(fault));
+    if (is_controllers && !reports(true)) wrong.push_back("the journal does not report that it began: " + to_string(fault));
+    if (is_controllers && fault.until && !reports(false)) wrong.push_back("the journal does not report that it ended: " + to_string(fault));
     if (fault.fault == Fault::kSoundDropout && fault.until && journal.lost.at(c.sound_port) == 0)
       wrong.emplace_back("the journal does not report that samples were lost");
   }
@@ -128,7 +128,7 @@ void judge_track(const config::Mission& mission, const BenchFlight& flight, std:
 /// A fault that did nothing tests nothing, whatever came of the flight.
 void judge_faults(const Case& c, const BenchFlight& flight, std::vector<std::string>& wrong) {
   if (!flight.failure.empty()) return;
-  for (const TimedFault& fault : flight.idle) wrong.push_back("the fault never acted: " + in_words(fault));
+  for (const TimedFault& fault : flight.idle) wrong.push_back("the fault never acted: " + to_string(fault));
   if (flight.idle.empty() && c.has(FaultTarget::kFrames) && flight.afflicted == 0) wrong.emplace_back("no frame met the fault");
 }
 

@@ -177,9 +177,9 @@ std::string budgets(const config::Mission& mission) {
 }
 
 /// What a rule does, and what it must do before.
-std::string in_words(const config::Rule& rule, const config::Mission& mission) {
+std::string sentence_of(const config::Rule& rule, const config::Mission& mission) {
   const bool leaves_first = rule.response == config::Response::kSurface && !mission.safety.no_surface.empty();
-  return host::in_words(rule) + (leaves_first ? "; in a zone of no_surface it leaves that before it comes up" : "");
+  return host::sentence_of(rule) + (leaves_first ? "; in a zone of no_surface it leaves that before it comes up" : "");
 }
 
 std::string rules(const config::Mission& mission) {
@@ -187,7 +187,8 @@ std::string rules(const config::Mission& mission) {
   std::string text =
       "rules (the first " + std::to_string(standing) + " stand in every mission like this one, and nothing takes them off)\n";
   std::size_t number = 0;
-  for (const config::Rule& rule : safety::rules_of(mission)) text += host::formatted("  %2zu  ", ++number) + in_words(rule, mission) + "\n";
+  for (const config::Rule& rule : safety::rules_of(mission))
+    text += host::formatted("  %2zu  ", ++number) + sentence_of(rule, mission) + "\n";
   return text;
 }
 

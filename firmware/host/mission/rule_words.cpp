@@ -45,7 +45,7 @@ std::string_view done_by(config::Response response) {
 }
 
 /// "the age of the newest fix is above 5 s"
-std::string condition_in_words(const config::Rule& rule) {
+std::string clause_of(const config::Rule& rule) {
   const ConditionTraits& traits = traits_of(rule);
   if (traits.kind == ConditionTraits::Kind::kFlag) return std::string(traits.meaning);
   const std::string limit = shortly(rule.limit) + std::string(unit_of(traits.key));
@@ -73,8 +73,8 @@ std::string to_string(const config::Rule& rule) {
   return text + lasting(rule) + " then " + std::string(response_of(rule));
 }
 
-std::string in_words(const config::Rule& rule) {
-  std::string text = std::string(done_by(rule.response)) + " once " + condition_in_words(rule);
+std::string sentence_of(const config::Rule& rule) {
+  std::string text = std::string(done_by(rule.response)) + " once " + clause_of(rule);
   text += lasting(rule);
   const bool ends_the_mission = rule.response >= config::Response::kAbort;
   return rule.is_latched && !ends_the_mission ? text + ", and until the mission ends" : text;

@@ -13,6 +13,6 @@ namespace earshot::host {
 [[nodiscard]] std::string to_string(const config::Rule& rule);
 
 /// As a person would: "return once the battery's charge is below 15 % for 10 s, and until the mission ends".
-[[nodiscard]] std::string in_words(const config::Rule& rule);
+[[nodiscard]] std::string sentence_of(const config::Rule& rule);
 
 }  // namespace earshot::host

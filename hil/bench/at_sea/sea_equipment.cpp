@@ -27,7 +27,7 @@ SoundFault sound_of(const TimedFault& fault) {
     case Fault::kSoundShorted:
       return {.line = SoundLine::kShorted};
     default:
-      return {};
+      throw NoMaker(fault.fault, "of a hydrophone's samples");
   }
 }
 
@@ -43,8 +43,6 @@ SeaEquipment::SeaEquipment(const Case& c, const Bench& bench) : case_(c), bus_(b
   }
   if (c.has(Fault::kNetem) && !(set_netem(bus_, "delay 1us") && set_netem(bus_, "")))
     throw NotFlown("the kernel has no netem, or we are not root, or there is no tc");
-  if (c.has(Fault::kWallClock) && !has_clock_of_its_own())
-    throw NotFlown("the wall clock is set in user-mode Linux alone, which has one of its own");
   if (c.sound_port != 0) hydrophone_.emplace(sound_url_, *c.speed, kSourceSnr, bench.seed);
 }
 
@@ -64,14 +62,12 @@ void SeaEquipment::begin(const TimedFault& fault) {
       return adapter_->become(State::kErrorPassive);
     case Fault::kBusOff:
       return adapter_->become(State::kBusOff);
-    case Fault::kWallClock:
-      clock_.emplace(fault.amount);
-      return;
     case Fault::kNetem:
       has_netem_ = set_netem(bus_, fault.how);
       return;
     default:
-      if (fault.traits().hits == FaultTarget::kSound) hydrophone_->disturb(sound_of(fault));
+      if (fault.traits().hits != FaultTarget::kSound) throw NoMaker(fault.fault, "at sea");
+      hydrophone_->disturb(sound_of(fault));
   }
 }
 
@@ -80,14 +76,13 @@ void SeaEquipment::end(const TimedFault& fault) {
     case Fault::kErrorPassive:
     case Fault::kBusOff:
       return adapter_->become(State::kErrorActive);
-    case Fault::kWallClock:
-      return clock_.reset();
     case Fault::kNetem:
       netem_ = netem_now();
       if (set_netem(bus_, "")) has_netem_ = false;
       return;
     default:
-      if (fault.traits().hits == FaultTarget::kSound) hydrophone_->disturb({});
+      if (fault.traits().hits != FaultTarget::kSound) throw NoMaker(fault.fault, "at sea");
+      hydrophone_->disturb({});
   }
 }
 

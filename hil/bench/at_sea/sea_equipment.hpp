@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "hil/bench/at_sea/kernel_counts.hpp"
-#include "hil/bench/at_sea/wall_clock.hpp"
 #include "hil/bench/bench_flight.hpp"
 #include "hil/bench/case.hpp"
 #include "hil/bus/serial/serial_adapter.hpp"
@@ -13,8 +12,8 @@
 
 namespace earshot::hil {
 
-/// What Earshot's computer has at sea beside the bus, as far as a case lets a fault be injected into it: the CAN controller by which it is
-/// on the bus, what the kernel does to the bus's frames, the wall clock, the hydrophone that sends samples.
+/// What stands at sea between Earshot's computer and the vehicle, as far as a case lets a fault be injected into it: the CAN controller by
+/// which it is on the bus, what the kernel does to the bus's frames, the hydrophone that sends samples.
 class SeaEquipment {
  public:
   /// @throws NotFlown where this kernel cannot do what the case wants
@@ -25,6 +24,7 @@ class SeaEquipment {
 
   /// What earshotd's command line says of it.
   [[nodiscard]] std::vector<std::string> options_of_earshotd() const;
+  /// @throws NoMaker of a fault of nothing that it has
   void begin(const TimedFault& fault);
   void end(const TimedFault& fault);
   /// Faults that the kernel has not counted, in words: they were not injected, or nobody could know.
@@ -38,7 +38,6 @@ class SeaEquipment {
   std::string sound_url_;
   std::optional<SerialAdapter> adapter_;  ///< nothing: Earshot is on the bus itself
   std::optional<SampleSender> hydrophone_;
-  std::optional<WallClockAhead> clock_;
   bool has_netem_ = false;  ///< now
   NetemCounts netem_;       ///< of those that are over
 };

@@ -1,30 +1,20 @@
 #include "hil/bench/at_sea/sea_flight.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <cmath>
-#include <fstream>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
 
-#include "firmware/host/file/shipped.hpp"
-#include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/text/numbers.hpp"
-#include "firmware/host/transport/bus_lock.hpp"
-#include "firmware/messages/operator_command.hpp"
 #include "hil/bench/at_sea/bus_reader.hpp"
-#include "hil/bench/at_sea/given_order.hpp"
-#include "hil/bench/at_sea/narrow_queue.hpp"
+#include "hil/bench/at_sea/sea_computer.hpp"
 #include "hil/bench/at_sea/sea_equipment.hpp"
 #include "hil/bench/at_sea/sea_program.hpp"
-#include "hil/bench/torn_journal.hpp"
 #include "hil/bench/verdict.hpp"
 #include "hil/bus/interface_switch.hpp"
 #include "hil/nodes/scaled_clock.hpp"
@@ -77,7 +67,8 @@ class SeaFlyer {
         bus_(bench.interface),
         earshotd_("earshotd", [this] { return start_earshotd(); }),
         vehicle_("the vehicle's program", [this] { return start_vehicle(); }),
-        faults_(all_of(c)) {
+        faults_(all_of(c)),
+        computer_(c, bench.interface, folder) {
     flight_.folder = folder;
   }
 
@@ -99,11 +90,7 @@ class SeaFlyer {
 
   [[nodiscard]] std::unique_ptr<ChildProcess> start_earshotd() const {
     ChildSettings settings{.words = words()};
-    for (const TimedFault& fault : case_.faults) {
-      if (fault.fault == Fault::kFullDisk) settings.most_bytes_of_a_file = static_cast<std::uint64_t>(fault.amount);
-      if (fault.fault == Fault::kSlowDisk) settings.environment = sick_disk("slow");
-      if (fault.fault == Fault::kReadOnlyDisk) settings.environment = sick_disk("read-only");
-    }
+    computer_.set_up(settings);
     // As a service has it.
     std::filesystem::create_directory(memory());
     settings.environment.push_back("RUNTIME_DIRECTORY=" + memory().string());
@@ -123,23 +110,10 @@ class SeaFlyer {
     return std::make_unique<ChildProcess>(bench_.earshotd, a, settings);
   }
 
-  [[nodiscard]] bool is_gone(std::string_view file) const {
-    return std::ranges::any_of(case_.faults, [&](const TimedFault& fault) {
-      return fault.fault == Fault::kFileGone && fault.device == file && fault.acts_at(now());
-    });
-  }
+  [[nodiscard]] bool is_gone(std::string_view file) const { return computer_.is_gone(file, now()); }
   /// Where there is no file.
   [[nodiscard]] std::string none() const { return flight_.folder / "none"; }
 
-  /// A library that stands between it and its disk, as long as a file says so.
-  [[nodiscard]] std::vector<std::string> sick_disk(const std::string& sickness) const {
-    const std::filesystem::path library = host::shipped_library("libearshot-sick-disk.so");
-    if (library.empty()) throw std::system_error(ENOENT, std::generic_category(), "libearshot-sick-disk.so (without it no disk falls ill)");
-    return {"LD_PRELOAD=" + library.string(), "EARSHOT_TEST_DISK=" + sickness, "EARSHOT_TEST_DISK_IS_SICK=" + disk_is_sick().string(),
-            "EARSHOT_TEST_DISK_HAS_RECORD=1"};
-  }
-
-  [[nodiscard]] std::filesystem::path disk_is_sick() const { return flight_.folder / "disk_is_sick"; }
   [[nodiscard]] std::filesystem::path memory() const { return flight_.folder / kMemory; }
 
   /// Where it was when its program ended.
@@ -250,23 +224,8 @@ class SeaFlyer {
         return program_of(fault).stop();
       case Fault::kInterfaceDown:
         return switch_bus(false);
-      case Fault::kSlowDisk:
-      case Fault::kReadOnlyDisk:
-        std::ofstream(disk_is_sick()) << "";
-        return;
-      case Fault::kNoRoom:
-        queue_.emplace(bench_.interface, fault.amount);
-        return;
-      case Fault::kFlippedBit:
-        return flip_bit(host::newest_journal_in(flight_.folder));
-      case Fault::kBusTaken:
-        taken_.emplace(host::lock_can(bench_.interface));
-        return;
-      case Fault::kOrder:
-        return give_order(bench_.interface, fault.device == kPauseOrder ? messages::Order::kPause : messages::Order::kAbort,
-                          ScaledClock::utc());
       default:
-        return equipment_.begin(fault);
+        return is_of_computer(fault) ? computer_.begin(fault) : equipment_.begin(fault);
     }
   }
 
@@ -278,23 +237,14 @@ class SeaFlyer {
         return program_of(fault).go_on();
       case Fault::kInterfaceDown:
         return switch_bus(true);
-      case Fault::kSlowDisk:
-      case Fault::kReadOnlyDisk:
-        std::filesystem::remove(disk_is_sick());
-        return;
-      case Fault::kNoRoom:
-        return widen_queue();
-      case Fault::kBusTaken:
-        return taken_.reset();
+      case Fault::kStop:
+        return;  // it stays stopped
       default:
-        return equipment_.end(fault);
+        return is_of_computer(fault) ? computer_.end(fault) : equipment_.end(fault);
     }
   }
 
-  void widen_queue() {
-    if (queue_) flight_.refused += queue_->refused();
-    queue_.reset();
-  }
+  [[nodiscard]] static bool is_of_computer(const TimedFault& fault) { return fault.traits().hits == FaultTarget::kComputer; }
 
   void switch_bus(bool is_up) {
     is_interface_up_ = is_up;
@@ -315,7 +265,8 @@ class SeaFlyer {
     flight_.uncounted = equipment_.uncounted();
     end(vehicle_);
     if (!is_interface_up_) switch_bus(true);
-    widen_queue();
+    computer_.widen_queue();
+    flight_.refused = computer_.refused();
     for (const int status : vehicle_.exit_statuses()) {
       const bool is_killed = status == 128 + SIGKILL && std::ranges::any_of(faults_, [this](const InjectedFault& b) {
                                return b.fault.fault == Fault::kKill && &program_of(b.fault) == &vehicle_;
@@ -360,8 +311,7 @@ class SeaFlyer {
   SeaProgram vehicle_;
   std::vector<InjectedFault> faults_;
   bool is_interface_up_ = true;
-  std::optional<NarrowQueue> queue_;
-  std::optional<host::BusLock> taken_;
+  SeaComputer computer_;
   Time polled_ = launched_;  ///< at the track
   bool is_up_ = false;
 };

@@ -92,15 +92,14 @@ void CanVehicleBus::report(BenchFlight& flight) {
 std::vector<Affliction> CanVehicleBus::afflictions(bool of_earshot) const {
   std::vector<Affliction> found;
   for (const TimedFault& fault : case_.faults) {
-    const auto index = static_cast<std::size_t>(fault.fault);
-    if (index >= kFrameFaults || !fault.acts_at(now_)) continue;
+    if (fault.traits().hits != FaultTarget::kFrames || !fault.acts_at(now_)) continue;
     std::optional<std::uint8_t> source;
     if (!fault.device.empty()) {
       if ((fault.device == kEarshotsFrames) != of_earshot) continue;
       if (!of_earshot) source = vehicle_.address_of(fault.device);
       if (!of_earshot && !source) continue;  // who has no address says nothing
     }
-    found.push_back({.fault = static_cast<FrameFault>(index),
+    found.push_back({.fault = fault.fault,
                      .frames = {.source = source, .pgn = fault.pgn, .share = fault.share},
                      .seconds = Duration{static_cast<std::int64_t>(fault.amount * 1e6)}});
   }

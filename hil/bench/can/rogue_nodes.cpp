@@ -50,6 +50,7 @@ RogueNodes::RogueNodes(const std::vector<TimedFault>& faults, const vehicle::Sta
     : vehicle_(vehicle) {
   std::uint32_t number = kFirstNumber;
   for (const TimedFault& fault : faults) {
+    if (fault.traits().hits != FaultTarget::kBus || fault.fault == Fault::kInterfaceDown) continue;
     RogueNode rogue_node{.fault = fault};
     switch (fault.fault) {
       case Fault::kSecondNavigation:
@@ -66,7 +67,7 @@ RogueNodes::RogueNodes(const std::vector<TimedFault>& faults, const vehicle::Sta
       case Fault::kStrangersOrder:
         break;
       default:
-        continue;
+        throw NoMaker(fault.fault, "of who is on a CAN bus");
     }
     rogue_nodes_.push_back(std::move(rogue_node));
   }

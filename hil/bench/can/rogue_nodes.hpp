@@ -22,7 +22,9 @@ inline constexpr double kFullBus_frames_per_s = 1'700.0;
 /// Nodes that should not be on the bus, each while its fault acts.
 class RogueNodes {
  public:
+  /// @param faults   of them those of who is on the bus; the interface is the flight's
   /// @param vehicle  what is moving there; must outlive it
+  /// @throws NoMaker of a fault of the bus that there is not over CAN
   RogueNodes(const std::vector<TimedFault>& faults, const vehicle::State& vehicle, const n2k::LocalPlane& plane);
 
   /// Every frame on the bus that is not theirs.

@@ -197,23 +197,36 @@ class Flyer {
 
   void disturb_computer() {
     for (const TimedFault& fault : case_.faults) {
-      if (!fault.is_new_at(now_, kTick)) continue;
-      if (fault.fault == Fault::kKill) {
-        is_killed_ = true;
-        earshotd_->signal(SIGKILL);
-      } else if (fault.fault == Fault::kPowerCut) {
-        is_killed_ = true;
-        torn_bytes_ = static_cast<std::uint64_t>(fault.amount);
-        earshotd_->signal(SIGKILL);
-      } else if (fault.fault == Fault::kStop) {
-        earshotd_->stop();
-      }
+      if (fault.traits().hits == FaultTarget::kComputer && fault.is_new_at(now_, kTick)) begin(fault);
     }
     pause(is_acting(Fault::kPause));
     const bool is_down = is_acting(Fault::kInterfaceDown);
     if (is_down == !is_interface_up_) return;
     bus_->switch_interface(!is_down);
     is_interface_up_ = !is_down;
+  }
+
+  void begin(const TimedFault& fault) {
+    switch (fault.fault) {
+      case Fault::kKill:
+        return kill();
+      case Fault::kPowerCut:
+        torn_bytes_ = static_cast<std::uint64_t>(fault.amount);
+        return kill();
+      case Fault::kStop:
+        return earshotd_->stop();
+      case Fault::kPause:
+        return;  // earshotd is paused as long as it acts
+      case Fault::kFullDisk:
+        return;  // earshotd is started with it
+      default:
+        throw NoMaker(fault.fault, "of the computer in lock-step");
+    }
+  }
+
+  void kill() {
+    is_killed_ = true;
+    earshotd_->signal(SIGKILL);
   }
 
   [[nodiscard]] bool is_acting(Fault kind) const {

@@ -1,70 +1,112 @@
 #include "hil/bench/lcm/bad_messages.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <span>
 #include <type_traits>
 #include <utility>
 
-#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/messages/dictionary/every_message.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "firmware/wire/lcm/lc02.hpp"
 
 namespace earshot::hil {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+/// The channels of these messages.
+template <class... Messages>
+constexpr std::array kChannelsOf{messages::Described<Messages>::kChannel...};
+
+struct Sender {
+  std::string_view name;
+  std::span<const std::string_view> channels;
+};
+
+/// Whose messages they are. Nobody on the vehicle has those of the last row: they are an operator's, stand in journals, or go over a
+/// board's serial line.
+constexpr std::array kSenders{
+    Sender{"autopilot", kChannelsOf<messages::AutopilotStatus>},
+    Sender{"navigation", kChannelsOf<messages::Navigation>},
+    Sender{"hydrophone", kChannelsOf<messages::SnrMeasurement, messages::BearingMeasurement, messages::HydrophoneStatus>},
+    Sender{"vehicle-status", kChannelsOf<messages::VehicleStatus>},
+    Sender{kEarshotsFrames, kChannelsOf<messages::Setpoint, messages::Decision, messages::SafetyEvent, messages::Health,
+                                        messages::CommandAcknowledgement, messages::PublishedChallenge, messages::SoundDetection>},
+    Sender{"", kChannelsOf<messages::OperatorCommand, messages::PortReport, messages::UnsentSetpoints, messages::MissionRecord,
+                           messages::JournalPart, messages::JournalResumed, messages::ControllerTrouble, messages::ClosingRecord,
+                           messages::BoardReport>},
+};
+
+constexpr std::ptrdiff_t rows_of(std::string_view channel) {
+  return std::ranges::count_if(
+      kSenders, [channel](const Sender& sender) { return std::ranges::find(sender.channels, channel) != sender.channels.end(); });
+}
+template <class... Messages>
+constexpr bool has_each_once(messages::Types<Messages...> /*all*/) {
+  return ((rows_of(messages::Described<Messages>::kChannel) == 1) && ...);
+}
+static_assert(has_each_once(messages::EveryMessage{}), "a message of the dictionary stands in no row, or in two");
+static_assert(std::ranges::equal(std::span(kSenders).first(kSenders.size() - 1), kLcmSenders, {}, &Sender::name),
+              "a case may name these senders, and no others");
 
 /// What a message has in place of every number that may have a fraction.
 template <class Message>
 void lose_numbers(Message& message) {
   messages::for_each_line_type<Message>([&message]<class Line>() {
     if constexpr (requires { typename Line::Number; }) {
-      if constexpr (std::is_same_v<typename Line::Number, double>) *Line::value_in(message) = messages::made_of<typename Line::Value>(kNaN);
+      using Number = typename Line::Number;
+      if constexpr (std::is_floating_point_v<Number>) {
+        if (auto* const value = Line::value_in(message))
+          *value = messages::made_of<typename Line::Value>(std::numeric_limits<Number>::quiet_NaN());
+      }
     }
   });
 }
 
-/// Its sender's.
+/// The first of its times: its own, or its sender's. Null: it has none.
 template <class Message>
-Time& date_in(Message& message, Time& sent) {
-  if constexpr (requires { message.time; }) {
-    return message.time;
-  } else {
-    return sent;
-  }
+Time* date_in(Message& message, Time& sent) {
+  Time* date = nullptr;
+  messages::for_each_line_type<Message>([&]<class Line>() {
+    if (date != nullptr) return;
+    if constexpr (std::is_same_v<Line, messages::SentTime>) {
+      date = &sent;
+    } else if constexpr (requires { typename Line::Value; }) {
+      if constexpr (std::is_same_v<typename Line::Value, Time>) date = Line::value_in(message);
+    }
+  });
+  return date;
 }
 
 /// @param change  takes references to the message, of its channel's type, and to when it was sent
+/// @return whether its bytes are others now
 template <class Type, class Change>
-void change_as(LcmMessage& message, Change change) {
+bool change_as(LcmMessage& message, Change change) {
   Type value;
   Time sent;
-  if (wire::decode(message.data, value, &sent) != Status::kOk) return;
+  if (wire::decode(message.data, value, &sent) != Status::kOk) return false;
   change(value, sent);
   const wire::Encoded encoded(value, sent);
+  if (std::ranges::equal(encoded.bytes(), message.data)) return false;
   message.data.assign(encoded.bytes().begin(), encoded.bytes().end());
+  return true;
+}
+
+template <class Change, class... Types>
+bool change_as_one_of(messages::Types<Types...> /*all*/, LcmMessage& message, Change how) {
+  return ((message.channel == messages::Described<Types>::kChannel && change_as<Types>(message, how)) || ...);
 }
 
 template <class Change>
-void change(LcmMessage& message, Change how) {
-  if (message.channel == wire::kNavStateChannel) change_as<messages::Navigation>(message, how);
-  if (message.channel == wire::kSnrEstimateChannel) change_as<messages::SnrMeasurement>(message, how);
-  if (message.channel == wire::kVehicleStatusChannel) change_as<messages::VehicleStatus>(message, how);
-  if (message.channel == wire::kAutopilotStatusChannel) change_as<messages::AutopilotStatus>(message, how);
-  if (message.channel == wire::kHydrophoneStatusChannel) change_as<messages::HydrophoneStatus>(message, how);
-  if (message.channel == wire::kSetpointChannel) change_as<messages::Setpoint>(message, how);
+bool change(LcmMessage& message, Change how) {
+  return change_as_one_of(messages::EveryMessage{}, message, how);
 }
 
 }  // namespace
 
 std::string_view sender_on(std::string_view channel) {
-  if (channel == wire::kNavStateChannel) return "navigation";
-  if (channel == wire::kSnrEstimateChannel || channel == wire::kHydrophoneStatusChannel) return "hydrophone";
-  if (channel == wire::kVehicleStatusChannel) return "vehicle-status";
-  if (channel == wire::kAutopilotStatusChannel) return "autopilot";
-  for (const std::string_view own :
-       {wire::kSetpointChannel, wire::kDecisionChannel, wire::kHealthChannel, wire::kAcknowledgementChannel, wire::kSafetyEventChannel}) {
-    if (channel == own) return kEarshotsFrames;
+  for (const Sender& sender : kSenders) {
+    if (std::ranges::find(sender.channels, channel) != sender.channels.end()) return sender.name;
   }
   return "";
 }
@@ -83,7 +125,7 @@ std::vector<Datagram> BadMessages::pass(const LcmMessages& messages, const std::
   for (const LcmMessage& message : messages) {
     Fate fate{.message = message, .late = {}, .replays = {}};
     for (const MessageAffliction& affliction : afflictions) {
-      if (hits(affliction, message)) inject(affliction, fate);
+      if (hits(affliction, message) && inject(affliction, fate)) ++afflicted_;
     }
     if (fate.times == 0) continue;
     const Datagram datagram = datagram_of(fate);
@@ -101,44 +143,41 @@ std::vector<Datagram> BadMessages::pass(const LcmMessages& messages, const std::
   return arriving;
 }
 
-void BadMessages::inject(const MessageAffliction& affliction, Fate& fate) {
-  ++afflicted_;
+bool BadMessages::inject(const MessageAffliction& affliction, Fate& fate) {
   switch (affliction.fault) {
-    case FrameFault::kLoss:
+    case Fault::kLoss:
       fate.times = 0;
-      break;
-    case FrameFault::kDelay:
+      return true;
+    case Fault::kDelay:
       fate.late = fate.late + affliction.seconds;
-      break;
-    case FrameFault::kJitter:
+      return true;
+    case Fault::kJitter:
       fate.late = fate.late + Duration{static_cast<std::int64_t>(random_.uniform_double() * static_cast<double>(affliction.seconds.us))};
-      break;
-    case FrameFault::kDuplication:
-      if (fate.times > 0) ++fate.times;  // what is lost stays lost
-      break;
-    case FrameFault::kCorruption:
+      return true;
+    case Fault::kDuplication:
+      if (fate.times == 0) return false;  // what is lost stays lost
+      ++fate.times;
+      return true;
+    case Fault::kCorruption:
       fate.is_flipped = true;
-      break;
-    case FrameFault::kNotAvailable:
-      change(fate.message, [](auto& value, Time& /*sent*/) { lose_numbers(value); });
-      break;
-    case FrameFault::kTruncation:
+      return true;
+    case Fault::kNotAvailable:
+      return change(fate.message, [](auto& value, Time& /*sent*/) { lose_numbers(value); });
+    case Fault::kTruncation:
       fate.is_cut = true;
-      break;
-    case FrameFault::kWrongLength:
-      break;
-    case FrameFault::kReplay:
+      return true;
+    case Fault::kReplay:
       fate.replays.push_back(affliction.seconds);
-      break;
-    case FrameFault::kReordering:
+      return true;
+    case Fault::kReordering:
       fate.is_shuffled = true;
-      break;
-    case FrameFault::kDateError:
-      change(fate.message, [&affliction](auto& value, Time& sent) {
-        Time& date = date_in(value, sent);
-        date = date + affliction.seconds;
+      return true;
+    case Fault::kDateError:
+      return change(fate.message, [&affliction](auto& value, Time& sent) {
+        if (Time* const date = date_in(value, sent)) *date = *date + affliction.seconds;
       });
-      break;
+    default:
+      throw NoMaker(affliction.fault, "of messages over LCM");
   }
 }
 

@@ -20,22 +20,23 @@ using Datagram = std::vector<std::uint8_t>;
 
 /// One fault of an LCM bus, as long as it lasts.
 struct MessageAffliction {
-  FrameFault fault = FrameFault::kLoss;
+  Fault fault = Fault::kLoss;    ///< that hits messages (FaultTarget::kFrames)
   std::string_view sender = {};  ///< of kLcmSenders, outlives it; empty: all
   double share = 1.0;            ///< of these, drawn one by one
   Duration seconds = {};         ///< of kDelay, kJitter, kReplay and kDateError
 };
 
 /// What BadBus is to frames, to LCM's messages: they go in as they were said, and come out as the datagrams that arrive (LC02). The same
-/// seed gives the same faults. kWrongLength is of CAN's fast packets, and does nothing.
+/// seed gives the same faults.
 class BadMessages {
  public:
   explicit BadMessages(std::uint64_t seed) : random_(seed) {}
 
   /// @param messages  said now, in their order   @param now  never goes back
   /// @return what arrives now, in this order: first what was said before
+  /// @throws NoMaker of a fault that messages cannot have
   [[nodiscard]] std::vector<Datagram> pass(const LcmMessages& messages, const std::vector<MessageAffliction>& afflictions, Time now);
-  /// Messages that a fault hit, so far.
+  /// How often a fault did something to a message, so far.
   [[nodiscard]] std::uint64_t afflicted() const { return afflicted_; }
 
  private:
@@ -54,7 +55,8 @@ class BadMessages {
     bool is_shuffled = false;
     std::vector<Duration> replays;
   };
-  void inject(const MessageAffliction& affliction, Fate& fate);
+  /// @return whether it did anything to the message
+  [[nodiscard]] bool inject(const MessageAffliction& affliction, Fate& fate);
   [[nodiscard]] Datagram datagram_of(const Fate& fate);
   void shuffle(std::vector<Datagram>& arriving, const std::vector<std::size_t>& places);
   [[nodiscard]] bool hits(const MessageAffliction& which, const LcmMessage& message);

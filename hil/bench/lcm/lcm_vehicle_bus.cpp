@@ -92,10 +92,9 @@ void LcmVehicleBus::report(BenchFlight& flight) {
 std::vector<MessageAffliction> LcmVehicleBus::afflictions(bool of_earshot) const {
   std::vector<MessageAffliction> found;
   for (const TimedFault& fault : case_.faults) {
-    const auto index = static_cast<std::size_t>(fault.fault);
-    if (index >= kFrameFaults || !fault.acts_at(now_)) continue;
+    if (fault.traits().hits != FaultTarget::kFrames || !fault.acts_at(now_)) continue;
     if (!fault.device.empty() && (fault.device == kEarshotsFrames) != of_earshot) continue;
-    found.push_back({.fault = static_cast<FrameFault>(index),
+    found.push_back({.fault = fault.fault,
                      .sender = fault.device,
                      .share = fault.share,
                      .seconds = Duration{static_cast<std::int64_t>(fault.amount * 1e6)}});

@@ -37,7 +37,7 @@ messages::OperatorCommand order(messages::Order order, Time given, Time expires,
 void RogueSenders::step(Time now, LcmMessages& sent) {
   const double passed_s = (now - std::exchange(last_, now).value_or(now)).to_seconds();
   for (const TimedFault& fault : faults_) {
-    if (fault.acts_at(now)) send(fault, now, passed_s, sent);
+    if (fault.traits().hits == FaultTarget::kBus && fault.acts_at(now)) send(fault, now, passed_s, sent);
   }
 }
 
@@ -99,7 +99,7 @@ void RogueSenders::send(const TimedFault& fault, Time now, double passed_s, LcmM
       break;
     }
     default:
-      break;
+      throw NoMaker(fault.fault, "of who is on an LCM bus");
   }
 }
 

@@ -21,7 +21,7 @@ class RogueSenders {
   RogueSenders(const std::vector<TimedFault>& faults, const vehicle::State& vehicle, std::uint64_t seed)
       : faults_(faults), vehicle_(vehicle), random_(seed, kStream) {}
 
-  /// Adds what they say now; the time never goes back.
+  /// Adds what they say now; the time never goes back. @throws NoMaker of a fault of the bus that there is not over LCM
   void step(Time now, LcmMessages& sent);
 
  private:

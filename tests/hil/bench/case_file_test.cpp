@@ -94,15 +94,14 @@ TEST_F(CaseFileTest, ReadsEveryKey) {
 }
 
 TEST_F(CaseFileTest, KnowsEveryKindOfFaultWithItsAmountAndItsBounds) {
-  for (std::size_t i = 0; i < kFaults; ++i) {
-    const FaultTraits& traits = kFaultTraits.at(i);
-    if (traits.bus == FaultBus::kLcm) continue;                                                  // lcm/lcm_cases_test.cpp
-    if (traits.hits == FaultTarget::kSound || static_cast<Fault>(i) == Fault::kNetem) continue;  // below
+  for (const FaultTraits& traits : kFaultTraits) {
+    if (traits.bus == FaultBus::kLcm) continue;                                         // lcm/lcm_cases_test.cpp
+    if (traits.hits == FaultTarget::kSound || traits.fault == Fault::kNetem) continue;  // below
     const std::string speed = traits.flight == FaultFlight::kAtSea ? "speed = 20\n" : "";
     const std::string fault = "at_s = 1\nkind = \"" + std::string(traits.word) + "\"\n";
     const auto with_fault = [&](const std::string& keys) { return kWords + speed + "[[fault]]\n" + keys + "\n" + kExpect; };
     if (traits.amount.empty()) {
-      EXPECT_EQ(load(with_fault(fault)).faults.at(0).fault, static_cast<Fault>(i));
+      EXPECT_EQ(load(with_fault(fault)).faults.at(0).fault, traits.fault);
       continue;
     }
     const std::string amount(traits.amount);

@@ -35,6 +35,10 @@ TEST(DisturbanceAt, IsWhatTheFaultSays) {
   EXPECT_EQ(of(Fault::kGainError, -12.0).hydrophone.gain_error.value, -12.0);
 }
 
+TEST(DisturbanceAt, IsMadeOfEveryFaultOfTheVehicle) {
+  for (const FaultTraits& traits : kFaultTraits) EXPECT_NO_THROW((void)of(traits.fault)) << traits.word;
+}
+
 TEST(DisturbanceAt, IsNothingBeforeAndBehindItsTime) {
   const std::vector<TimedFault> faults{{.fault = Fault::kFrozen, .from = at_s(10), .until = at_s(12)}};
   EXPECT_FALSE(disturbance_at(faults, at_s(9), kTick).is_frozen);

@@ -14,7 +14,7 @@ namespace {
 TEST(Fault, HasAWordOfItsOwnForEveryKindInTheOrderOfKinds) {
   std::set<std::string_view> words;
   for (const FaultTraits& traits : kFaultTraits) words.insert(traits.word);
-  EXPECT_EQ(words.size(), 65U);
+  EXPECT_EQ(words.size(), kFaultTraits.size());
   const auto word_of = [](Fault fault) { return kFaultTraits.at(static_cast<std::size_t>(fault)).word; };
   EXPECT_EQ(word_of(Fault::kLoss), "loss");
   EXPECT_EQ(word_of(Fault::kReplay), "replay");
@@ -28,6 +28,11 @@ TEST(Fault, HasAWordOfItsOwnForEveryKindInTheOrderOfKinds) {
   EXPECT_EQ(word_of(Fault::kFullDisk), "full_disk");
   EXPECT_EQ(word_of(Fault::kNoRoom), "no_room");
   EXPECT_EQ(word_of(Fault::kOrder), "order");
+}
+
+TEST(Fault, IsNamedWhereNothingMakesIt) {
+  EXPECT_STREQ(NoMaker(Fault::kReordering, "of frames on a CAN bus").what(),
+               "the bench has nothing that makes the fault \"reordering\" of frames on a CAN bus");
 }
 
 TEST(Fault, ActsFromItsBeginningUntilBeforeItsEnd) {
@@ -71,21 +76,21 @@ TEST(Fault, HasAVectorClockwiseFromNorth) {
 
 TEST(Fault, IsSaidInWordsWithWhoseFramesAndHowMany) {
   EXPECT_TRUE(support::tells(
-      in_words({.fault = Fault::kLoss, .from = at_s(100), .until = at_s(120), .share = 0.5, .device = "compass", .pgn = 127250}),
+      to_string({.fault = Fault::kLoss, .from = at_s(100), .until = at_s(120), .share = 0.5, .device = "compass", .pgn = 127250}),
       {"50 %", "127250", "100 s", "20 s"}));
-  EXPECT_TRUE(support::tells(in_words({.fault = Fault::kNotAvailable, .from = at_s(5)}), {"not", "100 %", "5 s"}));
+  EXPECT_TRUE(support::tells(to_string({.fault = Fault::kNotAvailable, .from = at_s(5)}), {"not", "100 %", "5 s"}));
 }
 
 TEST(Fault, IsSaidInWordsWithItsAmountAndUnit) {
   EXPECT_TRUE(
-      support::tells(in_words({.fault = Fault::kDelay, .from = at_s(1), .amount = 1.5, .share = 0.25}), {"1.5 seconds", "25 %", "1 s"}));
-  EXPECT_EQ(in_words({.fault = Fault::kFlood, .from = at_s(30), .amount = 1900.0}), "flood 1900 frames per s from 30 s");
-  EXPECT_EQ(in_words({.fault = Fault::kRudderStuck, .from = at_s(60), .until = at_s(90)}), "rudder stuck from 60 s for 30 s");
-  EXPECT_TRUE(support::tells(in_words({.fault = Fault::kCurrent, .from = at_s(60), .amount = 0.4, .direction_deg = 270.0}),
+      support::tells(to_string({.fault = Fault::kDelay, .from = at_s(1), .amount = 1.5, .share = 0.25}), {"1.5 seconds", "25 %", "1 s"}));
+  EXPECT_EQ(to_string({.fault = Fault::kFlood, .from = at_s(30), .amount = 1900.0}), "flood 1900 frames per s from 30 s");
+  EXPECT_EQ(to_string({.fault = Fault::kRudderStuck, .from = at_s(60), .until = at_s(90)}), "rudder stuck from 60 s for 30 s");
+  EXPECT_TRUE(support::tells(to_string({.fault = Fault::kCurrent, .from = at_s(60), .amount = 0.4, .direction_deg = 270.0}),
                              {"0.4 m/s", "270 degrees", "60 s"}));
-  EXPECT_EQ(in_words({.fault = Fault::kPowerCut, .from = at_s(100), .amount = 700.0}), "power cut 700 bytes at 100 s");
-  EXPECT_EQ(in_words({.fault = Fault::kFullDisk, .from = at_s(0), .amount = 1'234'567.0}), "full disk 1234567 bytes from 0 s");
-  EXPECT_EQ(in_words({.fault = Fault::kNetem, .from = at_s(60), .how = "loss 5%"}), "netem (loss 5%) from 60 s");
+  EXPECT_EQ(to_string({.fault = Fault::kPowerCut, .from = at_s(100), .amount = 700.0}), "power cut 700 bytes at 100 s");
+  EXPECT_EQ(to_string({.fault = Fault::kFullDisk, .from = at_s(0), .amount = 1'234'567.0}), "full disk 1234567 bytes from 0 s");
+  EXPECT_EQ(to_string({.fault = Fault::kNetem, .from = at_s(60), .how = "loss 5%"}), "netem (loss 5%) from 60 s");
 }
 
 }  // namespace

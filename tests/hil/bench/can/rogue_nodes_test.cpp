@@ -48,8 +48,20 @@ TEST_F(RogueNodesTest, AreThereOnlyAsLongAsTheirFaultActs) {
                                   TimedFault{.fault = Fault::kSecondAutopilot, .from = at_s(5), .until = at_s(8)},
                                   TimedFault{.fault = Fault::kAddressThief, .from = at_s(5), .until = at_s(8)}}) {
     const std::vector<Frames> seconds = seconds_of({fault}, 12);
-    for (const std::size_t s : {0, 1, 2, 3, 4, 8, 9, 10, 11}) EXPECT_TRUE(seconds[s].empty()) << s << " " << in_words(fault);
-    EXPECT_FALSE(seconds[5].empty()) << in_words(fault);
+    for (const std::size_t s : {0, 1, 2, 3, 4, 8, 9, 10, 11}) EXPECT_TRUE(seconds[s].empty()) << s << " " << to_string(fault);
+    EXPECT_FALSE(seconds[5].empty()) << to_string(fault);
+  }
+}
+
+TEST_F(RogueNodesTest, MakeEveryFaultOfTheBusThatACaseInLockStepMayName) {
+  for (const FaultTraits& traits : kFaultTraits) {
+    if (traits.flight == FaultFlight::kAtSea) continue;
+    const std::vector<TimedFault> faults{{.fault = traits.fault, .from = at_s(0), .amount = traits.lowest}};
+    if (traits.hits == FaultTarget::kBus && traits.bus == FaultBus::kLcm) {
+      EXPECT_THROW((void)seconds_of(faults, 2), NoMaker) << traits.word;
+    } else {
+      EXPECT_NO_THROW((void)seconds_of(faults, 2)) << traits.word;
+    }
   }
 }
 

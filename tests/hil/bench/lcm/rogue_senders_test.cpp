@@ -104,6 +104,23 @@ TEST_F(RogueSendersTest, GiveAPauseWhoseMarkIsOfTheKeyButOfNoChallenge) {
   EXPECT_FALSE(bench_key().verifies(order, messages::Challenge{}));
 }
 
+TEST_F(RogueSendersTest, SaySomethingForEveryFaultOfAnLcmBus) {
+  for (const FaultTraits& traits : kFaultTraits) {
+    const std::vector<TimedFault> faults{{.fault = traits.fault, .from = at_s(1), .amount = traits.lowest}};
+    RogueSenders senders(faults, vehicle_, 1);
+    LcmMessages sent;
+    const auto send = [&] {
+      for (const int s : {0, 1}) senders.step(at_s(s), sent);
+    };
+    if (traits.hits == FaultTarget::kBus && traits.bus == FaultBus::kCan) {
+      EXPECT_THROW(send(), NoMaker) << traits.word;
+    } else {
+      EXPECT_NO_THROW(send()) << traits.word;
+      EXPECT_EQ(!sent.empty(), traits.hits == FaultTarget::kBus) << traits.word;
+    }
+  }
+}
+
 TEST_F(RogueSendersTest, GiveAnOrderThatThereIsNoneOf) {
   let(Fault::kUnknownOrder);
   const auto order = read<operator_command_t>(step(at_s(10)).at(0));
