@@ -16,6 +16,22 @@ bool begins_fast_packet(const n2k::Frame& frame) {
 
 }  // namespace
 
+bool Passage::lose_or_delay(Fault fault, Duration seconds, Pcg32& random) {
+  switch (fault) {
+    case Fault::kLoss:
+      times = 0;
+      return true;
+    case Fault::kDelay:
+      late = late + seconds;
+      return true;
+    case Fault::kJitter:
+      late = late + Duration{static_cast<std::int64_t>(random.uniform_double() * static_cast<double>(seconds.us))};
+      return true;
+    default:
+      return false;
+  }
+}
+
 Frames BadBus::pass(const Frames& frames, const std::vector<Affliction>& afflictions, Time now) {
   Frames arriving;
   const auto is_due = [now](const Late& late) { return late.due <= now; };
@@ -29,15 +45,15 @@ Frames BadBus::pass(const Frames& frames, const std::vector<Affliction>& afflict
 }
 
 void BadBus::pass(const n2k::Frame& frame, const std::vector<Affliction>& afflictions, Time now, Frames& arriving) {
-  Fate fate{.frame = frame, .late = {}};
+  Fate fate{.frame = frame, .passage = {}};
   for (const Affliction& affliction : afflictions) {
     if (!hits(affliction.frames, fate.frame)) continue;
     if (inject(affliction, now, fate)) ++afflicted_;
-    if (fate.times == 0) return;
+    if (fate.passage.times == 0) return;
   }
-  for (; fate.times > 0; --fate.times) {
-    if (fate.late > Duration{}) {
-      late_.push_back({.due = now + fate.late, .frame = fate.frame});
+  for (; fate.passage.times > 0; --fate.passage.times) {
+    if (fate.passage.late > Duration{}) {
+      late_.push_back({.due = now + fate.passage.late, .frame = fate.frame});
     } else {
       arriving.push_back(fate.frame);
     }
@@ -45,20 +61,12 @@ void BadBus::pass(const n2k::Frame& frame, const std::vector<Affliction>& afflic
 }
 
 bool BadBus::inject(const Affliction& affliction, Time now, Fate& fate) {
+  if (fate.passage.lose_or_delay(affliction.fault, affliction.seconds, random_)) return true;
   n2k::Frame& frame = fate.frame;
   const n2k::Frame before = frame;
   switch (affliction.fault) {
-    case Fault::kLoss:
-      fate.times = 0;
-      return true;
-    case Fault::kDelay:
-      fate.late = fate.late + affliction.seconds;
-      return true;
-    case Fault::kJitter:
-      fate.late = fate.late + Duration{static_cast<std::int64_t>(random_.uniform_double() * static_cast<double>(affliction.seconds.us))};
-      return true;
     case Fault::kDuplication:
-      ++fate.times;
+      ++fate.passage.times;
       return true;
     case Fault::kReplay:
       late_.push_back({.due = now + affliction.seconds, .frame = frame});

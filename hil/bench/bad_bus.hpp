@@ -26,6 +26,16 @@ struct Affliction {
   Duration seconds;  ///< of kDelay, kJitter and kReplay
 };
 
+/// How often what was said arrives, and how much later.
+struct Passage {
+  int times = 1;
+  Duration late = {};
+
+  /// @param seconds  of a delay, or the most of a jitter
+  /// @return false: the fault neither loses nor delays
+  bool lose_or_delay(Fault fault, Duration seconds, Pcg32& random);
+};
+
 /// A bus on which frames are lost, late, double or spoilt. It has no bus itself: frames and time go in, what arrives comes out. The same
 /// seed gives the same faults.
 class BadBus {
@@ -47,8 +57,7 @@ class BadBus {
   /// What becomes of one.
   struct Fate {
     n2k::Frame frame;
-    int times = 1;
-    Duration late;
+    Passage passage;
   };
   void pass(const n2k::Frame& frame, const std::vector<Affliction>& afflictions, Time now, Frames& arriving);
   /// @return whether it did anything to the frame

@@ -17,35 +17,32 @@
 namespace earshot::board {
 namespace {
 
-/// The role of the ports that bring a kind of input on its channel; nothing of what no port brings by LCM. A new kind of input does not
-/// compile without its line.
+template <class Message, class... Kinds>
+constexpr bool kIsOneOf = (std::is_same_v<Message, Kinds> || ...);
+
+/// The role of the ports that bring a kind of input on its channel; nothing of what no port brings by LCM.
 template <class Message>
-constexpr std::optional<host::Role> kBroughtAs;
-template <>
-constexpr std::optional<host::Role> kBroughtAs<messages::Navigation> = host::Role::kNavigation;
-template <>
-constexpr std::optional<host::Role> kBroughtAs<messages::VehicleStatus> = host::Role::kNavigation;
-template <>
-constexpr std::optional<host::Role> kBroughtAs<messages::SnrMeasurement> = host::Role::kSnr;
-template <>
-constexpr std::optional<host::Role> kBroughtAs<messages::BearingMeasurement> = host::Role::kSnr;
-template <>
-constexpr std::optional<host::Role> kBroughtAs<messages::HydrophoneStatus> = host::Role::kSnr;
-template <>
-constexpr std::optional<host::Role> kBroughtAs<messages::OperatorCommand> = host::Role::kOperator;
-template <>
-constexpr std::optional<host::Role> kBroughtAs<messages::AutopilotStatus> = host::Role::kAutopilot;
-template <>
-constexpr std::optional<host::Role> kBroughtAs<messages::PortReport> = std::nullopt;  // the loop's own
-template <>
-constexpr std::optional<host::Role> kBroughtAs<messages::UnsentSetpoints> = std::nullopt;  // likewise
+constexpr std::optional<host::Role> brought_as() {
+  if constexpr (kIsOneOf<Message, messages::Navigation, messages::VehicleStatus>) {
+    return host::Role::kNavigation;
+  } else if constexpr (kIsOneOf<Message, messages::SnrMeasurement, messages::BearingMeasurement, messages::HydrophoneStatus>) {
+    return host::Role::kSnr;
+  } else if constexpr (kIsOneOf<Message, messages::OperatorCommand>) {
+    return host::Role::kOperator;
+  } else if constexpr (kIsOneOf<Message, messages::AutopilotStatus>) {
+    return host::Role::kAutopilot;
+  } else {
+    static_assert(kIsOneOf<Message, messages::PortReport, messages::UnsentSetpoints>, "which ports bring this kind of input?");
+    return std::nullopt;
+  }
+}
 
 /// Calls `take.template operator()<Message>()` with every kind of input that comes by LCM, until it returns true. @return whether it did
 template <class Take>
 bool any_input(Take take) {
   const auto any_of = [&take]<class... Messages>(const std::variant<Messages...>* /*types*/) {
     const auto of_one = [&take]<class Message>(const Message* /*type*/) {
-      if constexpr (kBroughtAs<Message>.has_value()) return take.template operator()<Message>();
+      if constexpr (brought_as<Message>().has_value()) return take.template operator()<Message>();
       return false;
     };
     return (of_one(static_cast<const Messages*>(nullptr)) || ...);
@@ -56,7 +53,7 @@ bool any_input(Take take) {
 std::vector<std::string_view> channels_of(host::Roles roles) {
   std::vector<std::string_view> channels;
   any_input([&]<class Message>() {
-    if (roles.has(*kBroughtAs<Message>)) channels.push_back(wire::channel_of<Message>);
+    if (roles.has(*brought_as<Message>())) channels.push_back(wire::channel_of<Message>);
     return false;
   });
   return channels;

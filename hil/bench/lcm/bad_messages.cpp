@@ -123,16 +123,16 @@ std::vector<Datagram> BadMessages::pass(const LcmMessages& messages, const std::
   }
   std::erase_if(late_, is_due);
   for (const LcmMessage& message : messages) {
-    Fate fate{.message = message, .late = {}, .replays = {}};
+    Fate fate{.message = message, .passage = {}, .replays = {}};
     for (const MessageAffliction& affliction : afflictions) {
       if (hits(affliction, message) && inject(affliction, fate)) ++afflicted_;
     }
-    if (fate.times == 0) continue;
+    if (fate.passage.times == 0) continue;
     const Datagram datagram = datagram_of(fate);
     for (const Duration later : fate.replays) late_.push_back({.due = now + later, .datagram = datagram});
-    for (int i = 0; i < fate.times; ++i) {
-      if (fate.late > Duration{}) {
-        late_.push_back({.due = now + fate.late, .datagram = datagram, .is_shuffled = fate.is_shuffled});
+    for (int i = 0; i < fate.passage.times; ++i) {
+      if (fate.passage.late > Duration{}) {
+        late_.push_back({.due = now + fate.passage.late, .datagram = datagram, .is_shuffled = fate.is_shuffled});
         continue;
       }
       if (fate.is_shuffled) shuffled.push_back(arriving.size());
@@ -144,19 +144,11 @@ std::vector<Datagram> BadMessages::pass(const LcmMessages& messages, const std::
 }
 
 bool BadMessages::inject(const MessageAffliction& affliction, Fate& fate) {
+  if (fate.passage.lose_or_delay(affliction.fault, affliction.seconds, random_)) return true;
   switch (affliction.fault) {
-    case Fault::kLoss:
-      fate.times = 0;
-      return true;
-    case Fault::kDelay:
-      fate.late = fate.late + affliction.seconds;
-      return true;
-    case Fault::kJitter:
-      fate.late = fate.late + Duration{static_cast<std::int64_t>(random_.uniform_double() * static_cast<double>(affliction.seconds.us))};
-      return true;
     case Fault::kDuplication:
-      if (fate.times == 0) return false;  // what is lost stays lost
-      ++fate.times;
+      if (fate.passage.times == 0) return false;  // what is lost stays lost
+      ++fate.passage.times;
       return true;
     case Fault::kCorruption:
       fate.is_flipped = true;

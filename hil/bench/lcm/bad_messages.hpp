@@ -48,8 +48,7 @@ class BadMessages {
   /// What becomes of one.
   struct Fate {
     LcmMessage message;
-    int times = 1;
-    Duration late;
+    Passage passage;
     bool is_cut = false;
     bool is_flipped = false;
     bool is_shuffled = false;

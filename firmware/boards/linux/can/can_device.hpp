@@ -18,6 +18,11 @@
 
 namespace earshot::board {
 
+/// Between two messages of a period, at least: the period, less what turns of one second are apart from a second.
+constexpr Duration least_between(Duration period) {
+  return {period.us * 9 / 10};
+}
+
 /// Earshot as a device of its NMEA 2000 network: owns the socket, the NAME and the address that is claimed with it, and counts the messages
 /// that could not be sent. It sends nothing but claims as long as it has no address.
 class CanDevice {

@@ -9,8 +9,8 @@
 namespace earshot::board {
 namespace {
 
-/// Between two challenges, at least: the table's period, less what turns of one second are apart from a second.
-constexpr Duration kChallengePeriod{n2k::table::kChallenge.period.us * 9 / 10};
+/// Between two challenges.
+constexpr Duration kChallengePeriod = least_between(n2k::table::kChallenge.period);
 
 }  // namespace
 

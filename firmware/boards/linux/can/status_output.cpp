@@ -6,8 +6,8 @@
 namespace earshot::board {
 namespace {
 
-/// Between two reports of an unchanged state, at least: the table's period, less what turns of one second are apart from a second.
-constexpr Duration kStatusPeriod{n2k::table::kHealth.period.us * 9 / 10};
+/// Between two reports of an unchanged state.
+constexpr Duration kStatusPeriod = least_between(n2k::table::kHealth.period);
 
 bool is_new(const std::optional<messages::Health>& published, const messages::Health& health) {
   return !published || published->state != health.state || published->end_reason != health.end_reason ||
