@@ -69,6 +69,36 @@ TEST_F(LcmPortTest, GivenASimulatorThatTellsTheSnrIgnoresThatOfStrangersAndSaysS
   EXPECT_TRUE(support::tells(vehicle.words().strangers, {"LCM", "udpm://239.255.76.67:7667?ttl=0", "2 SNRs", "3 bearings", "ignored"}));
 }
 
+template <class Message>
+void send_input(host::LcmEndpoint& sender) {
+  (void)sender.publish(wire::channel_of<Message>, wire::Encoded(Message{}, Time{}).bytes());
+}
+
+/// How many of the kinds of input, one message each, a port of one role takes.
+std::uint64_t taken_as(Role role) {
+  LcmPort vehicle(1, {.name = "vehicle", .address = kUrl, .roles = {role}});
+  host::LcmEndpoint sender(host::parse_lcm_url(kUrl), {});
+  send_input<messages::Navigation>(sender);
+  send_input<messages::VehicleStatus>(sender);
+  send_input<messages::SnrMeasurement>(sender);
+  send_input<messages::BearingMeasurement>(sender);
+  send_input<messages::HydrophoneStatus>(sender);
+  send_input<messages::OperatorCommand>(sender);
+  send_input<messages::AutopilotStatus>(sender);
+  SetClock clock;
+  CountingSink sink;
+  vehicle.collect(clock, sink);
+  return vehicle.report().received + vehicle.report().malformed;
+}
+
+TEST_F(LcmPortTest, TakesThoseKindsOfInputThatItsRolesBring) {
+  EXPECT_EQ(taken_as(Role::kNavigation), 2U) << "where the vehicle is, and how it is";
+  EXPECT_EQ(taken_as(Role::kSnr), 3U) << "SNR, bearing, whether the hydrophone is deaf";
+  EXPECT_EQ(taken_as(Role::kOperator), 1U);
+  EXPECT_EQ(taken_as(Role::kAutopilot), 1U);
+  EXPECT_EQ(taken_as(Role::kStatus), 0U);
+}
+
 /// Mission time an hour ahead of the wall's.
 class HourAhead final : public SetClock {
  public:
