@@ -81,8 +81,9 @@ TEST_F(TouchedMemory, OfTheMainStackIsCountedAsUsedFromWhereItWasUsed) {
   const std::size_t before = touched_stack_used();
   use_stack(100'000);
   EXPECT_LT(before, 20'000);
-  EXPECT_GE(touched_stack_used(), 100'000);
-  EXPECT_LT(touched_stack_used(), 110'000) << "frames of the calls between";
+  // Counted from where touch_stack() began to paint, which may lie a little below where use_stack() begins.
+  EXPECT_GE(touched_stack_used(), 99'000);
+  EXPECT_LT(touched_stack_used(), 110'000);
 }
 
 TEST(TouchedStack, LeavesHalfOfASmallOneFree) {
