@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <string_view>
 #include <utility>
 
 #include "firmware/core/math.hpp"
@@ -106,11 +107,6 @@ const explain::ActionAccount* next_best(const DecisionAccount& a) {
   return best;
 }
 
-/// By how much the search is expected to cost more after this direction than after the best one, in steps without a detection.
-double regret(double worth) {
-  return 1.0 / std::max(worth, 1e-9) - 1.0;
-}
-
 /// What the policy made of the direction and of the next best: the costs that its belief expects, or else its probabilities.
 std::string rating(const explain::ActionAccount& taken, const explain::ActionAccount& next) {
   constexpr double kSmallCost = 0.1;
@@ -119,11 +115,56 @@ std::string rating(const explain::ActionAccount& taken, const explain::ActionAcc
   if (!taken.worth || !next.worth)
     return "the policy gave " + taken.name + " " + percent(taken.probability) + " and " + next.name + " " + percent(next.probability) +
            (std::abs(taken.probability - next.probability) < kSmallShare ? kSmall : "");
-  const double more = regret(*next.worth) - regret(*taken.worth);
+  const double more = *next.extra_cost_steps() - *taken.extra_cost_steps();
   const std::string& best = more >= 0.0 ? taken.name : next.name;
   const std::string& other = more >= 0.0 ? next.name : taken.name;
   return "the rest of the search is expected to cost least after " + best + "; " + other + " costs " + fixed(std::abs(more), 2) +
          " steps without a detection more" + (std::abs(more) < kSmallCost ? kSmall : "");
+}
+
+/// A column of the table of directions: its name with the unit, what it means, and what it says of a direction.
+struct ActionColumn {
+  std::string_view name;
+  std::string_view meaning;
+  std::string (*value)(const explain::ActionAccount& action);
+};
+
+constexpr std::string_view kChosenWith = "chosen with (%)";
+
+constexpr ActionColumn kExtraCost{
+    "costs more by (steps)",
+    "what the rest of the search is expected to cost after this direction, less what it costs after the best one, in steps without a "
+    "detection. The policy ranks the directions by it: the best costs 0 more.",
+    [](const explain::ActionAccount& action) {
+      return action.extra_cost_steps() ? fixed(*action.extra_cost_steps(), 2) : std::string("-");
+    }};
+
+constexpr std::array<ActionColumn, 6> kPromises{
+    {{"expected SNR (dB)", "at the end of the step, and how far it may be off",
+      [](const explain::ActionAccount& action) {
+        return fixed(action.hear.snr.value, 1) + " \u00B1 " + fixed(action.hear.spread.value, 1);
+      }},
+     {"detects (%)", "probability of a detection at the end of the step",
+      [](const explain::ActionAccount& action) { return fixed(100.0 * action.detected, 0); }},
+     {"finds (%)", "probability that the source lies within a step length of there",
+      [](const explain::ActionAccount& action) { return fixed(100.0 * action.found, 1); }},
+     {"finds within 3 steps (%)", "probability that the source is found within three steps of which this is one",
+      [](const explain::ActionAccount& action) { return fixed(100.0 * action.found_soon, 1); }},
+     {"nearer by (km)", "how much nearer to the source the step is expected to end",
+      [](const explain::ActionAccount& action) { return fixed(action.approach.value / 1e3, 2); }},
+     {"border", "how deep the step ends in the border of the area: - inside the border, 1 at the area's edge, more beyond it",
+      [](const explain::ActionAccount& action) { return action.border > 0.0 ? fixed(action.border, 2) : std::string("-"); }}}};
+
+/// The cost stands in it where the policy ranks by the cost.
+std::vector<ActionColumn> columns_of(const DecisionAccount& a) {
+  const bool has_costs = std::ranges::any_of(a.actions, [](const explain::ActionAccount& action) { return action.worth.has_value(); });
+  const char* const chosen = has_costs ? "probability that the policy gave the direction, made of the costs"
+                                       : "probability that the policy gave the direction. It ranks the directions by it.";
+  std::vector<ActionColumn> columns{
+      {kChosenWith, chosen, [](const explain::ActionAccount& action) { return fixed(100.0 * action.probability, 0); }}};
+  if (has_costs) columns.push_back(kExtraCost);
+  columns.insert(columns.end(), kPromises.begin(), kPromises.end());
+  return columns;
 }
 
 constexpr const char* kTimes = "\u00D7 ";
@@ -264,20 +305,45 @@ std::string measurements_table(std::span<const explain::RecordedDecision> measur
 }
 
 std::string actions_table(const DecisionAccount& a) {
-  std::string text =
-      "<div class=\"table\"><table>\n<tr><th class=\"left\">direction</th><th>chosen with (%)</th><th>expected SNR (dB)</th><th>detects "
-      "(%)</th>"
-      "<th>finds (%)</th><th>finds within 3 steps (%)</th><th>nearer by (km)</th><th>border</th></tr>\n";
+  const std::vector<ActionColumn> columns = columns_of(a);
+  std::string text = "<div class=\"table\"><table class=\"actions\">\n<thead><tr><th class=\"left\">direction</th>";
+  for (const ActionColumn& column : columns) text += "<th>" + std::string(column.name) + "</th>";
+  text += "</tr></thead>\n<tbody>\n";
   for (std::size_t i = 0; i < a.actions.size(); ++i) {
     const explain::ActionAccount& action = a.actions[i];
     const bool is_taken = i == a.decision.action;
-    text += std::string("<tr><td class=\"left\">") + (is_taken ? "<b>" + action.name + "</b> taken" : action.name) + "</td>" +
-            percent_cell("", action.probability, is_taken) + "<td>" + fixed(action.hear.snr.value, 1) + " &plusmn; " +
-            fixed(action.hear.spread.value, 1) + "</td><td>" + fixed(100.0 * action.detected, 0) + "</td><td>" +
-            fixed(100.0 * action.found, 1) + "</td><td>" + fixed(100.0 * action.found_soon, 1) + "</td><td>" +
-            fixed(action.approach.value / 1e3, 2) + "</td><td>" + (action.border > 0.0 ? fixed(action.border, 2) : "-") + "</td></tr>\n";
+    text += "<tr" + std::string(is_taken ? " class=\"taken\"" : "") + "><td class=\"left\">" +
+            (is_taken ? "<b>" + action.name + "</b> taken" : action.name) + "</td>";
+    for (const ActionColumn& column : columns) {
+      const std::string value = escaped(column.value(action));
+      text += column.name == kChosenWith ? percent_cell(column.name, action.probability, is_taken)
+                                         : "<td data-name=\"" + std::string(column.name) + "\">" + value + "</td>";
+    }
+    text += "</tr>\n";
   }
-  return text + "</table></div>\n";
+  text += "</tbody></table></div>\n<ul class=\"columns\">\n";
+  for (const ActionColumn& column : columns)
+    text += "<li><b>" + std::string(column.name) + "</b>: " + std::string(column.meaning) + "</li>\n";
+  return text + "</ul>\n";
+}
+
+std::string actions_markdown(const DecisionAccount& a) {
+  const std::vector<ActionColumn> columns = columns_of(a);
+  std::string text = "| direction |";
+  std::string rule = "|---|";
+  std::string meanings;
+  for (const ActionColumn& column : columns) {
+    text += " " + std::string(column.name) + " |";
+    rule += "---|";
+    meanings += "- " + std::string(column.name) + ": " + std::string(column.meaning) + "\n";
+  }
+  text += "\n" + rule + "\n";
+  for (const explain::ActionAccount& action : a.actions) {
+    text += "| " + action.name + " |";
+    for (const ActionColumn& column : columns) text += " " + column.value(action) + " |";
+    text += "\n";
+  }
+  return text + "\n" + meanings;
 }
 
 std::string attribution_tables(const DecisionAccount& a, std::size_t rows) {

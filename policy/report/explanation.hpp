@@ -44,8 +44,10 @@ inline constexpr const char* kPartsMean =
 
 /// The last measurements of the source, newest first.
 [[nodiscard]] std::string measurements_table(std::span<const explain::RecordedDecision> measurements);
-/// Every action: how likely, and what it would be expected to bring.
+/// Every action: how likely, what the policy ranked it by, what it would be expected to bring, and what each column means.
 [[nodiscard]] std::string actions_table(const explain::DecisionAccount& account);
+/// The same as a table of Markdown.
+[[nodiscard]] std::string actions_markdown(const explain::DecisionAccount& account);
 /// What moved the choice: the weightiest elements as bars, sums by subject, completeness.
 [[nodiscard]] std::string attribution_tables(const explain::DecisionAccount& account, std::size_t rows);
 /// Every element of the observation.

@@ -11,6 +11,7 @@
 #include "firmware/policy/action_draw.hpp"
 #include "policy/explain/wording.hpp"
 #include "policy/report/belief_pictures.hpp"
+#include "policy/report/conditions.hpp"
 #include "policy/report/explanation.hpp"
 #include "policy/report/html.hpp"
 #include "policy/report/plots.hpp"
@@ -42,10 +43,8 @@ std::string unfinished_step(const Flight& flight, std::size_t steps) {
   return "<p>The mission ended within the step of the last of " + std::to_string(decisions) + " decisions, which does not count.</p>\n";
 }
 
-constexpr const char* kSimulationNote =
-    "<p class=\"note\">This flight is a simulation. Ocean, noise and source are computed, and no vehicle was at sea. What decided is the "
-    "software that flies on the vehicle. It measured the SNR at its own place, and nothing more: it never saw where the source is, nor the "
-    "coloured field of the map.</p>\n";
+constexpr const char* kMeasuredAlone =
+    " It measured the SNR at its own place, and nothing more: it never saw where the source is, nor the coloured field of the map.";
 
 constexpr const char* kOrdersOfASimulation =
     "The simulator gave the orders: START, COMPLETE once the vehicle was within a step length of the source, ABORT where the flight was "
@@ -69,7 +68,8 @@ std::string headline(const Flight& flight) {
   std::string text = std::string("<h1 class=\"") + (verdict.is_found ? "found" : "missed") + "\">" + escaped(verdict.text) + "</h1>\n";
   if (const std::string end = search::end_to_string(account); !account.is_found && verdict.text.find(end) == std::string::npos)
     text += "<p>The mission ended after " + host::counted(static_cast<std::uint64_t>(steps), "step") + ": " + escaped(end) + ".</p>\n";
-  text += kSimulationNote + unfinished_step(flight, static_cast<std::size_t>(steps));
+  text += "<p class=\"note\">" + std::string(kSimulationNote) + kMeasuredAlone + "</p>\n" +
+          unfinished_step(flight, static_cast<std::size_t>(steps));
   if (s.value("whole_steps", steps) < steps) text += "<p>The last step was cut short by the source.</p>\n";
   return text + account_paragraph(account) + "<p>Seed " + std::to_string(s.at("seed").get<std::uint64_t>()) + " &middot; mission " +
          escaped(s.at("mission").get<std::string>()) + " &middot; ocean " + escaped(s.at("environment").get<std::string>()) + "</p>\n";
@@ -85,19 +85,6 @@ std::string shortcomings(const Flight& flight) {
   return text;
 }
 
-/// What was searched for, where, how and when; a summary of an earlier version knows less.
-std::string conditions(const nlohmann::json& s) {
-  const NorthEast size = place_in(s.at("area").at("north_east")) - place_in(s.at("area").at("south_west"));
-  std::string text;
-  if (s.contains("source_frequency_hz")) text += fact("frequency of the source", fixed(s.at("source_frequency_hz"), 1) + " Hz");
-  if (s.contains("depth_m")) text += fact("depth of the vehicle", fixed(s.at("depth_m"), 0) + " m");
-  if (s.contains("speed_mps")) text += fact("speed of the vehicle", fixed(s.at("speed_mps"), 1) + " m/s");
-  text += fact("area", fixed(size.north.value / 1e3, 1) + " km \u00D7 " + fixed(size.east.value / 1e3, 1) + " km",
-               search::place_of_area(s, "\u00B0"));
-  if (s.contains("flown_utc")) text += fact("simulated on", escaped(s.at("flown_utc").get<std::string>()) + " UTC");
-  return text;
-}
-
 std::string facts(const Flight& flight) {
   const nlohmann::json& s = flight.summary;
   if (flight.sea) return sea_facts(*flight.sea, flight.journal);
@@ -105,7 +92,7 @@ std::string facts(const Flight& flight) {
   const search::SearchAccount account = account_of(flight);
   const double sim = s.at("sim_time_s");
   const double wall = s.at("wall_time_s");
-  return "<dl>\n" + conditions(s) + "</dl>\n<dl>\n" + fact("reward", fixed(s.at("reward"), 1), search::kRewardMeans) +
+  return cards_of(conditions_in(s)) + "<dl>\n" + fact("reward", fixed(s.at("reward"), 1), search::kRewardMeans) +
          fact("detections", std::to_string(s.at("detections").get<int>()), search::detection_means(s.at("detection_threshold_db"))) +
          fact("found", search::verdict_on(account).is_found ? "yes" : "no", search::found_means(account.step_length_m)) +
          fact("declared", account.declared_step ? "at step " + std::to_string(*account.declared_step) : "no", search::kDeclaredMeans) +

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/policy/report/occurrences.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::report {
 namespace {
@@ -80,6 +81,31 @@ TEST(Explanation, RatesTheDirectionsOfATrainedPolicyByItsProbabilities) {
   account.actions[0].probability = 0.48;
   EXPECT_TRUE(why_this_direction(account).starts_with("Why NE and not E: the policy gave NE 51 % and E 48 %, a small difference. "))
       << why_this_direction(account);
+}
+
+TEST(Explanation, ShowsTheCostByWhichThePolicyRanksTheDirectionsAndExplainsItBelowTheTable) {
+  const std::string table = actions_table(account_of_three());
+  for (const char* cost : {"0.32", "0.00", "1.00"})  // 1 / 0.76 - 1, 1 / 1 - 1, 1 / 0.5 - 1
+    EXPECT_EQ(count(table, std::string("<td data-name=\"costs more by (steps)\">") + cost + "</td>"), 1U) << cost;
+  EXPECT_TRUE(support::has_line(table, {"<li><b>costs more by (steps)</b>", "rest of the search", "ranks the directions"}));
+  EXPECT_TRUE(support::has_line(actions_markdown(account_of_three()), {"| E |", "| 0.32 |"}));
+}
+
+TEST(Explanation, StatesThatATrainedPolicyRanksTheDirectionsByItsProbabilities) {
+  explain::DecisionAccount account = account_of_three();
+  for (explain::ActionAccount& action : account.actions) action.worth = std::nullopt;
+  EXPECT_EQ(count(actions_table(account), "costs more by"), 0U);
+  EXPECT_TRUE(support::has_line(actions_table(account), {"<li><b>chosen with (%)</b>", "ranks the directions by it"}));
+}
+
+TEST(Explanation, NamesEveryCellOfADirectionForANarrowScreenAndExplainsEveryColumn) {
+  const std::string table = actions_table(account_of_three());
+  for (const char* name : {"chosen with (%)", "costs more by (steps)", "expected SNR (dB)", "detects (%)", "finds (%)",
+                           "finds within 3 steps (%)", "nearer by (km)", "border"}) {
+    EXPECT_EQ(count(table, std::string("<td data-name=\"") + name + "\""), 3U) << name;
+    EXPECT_EQ(count(table, std::string("<th>") + name + "</th>"), 1U) << name;
+    EXPECT_EQ(count(table, std::string("<li><b>") + name + "</b>: "), 1U) << name;
+  }
 }
 
 TEST(Explanation, StatesWhetherThePolicyTakesItsLikeliestDirectionOrDrawsLots) {
