@@ -62,6 +62,7 @@ struct DecisionAccount {
   Decibels detection_threshold;
   Rectangle area;                     ///< in the mission's plane
   bool belief_is_the_policys = true;  ///< false: an observer's; the policy has none
+  bool uses_measurements = true;      ///< false: the policy goes by place and steps alone
   BelievedPlace place;
   std::vector<HypothesisAccount> hypotheses;  ///< of 1 % and more, the likeliest first
   std::vector<ActionAccount> actions;

@@ -8,6 +8,7 @@
 namespace earshot::report {
 namespace {
 
+using explain::factor_to_string;
 using explain::fixed;
 
 constexpr std::size_t kRows = 8;  ///< of the observation, shown in a report
@@ -37,6 +38,14 @@ std::string notes(const DecisionReport& report) {
   return lack_of(report.flight.journal);
 }
 
+std::string choice_markdown(const explain::DecisionAccount& a) {
+  std::string text = "\n" + actions_markdown(a) + "\n" + std::string(kPartsMean) +
+                     "\n\n| observation | seen | baseline | part | chance |\n|---|---|---|---|---|\n";
+  for (const explain::ObservedAccount& o : explain::weightiest(a, kRows))
+    text += "| " + o.name + " | " + o.value + " | " + o.baseline + " | " + fixed(o.part, 3) + " | " + factor_to_string(o.part) + " |\n";
+  return text + "\nCompared with " + to_string(a.baseline) + ": " + completeness_to_string(a.attribution) + ".\n";
+}
+
 }  // namespace
 
 DecisionReport make_decision_report(const RecordedFlight& flight, std::size_t index, explain::Baseline baseline) {
@@ -59,8 +68,9 @@ std::string as_html(const DecisionReport& report) {
   for (const std::string& sentence : sentences(a)) text += "<li>" + escaped(sentence) + "</li>\n";
   text += "</ul>\n<h2>Where the source is believed to be</h2>\n<div class=\"chart cells\">" +
           belief_svgs({{.account = a, .measurements = report.measurements(), .source = report.flight.source}}).front() + "</div>\n";
-  text += "<h2>What it could do</h2>\n" + actions_table(a);
-  text += "<h2>What moved the choice</h2>\n<p>" + std::string(kPartsMean) + "</p>\n" + attribution_tables(a, kRows);
+  if (!a.decision.sweeping)  // the policy chose nothing there
+    text += "<h2>What it could do</h2>\n" + actions_table(a) + "<h2>What moved the choice</h2>\n<p>" + std::string(kPartsMean) + "</p>\n" +
+            attribution_tables(a, kRows);
   text += "<h2>What it measured</h2>\n" + measurements_table(report.measurements());
   text += "<h2>All numbers that the policy received</h2>\n<details><summary>" + std::to_string(a.observed.size()) + " numbers</summary>\n" +
           observation_table(a) + "</details>\n";
@@ -72,11 +82,7 @@ std::string as_markdown(const DecisionReport& report) {
   std::string text = "# " + title_of(report) + "\n" + subtitle(report) + "\n\n" + conditions_markdown(report);
   if (!notes(report).empty()) text += notes(report) + "\n\n";
   for (const std::string& sentence : sentences(a)) text += "- " + sentence + "\n";
-  text += "\n" + actions_markdown(a);
-  text += "\n" + std::string(kPartsMean) + "\n\n| observation | seen | baseline | part | chance |\n|---|---|---|---|---|\n";
-  for (const explain::ObservedAccount& o : explain::weightiest(a, kRows))
-    text += "| " + o.name + " | " + o.value + " | " + o.baseline + " | " + fixed(o.part, 3) + " | " + factor_to_string(o.part) + " |\n";
-  text += "\nCompared with " + to_string(a.baseline) + ": " + completeness_to_string(a.attribution) + ".\n";
+  if (!a.decision.sweeping) text += choice_markdown(a);
   text += "\n| step | north (km) | east (km) | SNR |\n|---|---|---|---|\n";
   for (const explain::RecordedDecision& measurement : report.measurements())
     text += "| " + std::to_string(measurement.step) + " | " + fixed(measurement.position.north.value / 1e3, 2) + " | " +

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
+#include <functional>
 #include <numbers>
 #include <string_view>
 #include <utility>
@@ -16,6 +16,7 @@ namespace earshot::report {
 namespace {
 
 using explain::DecisionAccount;
+using explain::factor_to_string;
 using explain::fixed;
 
 constexpr std::size_t kMeasurementsShown = 6;
@@ -50,11 +51,13 @@ std::string likeliest_place(const DecisionAccount& a) {
 }
 
 std::string measured_sentence(const DecisionAccount& a) {
-  const std::string threshold = fixed(a.detection_threshold.value, 0) + " dB";
+  const std::string unused = a.uses_measurements ? "" : " This policy does not use it: it goes by the vehicle's place and steps alone.";
   if (a.decision.reception.too_faint)
-    return "The signal was too faint to measure: the SNR is below " + fixed(a.decision.reception.snr.value, 1) + " dB.";
-  return "It measured an SNR of " + to_string(a.decision.reception) + ", " +
-         (a.decision.detected ? "a detection (threshold " + threshold + ")." : "below the threshold of " + threshold + ": no detection.");
+    return "The signal was too faint to measure: the SNR is below " + fixed(a.decision.reception.snr.value, 1) + " dB." + unused;
+  const std::string threshold = fixed(a.detection_threshold.value, 0) + " dB";
+  return (a.uses_measurements ? "It measured an SNR of " : "The SNR here was ") + to_string(a.decision.reception) + ", " +
+         (a.decision.detected ? "a detection (threshold " + threshold + ")." : "below the threshold of " + threshold + ": no detection.") +
+         unused;
 }
 
 std::string belief_sentence(const DecisionAccount& a) {
@@ -80,9 +83,9 @@ std::string sweep_sentence(const DecisionAccount& a) {
 
 std::string expectation_sentence(const DecisionAccount& a) {
   const explain::ActionAccount& taken = a.actions[a.decision.action];
-  return "At the end of this step it expects an SNR of " + fixed(taken.hear.snr.value, 1) + " dB, give or take " +
-         fixed(taken.hear.spread.value, 1) + " dB: a detection with " + percent(taken.detected) + ", the source found with " +
-         percent(taken.found) + ".";
+  return "At the end of this step " + std::string(a.belief_is_the_policys ? "it expects" : "an observer would expect") + " an SNR of " +
+         fixed(taken.hear.snr.value, 1) + " dB, give or take " + fixed(taken.hear.spread.value, 1) + " dB: a detection with " +
+         percent(taken.detected) + ", the source found with " + percent(taken.found) + ".";
 }
 
 std::string safety_sentence(const DecisionAccount& a) {
@@ -92,9 +95,36 @@ std::string safety_sentence(const DecisionAccount& a) {
          place_to_string(a.decision.waypoint) + ".";
 }
 
-/// "0.90 km"
-std::string nearer(const explain::ActionAccount& action) {
-  return fixed(action.approach.value / 1e3, 2) + " km";
+/// What one direction promises beside another, in physical words, and by how much it promises more: a probability, or a part of a step.
+struct Reason {
+  std::string text;
+  double advantage = 0.0;
+};
+
+/// "0.90 km nearer", "0.11 km further off"
+std::string approach_to_string(Meters approach) {
+  return fixed(std::abs(approach.value) / 1e3, 2) + (approach.value < 0.0 ? " km further off" : " km nearer");
+}
+
+/// Those in which the two differ as they are printed. The strongest for the direction taken is first, the strongest against it last.
+std::vector<Reason> reasons_for(const explain::ActionAccount& taken, const explain::ActionAccount& next, Meters step_length) {
+  std::vector<Reason> reasons;
+  const auto add = [&](const std::string& text, const std::string& of_taken, const std::string& of_next, double advantage) {
+    if (of_taken != of_next) reasons.push_back({text + of_taken + " (" + next.name + " " + of_next + ")", advantage});
+  };
+  add("it finds the source within three steps with ", percent(taken.found_soon), percent(next.found_soon),
+      taken.found_soon - next.found_soon);
+  add("it ends ", approach_to_string(taken.approach), approach_to_string(next.approach), (taken.approach - next.approach) / step_length);
+  add("it detects the source with ", percent(taken.detected), percent(next.detected), taken.detected - next.detected);
+  std::ranges::stable_sort(reasons, std::ranges::greater{}, &Reason::advantage);
+  return reasons;
+}
+
+/// " For NE: it detects the source with 80 % (E 75 %)." @param reasons  empty: nothing
+std::string listed(const std::string& side, std::span<const Reason> reasons) {
+  std::string text;
+  for (const Reason& reason : reasons) text += (text.empty() ? " " + side + ": " : "; ") + reason.text;
+  return text.empty() ? "" : text + ".";
 }
 
 /// Of the directions that were not taken the one that the policy made most of.
@@ -167,24 +197,6 @@ std::vector<ActionColumn> columns_of(const DecisionAccount& a) {
   return columns;
 }
 
-constexpr const char* kTimes = "\u00D7 ";
-
-/// "20 000"
-std::string grouped(long number) {
-  std::string digits = std::to_string(number);
-  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, "\u202F");
-  return digits;
-}
-
-/// An exponent as it stands beside a ten.
-std::string superscript(int power) {
-  constexpr std::array<const char*, 10> kDigits{"\u2070", "\u00B9", "\u00B2", "\u00B3", "\u2074",
-                                                "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
-  std::string text = power < 0 ? "\u207B" : "";
-  for (const char digit : std::to_string(std::abs(power))) text += kDigits[static_cast<std::size_t>(digit - '0')];
-  return text;
-}
-
 /// What a part of the log-probability is: its number, its bar and what it does to the chance.
 std::string part_cells(double part, double largest) {
   return "<td>" + std::string(part >= 0.0 ? "+" : "") + fixed(part, 2) + "</td>" + signed_bar_cell(largest > 0.0 ? part / largest : 0.0) +
@@ -209,26 +221,28 @@ double largest_part(const std::vector<explain::ObservedAccount>& observed) {
 }  // namespace
 
 std::string why_this_direction(const DecisionAccount& a) {
-  constexpr double kWorthNaming = 0.01;
   const explain::ActionAccount& taken = a.actions[a.decision.action];
   const explain::ActionAccount* const next = next_best(a);
   if (next == nullptr) return "Why " + taken.name + ": the policy has no other direction.";
-  const std::string rated = "Why " + taken.name + " and not " + next->name + ": " + rating(taken, *next) + ". The likeliest place is " +
-                            likeliest_place(a) + "; ";
-  const std::string promised =
-      taken.name + " promises to find the source within three steps with " + percent(taken.found_soon) + ", " + next->name;
-  const bool is_near = std::max(taken.found_soon, next->found_soon) >= kWorthNaming;
-  const bool is_alike = percent(taken.found_soon) == percent(next->found_soon);
-  if (is_near && !is_alike) return rated + promised + " with " + percent(next->found_soon) + ".";
-  return rated + (is_near ? promised + " as much" : "neither finds it within three steps") + "; on average over the belief " + taken.name +
-         " comes " + nearer(taken) + " nearer and detects it with " + percent(taken.detected) + ", " + next->name + " " + nearer(*next) +
-         " and " + percent(next->detected) + ".";
+  std::vector<Reason> reasons = reasons_for(taken, *next, range_between(a.decision.position, taken.end));
+  const auto against = std::ranges::find_if(reasons, [](const Reason& reason) { return reason.advantage < 0.0; });
+  std::ranges::reverse(against, reasons.end());
+  const std::string text = "Why " + taken.name + " and not " + next->name + ": " + rating(taken, *next) + "." +
+                           (a.belief_is_the_policys ? " The" : " An observer who knows the ocean would say: the") + " likeliest place is " +
+                           likeliest_place(a) + ".";
+  if (reasons.empty()) return text + " Both promise the same.";
+  const std::string nothing = " Nothing in the next steps speaks for " + taken.name +
+                              (taken.worth ? ": the cost counts all steps of the search that follow." : ".");
+  return text + (against == reasons.begin() ? nothing : listed("For " + taken.name, {reasons.begin(), against})) +
+         listed("Against " + taken.name, {against, reasons.end()});
 }
 
 std::string choice_sentence(const DecisionAccount& a) {
   const explain::ActionAccount& taken = a.actions[a.decision.action];
   const explain::ActionAccount& likeliest = a.actions[a.likeliest_action];
   const std::string chose = "It chose " + taken.name;
+  if (a.draw == policy::ActionDraw::kArgmax && taken.worth)
+    return chose + ": this policy always takes the direction after which the search is expected to cost least.";
   if (a.draw == policy::ActionDraw::kArgmax)
     return chose + ": this policy always takes the direction with the highest probability, here " + percent(taken.probability) + ".";
   const std::string drew = chose + ", which had " + percent(taken.probability) + ": this policy draws lots by its probabilities";
@@ -269,15 +283,6 @@ std::string completeness_to_string(const explain::Attribution& a) {
   return "the parts add up to " + fixed(a.sum(), 4) + " of " + fixed(a.difference(), 4) + " after " + std::to_string(a.steps) + " steps, " +
          (a.is_complete() ? "complete within " + fixed(a.tolerance, 3)
                           : "NOT complete within " + fixed(a.tolerance, 3) + ": do not trust the parts beyond that gap");
-}
-
-std::string factor_to_string(double part) {
-  const double factor = std::exp(part);
-  if (factor >= 0.01 && factor < 100.0) return kTimes + fixed(factor, 2);
-  const int power = static_cast<int>(std::floor(std::log10(factor)));
-  if (power < -4 || power > 5) return kTimes + fixed(factor / std::pow(10.0, power), 1) + "\u00B7" + "10" + superscript(power);
-  const double unit = std::pow(10.0, power - 1);  // two digits are certain
-  return kTimes + (power < 0 ? fixed(factor, 1 - power) : grouped(std::lround(std::round(factor / unit) * unit)));
 }
 
 std::string to_string(const policy::Reception& reception) {
@@ -358,7 +363,9 @@ std::string attribution_tables(const DecisionAccount& a, std::size_t rows) {
             part_cells(rest, largest) + "</tr>\n";
   text += "</table></div>\n<p>In all";
   const char* separator = ": ";
-  for (const explain::SubjectAccount& subject : explain::by_subject(a)) {
+  std::vector<explain::SubjectAccount> subjects = explain::by_subject(a);
+  std::ranges::stable_sort(subjects, std::ranges::greater{}, [](const explain::SubjectAccount& one) { return std::abs(one.part); });
+  for (const explain::SubjectAccount& subject : subjects) {
     text += separator + std::string(explain::to_string(subject.subject)) + " " + factor_to_string(subject.part);
     separator = ", ";
   }

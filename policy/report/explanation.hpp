@@ -14,7 +14,7 @@ namespace earshot::report {
 [[nodiscard]] std::vector<std::string> sentences(const explain::DecisionAccount& account);
 
 /// One of them: why this direction and not the next best. First what the policy made of both, and whether the difference is small; then
-/// where the source is believed to be, and what each promises.
+/// where the source is believed to be, what speaks for the direction, the strongest first, and what against it.
 [[nodiscard]] std::string why_this_direction(const explain::DecisionAccount& account);
 
 /// Another, of a trained policy: which of its observations weighed most.
@@ -33,9 +33,6 @@ inline constexpr const char* kPartsMean =
 
 /// "the parts add up to 1.2340 of 1.2344 after 64 steps, complete within 0.001"
 [[nodiscard]] std::string completeness_to_string(const explain::Attribution& attribution);
-
-/// "× 1.83", "× 20 000", "× 0.0021", "× 3.2·10⁻⁷": what a part of the log-probability does to the probability
-[[nodiscard]] std::string factor_to_string(double part);
 
 /// "9.5 dB", "under 5.0 dB", "9.5 dB from 047° ± 10°"
 [[nodiscard]] std::string to_string(const policy::Reception& reception);

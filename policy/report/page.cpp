@@ -45,6 +45,9 @@ std::string unfinished_step(const Flight& flight, std::size_t steps) {
 
 constexpr const char* kMeasuredAlone =
     " It measured the SNR at its own place, and nothing more: it never saw where the source is, nor the coloured field of the map.";
+constexpr const char* kMeasuredInVain =
+    " Its policy goes by the vehicle's place and steps alone, and uses no measurement. It never saw where the source is, nor the coloured "
+    "field of the map.";
 
 constexpr const char* kOrdersOfASimulation =
     "The simulator gave the orders: START, COMPLETE once the vehicle was within a step length of the source, ABORT where the flight was "
@@ -58,7 +61,7 @@ search::SearchAccount account_of(const Flight& flight) {
 }
 
 /// The flight's summary counts a step that the source cut short as the others: one count, with a word about the last.
-std::string headline(const Flight& flight) {
+std::string headline(const Flight& flight, bool uses_measurements) {
   const nlohmann::json& s = flight.summary;
   if (flight.sea) return sea_headline(*flight.sea, flight.journal) + account_paragraph(flight.sea->account);
   if (s.is_null()) return "<h1 class=\"missed\">A flight without its end</h1>\n";
@@ -68,7 +71,7 @@ std::string headline(const Flight& flight) {
   std::string text = std::string("<h1 class=\"") + (verdict.is_found ? "found" : "missed") + "\">" + escaped(verdict.text) + "</h1>\n";
   if (const std::string end = search::end_to_string(account); !account.is_found && verdict.text.find(end) == std::string::npos)
     text += "<p>The mission ended after " + host::counted(static_cast<std::uint64_t>(steps), "step") + ": " + escaped(end) + ".</p>\n";
-  text += "<p class=\"note\">" + std::string(kSimulationNote) + kMeasuredAlone + "</p>\n" +
+  text += "<p class=\"note\">" + std::string(kSimulationNote) + (uses_measurements ? kMeasuredAlone : kMeasuredInVain) + "</p>\n" +
           unfinished_step(flight, static_cast<std::size_t>(steps));
   if (s.value("whole_steps", steps) < steps) text += "<p>The last step was cut short by the source.</p>\n";
   return text + account_paragraph(account) + "<p>Seed " + std::to_string(s.at("seed").get<std::uint64_t>()) + " &middot; mission " +
@@ -85,6 +88,12 @@ std::string shortcomings(const Flight& flight) {
   return text;
 }
 
+/// A policy without a belief has no rule that could declare anything.
+std::string declared_fact(const search::SearchAccount& account) {
+  if (!account.believes && !account.declared_step) return "";
+  return fact("declared", account.declared_step ? "at step " + std::to_string(*account.declared_step) : "no", search::kDeclaredMeans);
+}
+
 std::string facts(const Flight& flight) {
   const nlohmann::json& s = flight.summary;
   if (flight.sea) return sea_facts(*flight.sea, flight.journal);
@@ -95,8 +104,7 @@ std::string facts(const Flight& flight) {
   return cards_of(conditions_in(s)) + "<dl>\n" + fact("reward", fixed(s.at("reward"), 1), search::kRewardMeans) +
          fact("detections", std::to_string(s.at("detections").get<int>()), search::detection_means(s.at("detection_threshold_db"))) +
          fact("found", search::verdict_on(account).is_found ? "yes" : "no", search::found_means(account.step_length_m)) +
-         fact("declared", account.declared_step ? "at step " + std::to_string(*account.declared_step) : "no", search::kDeclaredMeans) +
-         fact("distance", fixed(s.at("distance_m").get<double>() / 1e3, 1) + " km") +
+         declared_fact(account) + fact("distance", fixed(s.at("distance_m").get<double>() / 1e3, 1) + " km") +
          (s.contains("battery_percent") ? fact("battery left", fixed(s.at("battery_percent"), 1) + " %") : "") +
          fact("time at sea", host::duration(sim),
               "in simulated time; computed in " + fixed(wall, 2) + " s, " + (wall > 0 ? fixed(sim / wall, 0) : "-") + " times real time") +
@@ -137,8 +145,11 @@ std::string reasons(const explain::DecisionAccount& account, const std::string& 
                      (account.decision.sweeping ? "sweep, going " : "why ") + account.actions[account.decision.action].name +
                      "</summary>\n<ul class=\"words\">\n";
   for (const std::string& sentence : sentences(account)) text += "<li>" + escaped(sentence) + "</li>\n";
-  return text + "</ul>\n<div class=\"chart cells\">" + chart + "</div>\n" + actions_table(account) + "<h3>What moved the choice</h3>\n<p>" +
-         kPartsMean + "</p>\n" + attribution_tables(account, kRowsOfAttribution) + "</details></td></tr>\n";
+  text += "</ul>\n<div class=\"chart cells\">" + chart + "</div>\n";
+  if (!account.decision.sweeping)  // the policy chose nothing there
+    text += actions_table(account) + "<h3>What moved the choice</h3>\n<p>" + kPartsMean + "</p>\n" +
+            attribution_tables(account, kRowsOfAttribution);
+  return text + "</details></td></tr>\n";
 }
 
 std::string decisions(const Flight& flight, const FlightExplanation& explanation) {
@@ -204,8 +215,9 @@ Pictures pictures_of(const Flight& flight) {
 
 FlightExplanation explain_flight(const std::filesystem::path& folder_or_journal) try {
   const RecordedFlight flight = open_recording(folder_or_journal, {});
-  FlightExplanation explanation{.accounts =
-                                    explain::accounts_of(flight.circumstances(explain::Baseline::kCentre), flight.journal.decisions)};
+  FlightExplanation explanation{
+      .uses_measurements = explain::uses_measurements(flight.policy->observation.spec),
+      .accounts = explain::accounts_of(flight.circumstances(explain::Baseline::kCentre), flight.journal.decisions)};
   std::vector<BeliefPicture> pictures;
   for (const explain::DecisionAccount& account : explanation.accounts)
     pictures.push_back(
@@ -217,7 +229,8 @@ FlightExplanation explain_flight(const std::filesystem::path& folder_or_journal)
 }
 
 std::string page(const Flight& flight, const Pictures& pictures, const FlightExplanation& explanation) {
-  std::string text = html_head("Earshot: one search") + headline(flight) + facts(flight) + shortcomings(flight);
+  std::string text =
+      html_head("Earshot: one search") + headline(flight, explanation.uses_measurements) + facts(flight) + shortcomings(flight);
   if (flight.sea)
     text += "<h2>What happened</h2>\n" + sea_events(*flight.sea);
   else if (!flight.events.empty())

@@ -78,6 +78,8 @@ TEST_F(DecisionReportTest, SaysWhyTheVehicleSweptInPlaceOfWhatThePolicyWouldHave
   EXPECT_TRUE(support::has_line(html, {"fits no ocean", "9.2 bits"}));
   EXPECT_EQ(count(html, ": a sweep, going "), 2U) << "title and heading";
   EXPECT_EQ(count(html, "It chose "), 0U);
+  EXPECT_EQ(count(html, "What moved the choice"), 0U);
+  EXPECT_EQ(count(as_markdown(report), "| direction |"), 0U);
   EXPECT_EQ(nlohmann::json::parse(as_json(report))["sweeping"], true);
 }
 
