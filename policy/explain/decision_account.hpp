@@ -29,9 +29,8 @@ struct ActionAccount {
   double border = 0.0;                         ///< how deep its end lies in the border: 0 inside, 1 at the edge, more beyond
   std::optional<double> worth = std::nullopt;  ///< 1 the best, 0 the worst, of a policy that goes by its belief's advice alone
 
-  /// By how much the rest of the search is expected to cost more after this direction than after the best one, in steps without a
-  /// detection. A policy without a network takes the direction with the least.
-  [[nodiscard]] std::optional<double> extra_cost_steps() const {
+  /// policy::ActionValues::regret, in steps without a detection. A policy without a network takes the direction with the least.
+  [[nodiscard]] std::optional<double> regret_steps() const {
     constexpr double kLeastWorth = 1e-9;
     return worth ? std::optional(1.0 / std::max(*worth, kLeastWorth) - 1.0) : std::nullopt;
   }

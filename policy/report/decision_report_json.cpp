@@ -82,7 +82,7 @@ ordered_json actions(const explain::DecisionAccount& a) {
                     {"found_within_three_steps_probability", action.found_soon},
                     {"expected_approach_m", action.approach.value},
                     {"border", action.border},
-                    {"expected_extra_cost_steps", or_null(action.extra_cost_steps())}});
+                    {"regret_steps", or_null(action.regret_steps())}});
   return rows;
 }
 

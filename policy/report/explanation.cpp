@@ -145,7 +145,7 @@ std::string rating(const explain::ActionAccount& taken, const explain::ActionAcc
   if (!taken.worth || !next.worth)
     return "the policy gave " + taken.name + " " + percent(taken.probability) + " and " + next.name + " " + percent(next.probability) +
            (std::abs(taken.probability - next.probability) < kSmallShare ? kSmall : "");
-  const double more = *next.extra_cost_steps() - *taken.extra_cost_steps();
+  const double more = *next.regret_steps() - *taken.regret_steps();
   const std::string& best = more >= 0.0 ? taken.name : next.name;
   const std::string& other = more >= 0.0 ? next.name : taken.name;
   return "the rest of the search is expected to cost least after " + best + "; " + other + " costs " + fixed(std::abs(more), 2) +
@@ -161,13 +161,12 @@ struct ActionColumn {
 
 constexpr std::string_view kChosenWith = "chosen with (%)";
 
-constexpr ActionColumn kExtraCost{
-    "costs more by (steps)",
-    "what the rest of the search is expected to cost after this direction, less what it costs after the best one, in steps without a "
-    "detection. The policy ranks the directions by it: the best costs 0 more.",
-    [](const explain::ActionAccount& action) {
-      return action.extra_cost_steps() ? fixed(*action.extra_cost_steps(), 2) : std::string("-");
-    }};
+constexpr ActionColumn kRegret{
+    "regret (steps)",
+    "how much more the rest of the search is expected to cost after this direction than after the best one, in steps without a detection, "
+    "if "
+    "the place of the source became known after the step. The policy ranks the directions by it: the best has 0.",
+    [](const explain::ActionAccount& action) { return action.regret_steps() ? fixed(*action.regret_steps(), 2) : std::string("-"); }};
 
 constexpr std::array<ActionColumn, 6> kPromises{
     {{"expected SNR (dB)", "at the end of the step, and how far it may be off",
@@ -188,11 +187,11 @@ constexpr std::array<ActionColumn, 6> kPromises{
 /// The cost stands in it where the policy ranks by the cost.
 std::vector<ActionColumn> columns_of(const DecisionAccount& a) {
   const bool has_costs = std::ranges::any_of(a.actions, [](const explain::ActionAccount& action) { return action.worth.has_value(); });
-  const char* const chosen = has_costs ? "probability that the policy gave the direction, made of the costs"
+  const char* const chosen = has_costs ? "probability that the policy gave the direction, made of the regret"
                                        : "probability that the policy gave the direction. It ranks the directions by it.";
   std::vector<ActionColumn> columns{
       {kChosenWith, chosen, [](const explain::ActionAccount& action) { return fixed(100.0 * action.probability, 0); }}};
-  if (has_costs) columns.push_back(kExtraCost);
+  if (has_costs) columns.push_back(kRegret);
   columns.insert(columns.end(), kPromises.begin(), kPromises.end());
   return columns;
 }
@@ -228,7 +227,7 @@ std::string why_this_direction(const DecisionAccount& a) {
   const auto against = std::ranges::find_if(reasons, [](const Reason& reason) { return reason.advantage < 0.0; });
   std::ranges::reverse(against, reasons.end());
   const std::string text = "Why " + taken.name + " and not " + next->name + ": " + rating(taken, *next) + "." +
-                           (a.belief_is_the_policys ? " The" : " An observer who knows the ocean would say: the") + " likeliest place is " +
+                           (a.belief_is_the_policys ? " The" : " To an observer who knows the ocean the") + " likeliest place is " +
                            likeliest_place(a) + ".";
   if (reasons.empty()) return text + " Both promise the same.";
   const std::string nothing = " Nothing in the next steps speaks for " + taken.name +
