@@ -264,7 +264,7 @@ NorthEast source_of(const evaluate::Candidate* leading, const ocean::Environment
   return evaluate::trained_task(*leading).source_position.value_or(environment.source.position);
 }
 
-/// "source fixed at 10000 m north, 10000 m east (as fixed.policy was trained); starts domain (as fixed.policy was trained); ..."
+/// "source fixed at 10000 m north, 10000 m east (as fixed.policy was trained); starts all over the area (as fixed.policy was trained); ..."
 std::string what_is_searched(const command_line::ScenarioOptions& given, const Task& task) {
   const search::SearchSettings& settings = task.settings;
   const auto unless = [&](bool is_given) { return is_given ? std::string() : task.as_trained; };
@@ -274,11 +274,11 @@ std::string what_is_searched(const command_line::ScenarioOptions& given, const T
     text << " at " << settings.source.north.value << " m north, " << settings.source.east.value << " m east";
   text << unless(given.source.has_value());
   if (settings.listening != config::ListeningWindow{}) text << "; hears the " << host::to_string(settings.listening);
-  text << "; starts ";
   if (task.options.start_margin_m)
-    text << *task.options.start_margin_m << " m or more from every edge";
+    text << "; starts " << *task.options.start_margin_m << " m or more from every edge";
   else
-    text << *task.options.start;
+    text << (search::start_placement_named(*task.options.start) == search::StartPlacement::kDomain ? "; starts all over the area"
+                                                                                                   : "; starts inside the border");
   text << unless(given.start || given.start_margin_m) << "; border " << settings.border_width.value << " m; at most " << settings.max_steps
        << " steps\nhours to find: of all searches, - where too few found; in the mean, one that did not find counts as "
        << settings.max_steps << " steps\n";

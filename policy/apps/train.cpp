@@ -91,11 +91,11 @@ void print_summary(const Trainings& trainings, double seconds) {
   program::print() << "trained for " << host::decimals(seconds, 1) << " s\n";
 }
 
-/// "Reward in training: source changing, state belief, seed 1"
+/// "Reward in training: changing source; the policy observes its belief about the source; seed 1"
 std::string title_of(const Trainings& trainings) {
   const ppo::TrainingRun& run = trainings.front()->run_settings();
-  return "Reward in training: source " + std::string(search::name_of(run.search.placement)) + ", state " +
-         std::string(description::name_of(run.state)) + ", " +
+  return "Reward in training: " + std::string(search::name_of(run.search.placement)) + " source; the policy observes " +
+         std::string(description::what_is_observed(run.state)) + "; " +
          (trainings.size() == 1 ? "seed " + std::to_string(run.seed) : std::to_string(trainings.size()) + " seeds");
 }
 

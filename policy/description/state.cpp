@@ -1,6 +1,7 @@
 #include "policy/description/state.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 #include "sim/search/belief_model.hpp"
@@ -25,6 +26,12 @@ policy::ObservationSpec position_memory(std::size_t steps, const search::SearchS
 
 std::string_view name_of(State state) {
   return kStates[static_cast<std::size_t>(state)];
+}
+
+std::string_view what_is_observed(State state) {
+  constexpr std::array<std::string_view, kStates.size()> kObserved{"its place", "the SNR of its last steps", "its belief about the source",
+                                                                   "its place and the SNR of its last steps"};
+  return kObserved[static_cast<std::size_t>(state)];
 }
 
 std::optional<State> state_named(std::string_view name) {

@@ -22,6 +22,8 @@ enum class State : std::uint8_t {
 /// Names of the states, in their order.
 inline constexpr std::array<std::string_view, 4> kStates{"simple", "memory", "belief", "position_memory"};
 [[nodiscard]] std::string_view name_of(State state);
+/// What a policy observes, as people read it: "its place".
+[[nodiscard]] std::string_view what_is_observed(State state);
 /// Nothing for a name that is none of kStates.
 [[nodiscard]] std::optional<State> state_named(std::string_view name);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -66,17 +67,21 @@ std::string table_of(std::span<const Row> rows, const std::array<std::string, 2>
   return text;
 }
 
-/// "ocean_search declared
-///    falsely in 3.0 % of the searches (further than 1.5 step lengths off in 0.0 %),
-///    nothing in 1.2 % of those that ended a step within a step length of the source"
-std::string declarations_text(const Row& row) {
-  if (!row.declarations) return "";
-  const DeclarationShares& d = *row.declarations;
-  return row.policy + " declared\n" +
-         host::formatted("   falsely in %.1f %% of the searches (further than 1.5 step lengths off in %.1f %%),\n", 100.0 * d.falsely,
-                         100.0 * d.far_off) +
-         "   nothing in " + (std::isfinite(d.missed) ? host::formatted("%.1f", 100.0 * d.missed) : "-") +
-         " % of those that ended a step within a step length of the source\n";
+/// Of the searchers that say themselves whether the source is found: how often they were wrong. Nothing where there are none.
+std::string declarations_text(std::span<const Row> rows) {
+  std::vector<Row> declaring;
+  std::ranges::copy_if(rows, std::back_inserter(declaring), [](const Row& row) { return row.declarations.has_value(); });
+  if (declaring.empty()) return "";
+  return table_of(declaring,
+                  {"   declared     declared    missed",  //
+                   "  falsely %    far off %         %"},
+                  [](const Row& row) {
+                    const DeclarationShares& d = *row.declarations;
+                    return host::formatted("  %9.1f    %9.1f", 100.0 * d.falsely, 100.0 * d.far_off) +
+                           (std::isfinite(d.missed) ? host::formatted("  %8.1f", 100.0 * d.missed) : "         -");
+                  }) +
+         "falsely: further than one step length from every source; far off: further than 1.5 step lengths\n"
+         "missed: of the searches that came within one step length, those that did not declare it there\n";
 }
 
 std::vector<std::string> distinct(std::span<const Row> rows, std::string Row::*name) {
@@ -216,8 +221,7 @@ std::string as_text(std::span<const Row> rows) {
                    {"    path /    left     heard  mismatch  at SNR  decision   refining",  //
                     "      line  area %     times         %  number        us         us"},
                    way_and_decisions);
-  for (const Row& row : rows) text += declarations_text(row);
-  return text;
+  return text + declarations_text(rows);
 }
 
 std::string as_csv(std::span<const Row> rows, Timing timing) {

@@ -37,8 +37,8 @@ struct Row {
 
 /// The rows of one world as three tables under one another, each at most 100 columns wide and with units in its header, for people to
 /// read: found and time to find, then the reward, then way and decisions. A name longer than 28 characters stands on a line of its own.
-/// "-" is a time that never comes, or a ratio that nobody knows. A line below names each that declared the source found, and how often
-/// wrongly.
+/// "-" is a time that never comes, or a ratio that nobody knows. A fourth has those that declare the source found themselves, and how often
+/// they were wrong. README.md of this folder lists every column.
 [[nodiscard]] std::string as_text(std::span<const Row> rows);
 
 enum class Timing : bool { kLeftOut, kIncluded };

@@ -87,6 +87,7 @@ DecisionAccount account_with(const Circumstances& c, const RecordedDecision& dec
   account.detection_threshold = c.policy.detection_threshold;
   account.area = {.south_west = c.south_west, .north_east = c.south_west + c.policy.area_size};
   account.belief_is_the_policys = c.belief_is_the_policys;
+  account.uses_measurements = uses_measurements(c.policy.observation.spec);
   account.place = believed_place(belief, c.belief);
   account.hypotheses = hypotheses_of(belief, c.tables);
   account.actions = actions_of(c, decision, belief, account.place);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -27,6 +28,12 @@ struct ActionAccount {
   Meters approach;                             ///< expected decrease of the distance to the source
   double border = 0.0;                         ///< how deep its end lies in the border: 0 inside, 1 at the edge, more beyond
   std::optional<double> worth = std::nullopt;  ///< 1 the best, 0 the worst, of a policy that goes by its belief's advice alone
+
+  /// policy::ActionValues::regret, in steps without a detection. A policy without a network takes the direction with the least.
+  [[nodiscard]] std::optional<double> regret_steps() const {
+    constexpr double kLeastWorth = 1e-9;
+    return worth ? std::optional(1.0 / std::max(*worth, kLeastWorth) - 1.0) : std::nullopt;
+  }
 };
 
 /// One element of what the policy saw.
@@ -54,6 +61,7 @@ struct DecisionAccount {
   Decibels detection_threshold;
   Rectangle area;                     ///< in the mission's plane
   bool belief_is_the_policys = true;  ///< false: an observer's; the policy has none
+  bool uses_measurements = true;      ///< false: the policy goes by place and steps alone
   BelievedPlace place;
   std::vector<HypothesisAccount> hypotheses;  ///< of 1 % and more, the likeliest first
   std::vector<ActionAccount> actions;

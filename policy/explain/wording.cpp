@@ -1,7 +1,9 @@
 #include "policy/explain/wording.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 #include "firmware/core/compass.hpp"
 #include "firmware/core/math.hpp"
@@ -46,6 +48,24 @@ std::string heard_when(unsigned age) {
   return age == 1 ? "SNR heard one step ago" : "SNR heard " + std::to_string(age) + " steps ago";
 }
 
+constexpr const char* kTimes = "\u00D7 ";
+
+/// "20 000"
+std::string grouped(long number) {
+  std::string digits = std::to_string(number);
+  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, "\u202F");
+  return digits;
+}
+
+/// An exponent as it stands beside a ten.
+std::string superscript(int power) {
+  constexpr std::array<const char*, 10> kDigits{"\u2070", "\u00B9", "\u00B2", "\u00B3", "\u2074",
+                                                "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+  std::string text = power < 0 ? "\u207B" : "";
+  for (const char digit : std::to_string(std::abs(power))) text += kDigits[static_cast<std::size_t>(digit - '0')];
+  return text;
+}
+
 }  // namespace
 
 Subject subject_of(Feature feature) {
@@ -72,6 +92,13 @@ std::string_view to_string(Subject subject) {
   constexpr std::array<std::string_view, 5> kWords{"where the vehicle is", "how it moved", "what it heard",
                                                    "where the source is believed to be", "what each direction promises"};
   return kWords[static_cast<std::size_t>(subject)];
+}
+
+bool uses_measurements(const policy::ObservationSpec& spec) {
+  return std::ranges::any_of(spec, [](const policy::ObservationElement& element) {
+    const Subject subject = subject_of(element.feature);
+    return subject != Subject::kPlace && subject != Subject::kMoved;
+  });
 }
 
 std::string degrees_to_string(Radians bearing) {
@@ -168,6 +195,15 @@ std::string value_of(const policy::ObservationElement& element, float value) {
 std::string fixed(double x, int digits) {
   const std::string written = host::decimals(x, digits);
   return written.find_first_not_of("-0.") == std::string::npos && written.front() == '-' ? written.substr(1) : written;
+}
+
+std::string factor_to_string(double part) {
+  const double factor = std::exp(part);
+  if (factor >= 0.01 && factor < 100.0) return kTimes + fixed(factor, 2);
+  const int power = static_cast<int>(std::floor(std::log10(factor)));
+  if (power < -4 || power > 5) return kTimes + fixed(factor / std::pow(10.0, power), 1) + "\u00B7" + "10" + superscript(power);
+  const double unit = std::pow(10.0, power - 1);  // two digits are certain
+  return kTimes + (power < 0 ? fixed(factor, 1 - power) : grouped(std::lround(std::round(factor / unit) * unit)));
 }
 
 }  // namespace earshot::explain

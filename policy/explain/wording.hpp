@@ -21,6 +21,9 @@ enum class Subject : std::uint8_t {
 [[nodiscard]] Subject subject_of(policy::Feature feature);
 [[nodiscard]] std::string_view to_string(Subject subject);
 
+/// Whether a policy observes anything that was measured, or a belief made of it. Otherwise it goes by the vehicle's place and steps alone.
+[[nodiscard]] bool uses_measurements(const policy::ObservationSpec& spec);
+
 /// A bearing in whole degrees, "000°" to "359°".
 /// @param bearing  clockwise from north
 [[nodiscard]] std::string degrees_to_string(Radians bearing);
@@ -41,5 +44,8 @@ enum class Subject : std::uint8_t {
 
 /// printf's "%.*f", without a minus sign in front of zero
 [[nodiscard]] std::string fixed(double x, int digits);
+
+/// "× 1.83", "× 20 000", "× 0.0021", "× 3.2·10⁻⁷": what a part of the log-probability does to the probability
+[[nodiscard]] std::string factor_to_string(double part);
 
 }  // namespace earshot::explain

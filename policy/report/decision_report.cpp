@@ -8,6 +8,7 @@
 namespace earshot::report {
 namespace {
 
+using explain::factor_to_string;
 using explain::fixed;
 
 constexpr std::size_t kRows = 8;  ///< of the observation, shown in a report
@@ -20,8 +21,29 @@ std::string subtitle(const DecisionReport& report) {
          ": replayed, and every decision up to the last comes out bit for bit.";
 }
 
+/// That nobody was at sea, and what was searched for, where, how and when.
+std::string conditions_markdown(const DecisionReport& report) {
+  const std::optional<Conditions>& conditions = report.flight.conditions;
+  if (!conditions) return "";
+  return (conditions->is_simulated ? std::string(kSimulationNote) + "\n\n" : "") + to_string(*conditions) + ".\n\n";
+}
+
+std::string conditions_html(const DecisionReport& report) {
+  const std::optional<Conditions>& conditions = report.flight.conditions;
+  if (!conditions) return "";
+  return (conditions->is_simulated ? "<p class=\"note\">" + std::string(kSimulationNote) + "</p>\n" : "") + cards_of(*conditions);
+}
+
 std::string notes(const DecisionReport& report) {
   return lack_of(report.flight.journal);
+}
+
+std::string choice_markdown(const explain::DecisionAccount& a) {
+  std::string text = "\n" + actions_markdown(a) + "\n" + std::string(kPartsMean) +
+                     "\n\n| observation | seen | baseline | part | chance |\n|---|---|---|---|---|\n";
+  for (const explain::ObservedAccount& o : explain::weightiest(a, kRows))
+    text += "| " + o.name + " | " + o.value + " | " + o.baseline + " | " + fixed(o.part, 3) + " | " + factor_to_string(o.part) + " |\n";
+  return text + "\nCompared with " + to_string(a.baseline) + ": " + completeness_to_string(a.attribution) + ".\n";
 }
 
 }  // namespace
@@ -42,12 +64,13 @@ std::string as_html(const DecisionReport& report) {
   std::string text =
       html_head("Earshot: " + title_of(report)) + "<h1>" + title_of(report) + "</h1>\n<p>" + escaped(subtitle(report)) + "</p>\n";
   if (!notes(report).empty()) text += "<p class=\"missed\">" + notes(report) + "</p>\n";
-  text += "<ul class=\"words\">\n";
+  text += conditions_html(report) + "<ul class=\"words\">\n";
   for (const std::string& sentence : sentences(a)) text += "<li>" + escaped(sentence) + "</li>\n";
   text += "</ul>\n<h2>Where the source is believed to be</h2>\n<div class=\"chart cells\">" +
           belief_svgs({{.account = a, .measurements = report.measurements(), .source = report.flight.source}}).front() + "</div>\n";
-  text += "<h2>What it could do</h2>\n" + actions_table(a);
-  text += "<h2>What moved the choice</h2>\n<p>" + std::string(kPartsMean) + "</p>\n" + attribution_tables(a, kRows);
+  if (!a.decision.sweeping)  // the policy chose nothing there
+    text += "<h2>What it could do</h2>\n" + actions_table(a) + "<h2>What moved the choice</h2>\n<p>" + std::string(kPartsMean) + "</p>\n" +
+            attribution_tables(a, kRows);
   text += "<h2>What it measured</h2>\n" + measurements_table(report.measurements());
   text += "<h2>All numbers that the policy received</h2>\n<details><summary>" + std::to_string(a.observed.size()) + " numbers</summary>\n" +
           observation_table(a) + "</details>\n";
@@ -56,21 +79,10 @@ std::string as_html(const DecisionReport& report) {
 
 std::string as_markdown(const DecisionReport& report) {
   const explain::DecisionAccount& a = report.account;
-  std::string text = "# " + title_of(report) + "\n" + subtitle(report) + "\n\n";
+  std::string text = "# " + title_of(report) + "\n" + subtitle(report) + "\n\n" + conditions_markdown(report);
   if (!notes(report).empty()) text += notes(report) + "\n\n";
   for (const std::string& sentence : sentences(a)) text += "- " + sentence + "\n";
-  text +=
-      "\n| direction | chosen with (%) | expected SNR (dB) | detects (%) | finds (%) | finds within 3 steps (%) | nearer by (km) "
-      "|\n|---|---|---|---|---|---|---|\n";
-  for (const explain::ActionAccount& action : a.actions) {
-    text += "| " + action.name + " | " + fixed(100.0 * action.probability, 0) + " | " + fixed(action.hear.snr.value, 1) + " \u00B1 " +
-            fixed(action.hear.spread.value, 1) + " | " + fixed(100.0 * action.detected, 0) + " | " + fixed(100.0 * action.found, 1) +
-            " | " + fixed(100.0 * action.found_soon, 1) + " | " + fixed(action.approach.value / 1e3, 2) + " |\n";
-  }
-  text += "\n" + std::string(kPartsMean) + "\n\n| observation | seen | baseline | part | chance |\n|---|---|---|---|---|\n";
-  for (const explain::ObservedAccount& o : explain::weightiest(a, kRows))
-    text += "| " + o.name + " | " + o.value + " | " + o.baseline + " | " + fixed(o.part, 3) + " | " + factor_to_string(o.part) + " |\n";
-  text += "\nCompared with " + to_string(a.baseline) + ": " + completeness_to_string(a.attribution) + ".\n";
+  if (!a.decision.sweeping) text += choice_markdown(a);
   text += "\n| step | north (km) | east (km) | SNR |\n|---|---|---|---|\n";
   for (const explain::RecordedDecision& measurement : report.measurements())
     text += "| " + std::to_string(measurement.step) + " | " + fixed(measurement.position.north.value / 1e3, 2) + " | " +

@@ -13,6 +13,23 @@ ordered_json place(NorthEast p) {
   return {{"north_m", p.north.value}, {"east_m", p.east.value}};
 }
 
+template <class Value>
+ordered_json or_null(const std::optional<Value>& value) {
+  return value ? ordered_json(*value) : ordered_json();
+}
+
+ordered_json conditions(const std::optional<Conditions>& known) {
+  if (!known) return nullptr;
+  const auto number = [](const auto& quantity) { return quantity ? ordered_json(quantity->value) : ordered_json(); };
+  return {{"simulated", known->is_simulated},
+          {"source_frequency_hz", number(known->frequency)},
+          {"depth_m", number(known->depth)},
+          {"speed_mps", number(known->speed)},
+          {"area_size", place(known->area_size)},
+          {"place", known->place},
+          {"date", known->date}};
+}
+
 ordered_json measurement(const explain::RecordedDecision& d) {
   ordered_json json{{"step", d.step},
                     {"time_s", d.time_s},
@@ -64,7 +81,8 @@ ordered_json actions(const explain::DecisionAccount& a) {
                     {"found_probability", action.found},
                     {"found_within_three_steps_probability", action.found_soon},
                     {"expected_approach_m", action.approach.value},
-                    {"border", action.border}});
+                    {"border", action.border},
+                    {"regret_steps", or_null(action.regret_steps())}});
   return rows;
 }
 
@@ -94,13 +112,14 @@ std::string as_json(const DecisionReport& report) {
   ordered_json json{{"step", a.decision.step},
                     {"journal", report.flight.journal_path.string()},
                     {"policy", report.flight.policy_path.string()},
+                    {"conditions", conditions(report.flight.conditions)},
                     {"taken", a.actions[a.decision.action].name},
                     {"likeliest", a.actions[a.likeliest_action].name},
                     {"waypoint", place(a.decision.waypoint)},
                     {"changed_by_safety_layer", a.decision.overridden},
                     {"surprise_bits", a.decision.mismatch_bits},
                     {"sweeping", a.decision.sweeping},
-                    {"found_probability", a.decision.found_probability ? ordered_json(*a.decision.found_probability) : ordered_json()},
+                    {"found_probability", or_null(a.decision.found_probability)},
                     {"summary", sentences(a)},
                     {"looks", measurements},
                     {"belief", belief(a)},

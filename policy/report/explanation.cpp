@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
+#include <functional>
 #include <numbers>
+#include <string_view>
 #include <utility>
 
 #include "firmware/core/math.hpp"
@@ -15,6 +16,7 @@ namespace earshot::report {
 namespace {
 
 using explain::DecisionAccount;
+using explain::factor_to_string;
 using explain::fixed;
 
 constexpr std::size_t kMeasurementsShown = 6;
@@ -49,11 +51,13 @@ std::string likeliest_place(const DecisionAccount& a) {
 }
 
 std::string measured_sentence(const DecisionAccount& a) {
-  const std::string threshold = fixed(a.detection_threshold.value, 0) + " dB";
+  const std::string unused = a.uses_measurements ? "" : " This policy does not use it: it goes by the vehicle's place and steps alone.";
   if (a.decision.reception.too_faint)
-    return "The signal was too faint to measure: the SNR is below " + fixed(a.decision.reception.snr.value, 1) + " dB.";
-  return "It measured an SNR of " + to_string(a.decision.reception) + ", " +
-         (a.decision.detected ? "a detection (threshold " + threshold + ")." : "below the threshold of " + threshold + ": no detection.");
+    return "The signal was too faint to measure: the SNR is below " + fixed(a.decision.reception.snr.value, 1) + " dB." + unused;
+  const std::string threshold = fixed(a.detection_threshold.value, 0) + " dB";
+  return (a.uses_measurements ? "It measured an SNR of " : "The SNR here was ") + to_string(a.decision.reception) + ", " +
+         (a.decision.detected ? "a detection (threshold " + threshold + ")." : "below the threshold of " + threshold + ": no detection.") +
+         unused;
 }
 
 std::string belief_sentence(const DecisionAccount& a) {
@@ -79,9 +83,9 @@ std::string sweep_sentence(const DecisionAccount& a) {
 
 std::string expectation_sentence(const DecisionAccount& a) {
   const explain::ActionAccount& taken = a.actions[a.decision.action];
-  return "At the end of this step it expects an SNR of " + fixed(taken.hear.snr.value, 1) + " dB, give or take " +
-         fixed(taken.hear.spread.value, 1) + " dB: a detection with " + percent(taken.detected) + ", the source found with " +
-         percent(taken.found) + ".";
+  return "At the end of this step " + std::string(a.belief_is_the_policys ? "it expects" : "an observer would expect") + " an SNR of " +
+         fixed(taken.hear.snr.value, 1) + " dB, give or take " + fixed(taken.hear.spread.value, 1) + " dB: a detection with " +
+         percent(taken.detected) + ", the source found with " + percent(taken.found) + ".";
 }
 
 std::string safety_sentence(const DecisionAccount& a) {
@@ -91,9 +95,36 @@ std::string safety_sentence(const DecisionAccount& a) {
          place_to_string(a.decision.waypoint) + ".";
 }
 
-/// "0.90 km"
-std::string nearer(const explain::ActionAccount& action) {
-  return fixed(action.approach.value / 1e3, 2) + " km";
+/// What one direction promises beside another, in physical words, and by how much it promises more: a probability, or a part of a step.
+struct Reason {
+  std::string text;
+  double advantage = 0.0;
+};
+
+/// "0.90 km nearer", "0.11 km further off"
+std::string approach_to_string(Meters approach) {
+  return fixed(std::abs(approach.value) / 1e3, 2) + (approach.value < 0.0 ? " km further off" : " km nearer");
+}
+
+/// Those in which the two differ as they are printed. The strongest for the direction taken is first, the strongest against it last.
+std::vector<Reason> reasons_for(const explain::ActionAccount& taken, const explain::ActionAccount& next, Meters step_length) {
+  std::vector<Reason> reasons;
+  const auto add = [&](const std::string& text, const std::string& of_taken, const std::string& of_next, double advantage) {
+    if (of_taken != of_next) reasons.push_back({text + of_taken + " (" + next.name + " " + of_next + ")", advantage});
+  };
+  add("it finds the source within three steps with ", percent(taken.found_soon), percent(next.found_soon),
+      taken.found_soon - next.found_soon);
+  add("it ends ", approach_to_string(taken.approach), approach_to_string(next.approach), (taken.approach - next.approach) / step_length);
+  add("it detects the source with ", percent(taken.detected), percent(next.detected), taken.detected - next.detected);
+  std::ranges::stable_sort(reasons, std::ranges::greater{}, &Reason::advantage);
+  return reasons;
+}
+
+/// " For NE: it detects the source with 80 % (E 75 %)." @param reasons  empty: nothing
+std::string listed(const std::string& side, std::span<const Reason> reasons) {
+  std::string text;
+  for (const Reason& reason : reasons) text += (text.empty() ? " " + side + ": " : "; ") + reason.text;
+  return text.empty() ? "" : text + ".";
 }
 
 /// Of the directions that were not taken the one that the policy made most of.
@@ -106,11 +137,6 @@ const explain::ActionAccount* next_best(const DecisionAccount& a) {
   return best;
 }
 
-/// By how much the search is expected to cost more after this direction than after the best one, in steps without a detection.
-double regret(double worth) {
-  return 1.0 / std::max(worth, 1e-9) - 1.0;
-}
-
 /// What the policy made of the direction and of the next best: the costs that its belief expects, or else its probabilities.
 std::string rating(const explain::ActionAccount& taken, const explain::ActionAccount& next) {
   constexpr double kSmallCost = 0.1;
@@ -119,29 +145,55 @@ std::string rating(const explain::ActionAccount& taken, const explain::ActionAcc
   if (!taken.worth || !next.worth)
     return "the policy gave " + taken.name + " " + percent(taken.probability) + " and " + next.name + " " + percent(next.probability) +
            (std::abs(taken.probability - next.probability) < kSmallShare ? kSmall : "");
-  const double more = regret(*next.worth) - regret(*taken.worth);
+  const double more = *next.regret_steps() - *taken.regret_steps();
   const std::string& best = more >= 0.0 ? taken.name : next.name;
   const std::string& other = more >= 0.0 ? next.name : taken.name;
   return "the rest of the search is expected to cost least after " + best + "; " + other + " costs " + fixed(std::abs(more), 2) +
          " steps without a detection more" + (std::abs(more) < kSmallCost ? kSmall : "");
 }
 
-constexpr const char* kTimes = "\u00D7 ";
+/// A column of the table of directions: its name with the unit, what it means, and what it says of a direction.
+struct ActionColumn {
+  std::string_view name;
+  std::string_view meaning;
+  std::string (*value)(const explain::ActionAccount& action);
+};
 
-/// "20 000"
-std::string grouped(long number) {
-  std::string digits = std::to_string(number);
-  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, "\u202F");
-  return digits;
-}
+constexpr std::string_view kChosenWith = "chosen with (%)";
 
-/// An exponent as it stands beside a ten.
-std::string superscript(int power) {
-  constexpr std::array<const char*, 10> kDigits{"\u2070", "\u00B9", "\u00B2", "\u00B3", "\u2074",
-                                                "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
-  std::string text = power < 0 ? "\u207B" : "";
-  for (const char digit : std::to_string(std::abs(power))) text += kDigits[static_cast<std::size_t>(digit - '0')];
-  return text;
+constexpr ActionColumn kRegret{
+    "regret (steps)",
+    "how much more the rest of the search is expected to cost after this direction than after the best one, in steps without a detection, "
+    "if "
+    "the place of the source became known after the step. The policy ranks the directions by it: the best has 0.",
+    [](const explain::ActionAccount& action) { return action.regret_steps() ? fixed(*action.regret_steps(), 2) : std::string("-"); }};
+
+constexpr std::array<ActionColumn, 6> kPromises{
+    {{"expected SNR (dB)", "at the end of the step, and how far it may be off",
+      [](const explain::ActionAccount& action) {
+        return fixed(action.hear.snr.value, 1) + " \u00B1 " + fixed(action.hear.spread.value, 1);
+      }},
+     {"detects (%)", "probability of a detection at the end of the step",
+      [](const explain::ActionAccount& action) { return fixed(100.0 * action.detected, 0); }},
+     {"finds (%)", "probability that the source lies within a step length of there",
+      [](const explain::ActionAccount& action) { return fixed(100.0 * action.found, 1); }},
+     {"finds within 3 steps (%)", "probability that the source is found within three steps of which this is one",
+      [](const explain::ActionAccount& action) { return fixed(100.0 * action.found_soon, 1); }},
+     {"nearer by (km)", "how much nearer to the source the step is expected to end",
+      [](const explain::ActionAccount& action) { return fixed(action.approach.value / 1e3, 2); }},
+     {"border", "how deep the step ends in the border of the area: - inside the border, 1 at the area's edge, more beyond it",
+      [](const explain::ActionAccount& action) { return action.border > 0.0 ? fixed(action.border, 2) : std::string("-"); }}}};
+
+/// The cost stands in it where the policy ranks by the cost.
+std::vector<ActionColumn> columns_of(const DecisionAccount& a) {
+  const bool has_costs = std::ranges::any_of(a.actions, [](const explain::ActionAccount& action) { return action.worth.has_value(); });
+  const char* const chosen = has_costs ? "probability that the policy gave the direction, made of the regret"
+                                       : "probability that the policy gave the direction. It ranks the directions by it.";
+  std::vector<ActionColumn> columns{
+      {kChosenWith, chosen, [](const explain::ActionAccount& action) { return fixed(100.0 * action.probability, 0); }}};
+  if (has_costs) columns.push_back(kRegret);
+  columns.insert(columns.end(), kPromises.begin(), kPromises.end());
+  return columns;
 }
 
 /// What a part of the log-probability is: its number, its bar and what it does to the chance.
@@ -168,26 +220,28 @@ double largest_part(const std::vector<explain::ObservedAccount>& observed) {
 }  // namespace
 
 std::string why_this_direction(const DecisionAccount& a) {
-  constexpr double kWorthNaming = 0.01;
   const explain::ActionAccount& taken = a.actions[a.decision.action];
   const explain::ActionAccount* const next = next_best(a);
   if (next == nullptr) return "Why " + taken.name + ": the policy has no other direction.";
-  const std::string rated = "Why " + taken.name + " and not " + next->name + ": " + rating(taken, *next) + ". The likeliest place is " +
-                            likeliest_place(a) + "; ";
-  const std::string promised =
-      taken.name + " promises to find the source within three steps with " + percent(taken.found_soon) + ", " + next->name;
-  const bool is_near = std::max(taken.found_soon, next->found_soon) >= kWorthNaming;
-  const bool is_alike = percent(taken.found_soon) == percent(next->found_soon);
-  if (is_near && !is_alike) return rated + promised + " with " + percent(next->found_soon) + ".";
-  return rated + (is_near ? promised + " as much" : "neither finds it within three steps") + "; on average over the belief " + taken.name +
-         " comes " + nearer(taken) + " nearer and detects it with " + percent(taken.detected) + ", " + next->name + " " + nearer(*next) +
-         " and " + percent(next->detected) + ".";
+  std::vector<Reason> reasons = reasons_for(taken, *next, range_between(a.decision.position, taken.end));
+  const auto against = std::ranges::find_if(reasons, [](const Reason& reason) { return reason.advantage < 0.0; });
+  std::ranges::reverse(against, reasons.end());
+  const std::string text = "Why " + taken.name + " and not " + next->name + ": " + rating(taken, *next) + "." +
+                           (a.belief_is_the_policys ? " The" : " To an observer who knows the ocean the") + " likeliest place is " +
+                           likeliest_place(a) + ".";
+  if (reasons.empty()) return text + " Both promise the same.";
+  const std::string nothing = " Nothing in the next steps speaks for " + taken.name +
+                              (taken.worth ? ": the cost counts all steps of the search that follow." : ".");
+  return text + (against == reasons.begin() ? nothing : listed("For " + taken.name, {reasons.begin(), against})) +
+         listed("Against " + taken.name, {against, reasons.end()});
 }
 
 std::string choice_sentence(const DecisionAccount& a) {
   const explain::ActionAccount& taken = a.actions[a.decision.action];
   const explain::ActionAccount& likeliest = a.actions[a.likeliest_action];
   const std::string chose = "It chose " + taken.name;
+  if (a.draw == policy::ActionDraw::kArgmax && taken.worth)
+    return chose + ": this policy always takes the direction after which the search is expected to cost least.";
   if (a.draw == policy::ActionDraw::kArgmax)
     return chose + ": this policy always takes the direction with the highest probability, here " + percent(taken.probability) + ".";
   const std::string drew = chose + ", which had " + percent(taken.probability) + ": this policy draws lots by its probabilities";
@@ -230,15 +284,6 @@ std::string completeness_to_string(const explain::Attribution& a) {
                           : "NOT complete within " + fixed(a.tolerance, 3) + ": do not trust the parts beyond that gap");
 }
 
-std::string factor_to_string(double part) {
-  const double factor = std::exp(part);
-  if (factor >= 0.01 && factor < 100.0) return kTimes + fixed(factor, 2);
-  const int power = static_cast<int>(std::floor(std::log10(factor)));
-  if (power < -4 || power > 5) return kTimes + fixed(factor / std::pow(10.0, power), 1) + "\u00B7" + "10" + superscript(power);
-  const double unit = std::pow(10.0, power - 1);  // two digits are certain
-  return kTimes + (power < 0 ? fixed(factor, 1 - power) : grouped(std::lround(std::round(factor / unit) * unit)));
-}
-
 std::string to_string(const policy::Reception& reception) {
   const std::string snr = (reception.too_faint ? "under " : "") + fixed(reception.snr.value, 1) + " dB";
   return reception.bearing ? snr + " from " + to_string(*reception.bearing) : snr;
@@ -264,20 +309,45 @@ std::string measurements_table(std::span<const explain::RecordedDecision> measur
 }
 
 std::string actions_table(const DecisionAccount& a) {
-  std::string text =
-      "<div class=\"table\"><table>\n<tr><th class=\"left\">direction</th><th>chosen with (%)</th><th>expected SNR (dB)</th><th>detects "
-      "(%)</th>"
-      "<th>finds (%)</th><th>finds within 3 steps (%)</th><th>nearer by (km)</th><th>border</th></tr>\n";
+  const std::vector<ActionColumn> columns = columns_of(a);
+  std::string text = "<div class=\"table\"><table class=\"actions\">\n<thead><tr><th class=\"left\">direction</th>";
+  for (const ActionColumn& column : columns) text += "<th>" + std::string(column.name) + "</th>";
+  text += "</tr></thead>\n<tbody>\n";
   for (std::size_t i = 0; i < a.actions.size(); ++i) {
     const explain::ActionAccount& action = a.actions[i];
     const bool is_taken = i == a.decision.action;
-    text += std::string("<tr><td class=\"left\">") + (is_taken ? "<b>" + action.name + "</b> taken" : action.name) + "</td>" +
-            percent_cell("", action.probability, is_taken) + "<td>" + fixed(action.hear.snr.value, 1) + " &plusmn; " +
-            fixed(action.hear.spread.value, 1) + "</td><td>" + fixed(100.0 * action.detected, 0) + "</td><td>" +
-            fixed(100.0 * action.found, 1) + "</td><td>" + fixed(100.0 * action.found_soon, 1) + "</td><td>" +
-            fixed(action.approach.value / 1e3, 2) + "</td><td>" + (action.border > 0.0 ? fixed(action.border, 2) : "-") + "</td></tr>\n";
+    text += "<tr" + std::string(is_taken ? " class=\"taken\"" : "") + "><td class=\"left\">" +
+            (is_taken ? "<b>" + action.name + "</b> taken" : action.name) + "</td>";
+    for (const ActionColumn& column : columns) {
+      const std::string value = escaped(column.value(action));
+      text += column.name == kChosenWith ? percent_cell(column.name, action.probability, is_taken)
+                                         : "<td data-name=\"" + std::string(column.name) + "\">" + value + "</td>";
+    }
+    text += "</tr>\n";
   }
-  return text + "</table></div>\n";
+  text += "</tbody></table></div>\n<ul class=\"columns\">\n";
+  for (const ActionColumn& column : columns)
+    text += "<li><b>" + std::string(column.name) + "</b>: " + std::string(column.meaning) + "</li>\n";
+  return text + "</ul>\n";
+}
+
+std::string actions_markdown(const DecisionAccount& a) {
+  const std::vector<ActionColumn> columns = columns_of(a);
+  std::string text = "| direction |";
+  std::string rule = "|---|";
+  std::string meanings;
+  for (const ActionColumn& column : columns) {
+    text += " " + std::string(column.name) + " |";
+    rule += "---|";
+    meanings += "- " + std::string(column.name) + ": " + std::string(column.meaning) + "\n";
+  }
+  text += "\n" + rule + "\n";
+  for (const explain::ActionAccount& action : a.actions) {
+    text += "| " + action.name + " |";
+    for (const ActionColumn& column : columns) text += " " + column.value(action) + " |";
+    text += "\n";
+  }
+  return text + "\n" + meanings;
 }
 
 std::string attribution_tables(const DecisionAccount& a, std::size_t rows) {
@@ -292,7 +362,9 @@ std::string attribution_tables(const DecisionAccount& a, std::size_t rows) {
             part_cells(rest, largest) + "</tr>\n";
   text += "</table></div>\n<p>In all";
   const char* separator = ": ";
-  for (const explain::SubjectAccount& subject : explain::by_subject(a)) {
+  std::vector<explain::SubjectAccount> subjects = explain::by_subject(a);
+  std::ranges::stable_sort(subjects, std::ranges::greater{}, [](const explain::SubjectAccount& one) { return std::abs(one.part); });
+  for (const explain::SubjectAccount& subject : subjects) {
     text += separator + std::string(explain::to_string(subject.subject)) + " " + factor_to_string(subject.part);
     separator = ", ";
   }

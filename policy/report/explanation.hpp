@@ -14,7 +14,7 @@ namespace earshot::report {
 [[nodiscard]] std::vector<std::string> sentences(const explain::DecisionAccount& account);
 
 /// One of them: why this direction and not the next best. First what the policy made of both, and whether the difference is small; then
-/// where the source is believed to be, and what each promises.
+/// where the source is believed to be, what speaks for the direction, the strongest first, and what against it.
 [[nodiscard]] std::string why_this_direction(const explain::DecisionAccount& account);
 
 /// Another, of a trained policy: which of its observations weighed most.
@@ -34,9 +34,6 @@ inline constexpr const char* kPartsMean =
 /// "the parts add up to 1.2340 of 1.2344 after 64 steps, complete within 0.001"
 [[nodiscard]] std::string completeness_to_string(const explain::Attribution& attribution);
 
-/// "× 1.83", "× 20 000", "× 0.0021", "× 3.2·10⁻⁷": what a part of the log-probability does to the probability
-[[nodiscard]] std::string factor_to_string(double part);
-
 /// "9.5 dB", "under 5.0 dB", "9.5 dB from 047° ± 10°"
 [[nodiscard]] std::string to_string(const policy::Reception& reception);
 /// "047° ± 10°", and its mirror image where left and right cannot be told apart.
@@ -44,8 +41,10 @@ inline constexpr const char* kPartsMean =
 
 /// The last measurements of the source, newest first.
 [[nodiscard]] std::string measurements_table(std::span<const explain::RecordedDecision> measurements);
-/// Every action: how likely, and what it would be expected to bring.
+/// Every action: how likely, what the policy ranked it by, what it would be expected to bring, and what each column means.
 [[nodiscard]] std::string actions_table(const explain::DecisionAccount& account);
+/// The same as a table of Markdown.
+[[nodiscard]] std::string actions_markdown(const explain::DecisionAccount& account);
 /// What moved the choice: the weightiest elements as bars, sums by subject, completeness.
 [[nodiscard]] std::string attribution_tables(const explain::DecisionAccount& account, std::size_t rows);
 /// Every element of the observation.

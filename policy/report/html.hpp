@@ -18,7 +18,7 @@ using plot::escaped;
 [[nodiscard]] std::string fact(std::string_view name, const std::string& value, const std::string& meaning = "");
 
 /// A cell in percent whose background is a bar, as long as the cell where the share is one.
-/// @param name  of one of many columns, shown in the cell where a narrow screen has no room for the table's head; none: a wide column
+/// @param name  of its column, shown in the cell where a narrow screen has no room for the table's head
 [[nodiscard]] std::string percent_cell(std::string_view name, double share, bool is_taken);
 
 /// A cell with a bar from its middle to the right for what speaks for a choice, to the left for what speaks against it.

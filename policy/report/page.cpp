@@ -11,6 +11,7 @@
 #include "firmware/policy/action_draw.hpp"
 #include "policy/explain/wording.hpp"
 #include "policy/report/belief_pictures.hpp"
+#include "policy/report/conditions.hpp"
 #include "policy/report/explanation.hpp"
 #include "policy/report/html.hpp"
 #include "policy/report/plots.hpp"
@@ -42,10 +43,11 @@ std::string unfinished_step(const Flight& flight, std::size_t steps) {
   return "<p>The mission ended within the step of the last of " + std::to_string(decisions) + " decisions, which does not count.</p>\n";
 }
 
-constexpr const char* kSimulationNote =
-    "<p class=\"note\">This flight is a simulation. Ocean, noise and source are computed, and no vehicle was at sea. What decided is the "
-    "software that flies on the vehicle. It measured the SNR at its own place, and nothing more: it never saw where the source is, nor the "
-    "coloured field of the map.</p>\n";
+constexpr const char* kMeasuredAlone =
+    " It measured the SNR at its own place, and nothing more: it never saw where the source is, nor the coloured field of the map.";
+constexpr const char* kMeasuredInVain =
+    " Its policy goes by the vehicle's place and steps alone, and uses no measurement. It never saw where the source is, nor the coloured "
+    "field of the map.";
 
 constexpr const char* kOrdersOfASimulation =
     "The simulator gave the orders: START, COMPLETE once the vehicle was within a step length of the source, ABORT where the flight was "
@@ -59,7 +61,7 @@ search::SearchAccount account_of(const Flight& flight) {
 }
 
 /// The flight's summary counts a step that the source cut short as the others: one count, with a word about the last.
-std::string headline(const Flight& flight) {
+std::string headline(const Flight& flight, bool uses_measurements) {
   const nlohmann::json& s = flight.summary;
   if (flight.sea) return sea_headline(*flight.sea, flight.journal) + account_paragraph(flight.sea->account);
   if (s.is_null()) return "<h1 class=\"missed\">A flight without its end</h1>\n";
@@ -69,7 +71,8 @@ std::string headline(const Flight& flight) {
   std::string text = std::string("<h1 class=\"") + (verdict.is_found ? "found" : "missed") + "\">" + escaped(verdict.text) + "</h1>\n";
   if (const std::string end = search::end_to_string(account); !account.is_found && verdict.text.find(end) == std::string::npos)
     text += "<p>The mission ended after " + host::counted(static_cast<std::uint64_t>(steps), "step") + ": " + escaped(end) + ".</p>\n";
-  text += kSimulationNote + unfinished_step(flight, static_cast<std::size_t>(steps));
+  text += "<p class=\"note\">" + std::string(kSimulationNote) + (uses_measurements ? kMeasuredAlone : kMeasuredInVain) + "</p>\n" +
+          unfinished_step(flight, static_cast<std::size_t>(steps));
   if (s.value("whole_steps", steps) < steps) text += "<p>The last step was cut short by the source.</p>\n";
   return text + account_paragraph(account) + "<p>Seed " + std::to_string(s.at("seed").get<std::uint64_t>()) + " &middot; mission " +
          escaped(s.at("mission").get<std::string>()) + " &middot; ocean " + escaped(s.at("environment").get<std::string>()) + "</p>\n";
@@ -85,17 +88,10 @@ std::string shortcomings(const Flight& flight) {
   return text;
 }
 
-/// What was searched for, where, how and when; a summary of an earlier version knows less.
-std::string conditions(const nlohmann::json& s) {
-  const NorthEast size = place_in(s.at("area").at("north_east")) - place_in(s.at("area").at("south_west"));
-  std::string text;
-  if (s.contains("source_frequency_hz")) text += fact("frequency of the source", fixed(s.at("source_frequency_hz"), 1) + " Hz");
-  if (s.contains("depth_m")) text += fact("depth of the vehicle", fixed(s.at("depth_m"), 0) + " m");
-  if (s.contains("speed_mps")) text += fact("speed of the vehicle", fixed(s.at("speed_mps"), 1) + " m/s");
-  text += fact("area", fixed(size.north.value / 1e3, 1) + " km \u00D7 " + fixed(size.east.value / 1e3, 1) + " km",
-               search::place_of_area(s, "\u00B0"));
-  if (s.contains("flown_utc")) text += fact("simulated on", escaped(s.at("flown_utc").get<std::string>()) + " UTC");
-  return text;
+/// A policy without a belief has no rule that could declare anything.
+std::string declared_fact(const search::SearchAccount& account) {
+  if (!account.believes && !account.declared_step) return "";
+  return fact("declared", account.declared_step ? "at step " + std::to_string(*account.declared_step) : "no", search::kDeclaredMeans);
 }
 
 std::string facts(const Flight& flight) {
@@ -105,11 +101,10 @@ std::string facts(const Flight& flight) {
   const search::SearchAccount account = account_of(flight);
   const double sim = s.at("sim_time_s");
   const double wall = s.at("wall_time_s");
-  return "<dl>\n" + conditions(s) + "</dl>\n<dl>\n" + fact("reward", fixed(s.at("reward"), 1), search::kRewardMeans) +
+  return cards_of(conditions_in(s)) + "<dl>\n" + fact("reward", fixed(s.at("reward"), 1), search::kRewardMeans) +
          fact("detections", std::to_string(s.at("detections").get<int>()), search::detection_means(s.at("detection_threshold_db"))) +
          fact("found", search::verdict_on(account).is_found ? "yes" : "no", search::found_means(account.step_length_m)) +
-         fact("declared", account.declared_step ? "at step " + std::to_string(*account.declared_step) : "no", search::kDeclaredMeans) +
-         fact("distance", fixed(s.at("distance_m").get<double>() / 1e3, 1) + " km") +
+         declared_fact(account) + fact("distance", fixed(s.at("distance_m").get<double>() / 1e3, 1) + " km") +
          (s.contains("battery_percent") ? fact("battery left", fixed(s.at("battery_percent"), 1) + " %") : "") +
          fact("time at sea", host::duration(sim),
               "in simulated time; computed in " + fixed(wall, 2) + " s, " + (wall > 0 ? fixed(sim / wall, 0) : "-") + " times real time") +
@@ -150,8 +145,11 @@ std::string reasons(const explain::DecisionAccount& account, const std::string& 
                      (account.decision.sweeping ? "sweep, going " : "why ") + account.actions[account.decision.action].name +
                      "</summary>\n<ul class=\"words\">\n";
   for (const std::string& sentence : sentences(account)) text += "<li>" + escaped(sentence) + "</li>\n";
-  return text + "</ul>\n<div class=\"chart cells\">" + chart + "</div>\n" + actions_table(account) + "<h3>What moved the choice</h3>\n<p>" +
-         kPartsMean + "</p>\n" + attribution_tables(account, kRowsOfAttribution) + "</details></td></tr>\n";
+  text += "</ul>\n<div class=\"chart cells\">" + chart + "</div>\n";
+  if (!account.decision.sweeping)  // the policy chose nothing there
+    text += actions_table(account) + "<h3>What moved the choice</h3>\n<p>" + kPartsMean + "</p>\n" +
+            attribution_tables(account, kRowsOfAttribution);
+  return text + "</details></td></tr>\n";
 }
 
 std::string decisions(const Flight& flight, const FlightExplanation& explanation) {
@@ -217,8 +215,9 @@ Pictures pictures_of(const Flight& flight) {
 
 FlightExplanation explain_flight(const std::filesystem::path& folder_or_journal) try {
   const RecordedFlight flight = open_recording(folder_or_journal, {});
-  FlightExplanation explanation{.accounts =
-                                    explain::accounts_of(flight.circumstances(explain::Baseline::kCentre), flight.journal.decisions)};
+  FlightExplanation explanation{
+      .uses_measurements = explain::uses_measurements(flight.policy->observation.spec),
+      .accounts = explain::accounts_of(flight.circumstances(explain::Baseline::kCentre), flight.journal.decisions)};
   std::vector<BeliefPicture> pictures;
   for (const explain::DecisionAccount& account : explanation.accounts)
     pictures.push_back(
@@ -230,7 +229,8 @@ FlightExplanation explain_flight(const std::filesystem::path& folder_or_journal)
 }
 
 std::string page(const Flight& flight, const Pictures& pictures, const FlightExplanation& explanation) {
-  std::string text = html_head("Earshot: one search") + headline(flight) + facts(flight) + shortcomings(flight);
+  std::string text =
+      html_head("Earshot: one search") + headline(flight, explanation.uses_measurements) + facts(flight) + shortcomings(flight);
   if (flight.sea)
     text += "<h2>What happened</h2>\n" + sea_events(*flight.sea);
   else if (!flight.events.empty())

@@ -10,6 +10,7 @@ namespace earshot::report {
 
 /// Why a flight's decisions were taken; one account and one chart for each of them, or none and the reason.
 struct FlightExplanation {
+  bool uses_measurements = true;  ///< false: the policy goes by place and steps alone
   std::vector<explain::DecisionAccount> accounts = {};
   std::vector<std::string> charts = {};  ///< SVG text
   std::string why_not = {};              ///< one line when there are no accounts

@@ -71,9 +71,10 @@ void check_against_policy(const RecordedFlight& flight) {
   }
 }
 
-void read_places(const fs::path& path, const nlohmann::json& summary, RecordedFlight& flight) try {
+void read_summary(const fs::path& path, const nlohmann::json& summary, RecordedFlight& flight) try {
   flight.south_west = place_in(summary.at("area").at("south_west"));
   flight.source = place_in(summary.at("source"));
+  flight.conditions = conditions_in(summary);
 } catch (const nlohmann::json::exception& e) {
   throw BadInput(path.string() + ": " + description::to_string(e));
 }
@@ -115,9 +116,12 @@ RecordedFlight open_recording(const fs::path& folder_or_journal, const Recording
     const fs::path tables = file_for(flight.journal_path, options.tables, "tables");
     flight.tables = host::tables_from(host::read_tables_bytes(tables), tables);
   }
-  if (files) read_places(folder_or_journal / "summary.json", files->summary, flight);
+  if (files) read_summary(folder_or_journal / "summary.json", files->summary, flight);
   if (!files) {
-    if (const std::optional<SeaFlight> sea = read_sea_flight(flight.journal_path)) flight.south_west = sea->area.south_west;
+    if (const std::optional<SeaFlight> sea = read_sea_flight(flight.journal_path)) {
+      flight.south_west = sea->area.south_west;
+      flight.conditions = conditions_of(*sea);
+    }
   }
   if (options.south_west) flight.south_west = *options.south_west;
   if (!has_belief) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "policy/explain/decision_account.hpp"
+#include "policy/report/conditions.hpp"
 #include "policy/report/flight_files.hpp"
 
 namespace earshot::report {
@@ -20,6 +21,7 @@ struct RecordedFlight {
   std::unique_ptr<policy::OceanTables> tables;  ///< by which it searched, or the observer would
   NorthEast south_west;                         ///< of the operating area, in the mission's plane
   std::optional<NorthEast> source;              ///< where a simulator put it
+  std::optional<Conditions> conditions;         ///< of the search; none: the journal has lost its mission
   std::optional<policy::BeliefModel> observer;  ///< for a policy that holds no belief: what one who knows the ocean would take for granted
 
   /// The policy's belief, or the observer's.

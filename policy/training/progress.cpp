@@ -4,12 +4,14 @@
 
 #include <cstdio>
 
+#include "firmware/host/text/numbers.hpp"
+
 namespace earshot::training {
 
 using namespace std::chrono_literals;
 
 TrainingProgress::TrainingProgress(std::size_t trainings, Voice voice)
-    : begun_(trainings), now_(trainings), silent_(voice == Voice::kSilent), terminal_(isatty(STDERR_FILENO) != 0) {}
+    : begun_(trainings), now_(trainings), is_shown_(voice == Voice::kSpeaks && isatty(STDERR_FILENO) != 0) {}
 
 void TrainingProgress::begin(std::size_t training, const At& at) {
   const std::scoped_lock guard(lock_);
@@ -19,13 +21,18 @@ void TrainingProgress::begin(std::size_t training, const At& at) {
 void TrainingProgress::update(std::size_t training, const At& at) {
   const std::scoped_lock guard(lock_);
   now_[training] = at;
-  if (terminal_ && Clock::now() - shown_ > 200ms) show();
+  if (Clock::now() - shown_ > 200ms) show();
 }
 
 void TrainingProgress::finish() {
   const std::scoped_lock guard(lock_);
   show();
-  if (terminal_) std::fputc('\n', stderr);
+  if (is_shown_) std::fputc('\n', stderr);
+}
+
+std::string TrainingProgress::line() {
+  const std::scoped_lock guard(lock_);
+  return text();
 }
 
 double TrainingProgress::seconds() const {
@@ -34,7 +41,12 @@ double TrainingProgress::seconds() const {
 
 void TrainingProgress::show() {
   shown_ = Clock::now();
-  if (silent_) return;
+  if (!is_shown_) return;
+  std::fprintf(stderr, "\r%s   ", text().c_str());
+  std::fflush(stderr);
+}
+
+std::string TrainingProgress::text() const {
   At all;
   double begun = 0.0;
   std::uint64_t taken = 0;
@@ -49,11 +61,9 @@ void TrainingProgress::show() {
     recent.push_back(now_[i].recent);
   }
   const double left = all.fraction > begun ? seconds() * (1.0 - all.fraction) / (all.fraction - begun) : 0.0;
-  std::fprintf(stderr, "%s%3.0f %%  %llu episodes  %llu steps  %.0f steps/s  last 50: %s  %.0f s left   %s", terminal_ ? "\r" : "",
-               100.0 * all.fraction, static_cast<unsigned long long>(all.episodes), static_cast<unsigned long long>(all.steps),
-               static_cast<double>(taken) / seconds(), to_string(LearningCurve::recent_of_all(recent)).c_str(), left,
-               terminal_ ? "" : "\n");
-  std::fflush(stderr);
+  return host::formatted("%3.0f %%  %llu episodes  %llu steps  %.0f steps/s  last 50: %s  %.0f s left", 100.0 * all.fraction,
+                         static_cast<unsigned long long>(all.episodes), static_cast<unsigned long long>(all.steps),
+                         static_cast<double>(taken) / seconds(), to_string(LearningCurve::recent_of_all(recent)).c_str(), left);
 }
 
 }  // namespace earshot::training

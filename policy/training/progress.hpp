@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include "policy/training/learning_curve.hpp"
@@ -10,7 +11,7 @@
 namespace earshot::training {
 
 /// A line on standard error: how far one training or several have come, at what rate, how well, and how long it will take. It is renewed
-/// on a terminal; elsewhere it is printed once, at the end.
+/// on a terminal; elsewhere nothing is printed.
 class TrainingProgress {
  public:
   enum class Voice : std::uint8_t { kSpeaks, kSilent };
@@ -27,17 +28,19 @@ class TrainingProgress {
   void update(std::size_t training, const At& at);
   /// Shows the last line for good.
   void finish();
+  /// What the line says by now.
+  [[nodiscard]] std::string line();
   [[nodiscard]] double seconds() const;
 
  private:
   using Clock = std::chrono::steady_clock;
   void show();
+  [[nodiscard]] std::string text() const;
 
   std::mutex lock_;
   std::vector<At> begun_;
   std::vector<At> now_;
-  bool silent_;
-  bool terminal_;
+  bool is_shown_;  ///< there is a terminal, and it may speak
   Clock::time_point start_ = Clock::now();
   Clock::time_point shown_ = start_;
 };

@@ -61,6 +61,10 @@ class Markdown(unittest.TestCase):
     def test_keeps_code_and_loses_the_marks_of_tests(self):
         self.assertEqual(for_the_site("<!-- test: long -->\n```sh\na\n- b\n```\n"), "```sh\na\n- b\n```\n")
 
+    def test_names_of_pages_that_are_made_with_the_site_become_links(self):
+        self.assertEqual(for_the_site("| *Run keys*<!-- page: run_keys.md --> |\n"), "| [Run keys](run_keys.md) |\n")
+        self.assertEqual(for_the_site("*slanted* words\n"), "*slanted* words\n")
+
     def test_links_lead_to_pages_and_what_they_lead_to_becomes_one(self):
         with tempfile.TemporaryDirectory() as folder:
             tree, out = Path(folder, "tree"), Path(folder, "out")

@@ -130,6 +130,13 @@ class Links(unittest.TestCase):
             with self.subTest(link=link):
                 self.assertEqual(self.problems("```sh\na\n```\nSee " + link + "\n"), ["sim/a.md:4: " + what])
 
+    def test_finds_a_page_that_only_the_built_site_has(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "toolchains/docs/site/reference").mkdir(parents=True)
+            name = "toolchains/docs/site/reference/index.md"
+            (Path(folder) / name).write_text("[a](run_keys.md)\n*b*<!-- page: run_keys.md -->\n")
+            self.assertEqual(links.problems_of(name, Path(folder)), [f"{name}:1: run_keys.md: there is no such file"])
+
     def test_finds_where_the_definition_of_a_link_leads_nowhere(self):
         self.assertEqual(self.problems("[a][b]\n\n[b]: none.md\n"), ["sim/a.md:3: none.md: there is no such file"])
 

@@ -149,9 +149,10 @@ void check_ports(const host::MissionFile& file, Warnings& warnings) {
   const bool is_deafness_reported = std::ranges::any_of(file.ports, [&file](const host::PortSettings& port) {
     return port.roles.has(host::Role::kSnr) || (file.hearing && port.roles.has(host::Role::kHydrophone));
   });
-  warn_if(
-      !is_deafness_reported && has_rule_about(file.mission, config::Condition::kHydrophoneDeaf), warnings,
-      "no port has the role \"snr\", and no hydrophone is listened to: nobody reports hydrophone_deaf, and the rule about it never acts");
+  warn_if(!is_deafness_reported && has_rule_about(file.mission, config::Condition::kHydrophoneDeaf), warnings,
+          "no port has the role \"snr\", and no hydrophone is listened to: nobody can report that the hydrophone is deaf, and the rule "
+          "about it "
+          "(hydrophone_deaf) never acts");
   for (const host::PortSettings& port : file.ports) {
     std::error_code error;
     const bool is_missing = port.kind == host::PortKind::kCan && !std::filesystem::exists("/sys/class/net/" + port.address, error);

@@ -41,8 +41,10 @@ std::size_t number_of(const config::Mission& mission, std::size_t own) {
   return safety::standing_rules(mission) + own + 1;
 }
 
-std::string key_of(Condition condition) {
-  return std::string(config::kConditionTraits.at(static_cast<std::size_t>(condition)).key);
+/// In words, with its key.
+std::string name_of(Condition condition) {
+  const config::ConditionTraits& traits = config::kConditionTraits.at(static_cast<std::size_t>(condition));
+  return std::string(traits.meaning) + " (" + std::string(traits.key) + ")";
 }
 
 /// Why a battery is at the rule's limit before all steps are taken; empty: it is not.
@@ -124,13 +126,13 @@ std::vector<std::string> rule_warnings(const config::Mission& mission) {
     const Rule& rule = mission.safety.rules[i];
     const std::string why = why_it_acts(mission, rule);
     if (!why.empty())
-      warnings.push_back("rule " + std::to_string(number_of(mission, i)) + ", " + host::to_string(rule) +
-                         ", acts in a search that goes as it is planned: " + why);
+      warnings.push_back("rule " + std::to_string(number_of(mission, i)) + " (" + host::sentence_of(rule) +
+                         ") acts in a search that goes as it is planned: " + why);
   }
   for (const Witness& witness : kWitnesses) {
     const std::string rules = rules_by(mission, witness);
     if (!rules.empty() && !is_watched(mission, witness.silence))
-      warnings.push_back("no rule watches " + key_of(witness.silence) + ": when nobody reports " + witness.name + " (any more), " + rules +
+      warnings.push_back("no rule watches " + name_of(witness.silence) + ": when nobody reports " + witness.name + " (any more), " + rules +
                          " must go by the last word, or by none");
   }
   return warnings;

@@ -74,8 +74,8 @@ std::string to_string(const config::Rule& rule) {
 }
 
 std::string sentence_of(const config::Rule& rule) {
-  std::string text = std::string(done_by(rule.response)) + " once " + clause_of(rule);
-  text += lasting(rule);
+  const std::string text =
+      std::string(done_by(rule.response)) + " once " + clause_of(rule) + lasting(rule) + " (" + std::string(traits_of(rule).key) + ")";
   const bool ends_the_mission = rule.response >= config::Response::kAbort;
   return rule.is_latched && !ends_the_mission ? text + ", and until the mission ends" : text;
 }

@@ -90,7 +90,7 @@ std::string panel(double left, double right, const std::string& title) {
 void draw_beside_snr(const std::filesystem::path& path, const MapOcean& ocean, const std::string& blocks, const std::string& right_panel,
                      const std::string& sentence, bool has_track) {
   constexpr std::size_t kCellsPerSide = 250;
-  const std::string heading = "What " + ocean.policy_name + " does";
+  const std::string heading = "What " + ocean.policy_name + " does: " + ocean.conditions;
   std::string text = blocks + block("snr", snr_rows(ocean.curve, ocean.heard_from, area_of(ocean), kCellsPerSide));
   if (ocean.source) text += block("source", km(*ocean.source) + "\n");
   text += "set multiplot title " + plot::quoted(heading) + " noenhanced font ',15'\nset label 1 " + plot::quoted(sentence) +

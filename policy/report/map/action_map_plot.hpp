@@ -15,10 +15,11 @@ namespace earshot::report {
 /// The left panel of a picture of what a policy does, and its heading. Places are relative to the area's south-west corner.
 struct MapOcean {
   const policy::FrozenPolicy& policy;
-  std::string policy_name;  ///< over both panels
+  std::string policy_name;  ///< over both panels, with the conditions
   const sonar::SnrCurve& curve;
   NorthEast heard_from;             ///< whence it sounds
   std::string words;                ///< whose ocean it is
+  std::string conditions;           ///< frequency and depths, in the heading
   std::optional<NorthEast> source;  ///< marked, where one knows it
 };
 

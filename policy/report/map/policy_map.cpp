@@ -32,14 +32,30 @@ const policy::OceanTable& expected_in(const policy::OceanTables& tables) {
   return *std::ranges::max_element(tables.tables, {}, &policy::OceanTable::prior);
 }
 
+/// What is heard at each range from the source, and for which frequency and depths that holds.
+struct Heard {
+  sonar::SnrCurve curve;
+  std::string conditions;
+};
+
+std::string meters(Meters depth) {
+  return host::significant(depth.value, 4);
+}
+
+/// "source of 20 Hz, 30 m deep; vehicle 300 m deep"
+std::string conditions_of(Hertz frequency, policy::DepthRange source, Meters vehicle) {
+  const std::string depths = source.least == source.most ? meters(source.least) : meters(source.least) + " to " + meters(source.most);
+  return "source of " + host::significant(frequency.value, 4) + " Hz, " + depths + " m deep; vehicle " + meters(vehicle) + " m deep";
+}
+
 /// In the likeliest ocean of its tables, where nobody says otherwise.
-sonar::SnrCurve curve_of(const policy::FrozenPolicy& policy, const PolicyMapOptions& options, const policy::OceanTables& tables) {
+Heard heard_by(const policy::FrozenPolicy& policy, const PolicyMapOptions& options, const policy::OceanTables& tables) {
   if (!options.world && !options.environment) {
     if (!policy::needs_belief(policy.observation.spec))
       throw BadInput("--environment: " + options.policy.string() + " searches by no ocean tables: name an environment file (TOML)");
     std::vector<float> snr_db(tables.range_count);
     for (std::size_t i = 0; i < snr_db.size(); ++i) snr_db[i] = expected_in(tables).snr_db(i);
-    return {tables.range_step, std::move(snr_db)};
+    return {{tables.range_step, std::move(snr_db)}, conditions_of(tables.frequency, tables.source_depth, tables.receiver_depth)};
   }
   const std::filesystem::path& file = options.world ? *options.world : *options.environment;
   const ocean::Environment environment = (options.world ? evaluate::load_world(file).scenario : search::load_scenario(file)).environment;
@@ -49,7 +65,8 @@ sonar::SnrCurve curve_of(const policy::FrozenPolicy& policy, const PolicyMapOpti
   const Meters depth{options.vehicle_depth_m};
   command_line::check_vehicle_depth(environment, file, depth);
   try {
-    return sonar::compute_snr_curve(environment, depth, length_of(policy.area_size));
+    return {sonar::compute_snr_curve(environment, depth, length_of(policy.area_size)),
+            conditions_of(environment.source.frequency, {environment.source.depth, environment.source.depth}, depth)};
   } catch (const std::invalid_argument& e) {
     throw BadInput(file.string() + ": " + e.what());
   }
@@ -61,13 +78,14 @@ std::string heard_in(const PolicyMapOptions& options) {
   return "what is heard in the likeliest ocean of the tables";
 }
 
-MapOcean ocean_of(const policy::FrozenPolicy& policy, const PolicyMapOptions& options, const sonar::SnrCurve& curve, NorthEast heard_from,
+MapOcean ocean_of(const policy::FrozenPolicy& policy, const PolicyMapOptions& options, const Heard& heard, NorthEast heard_from,
                   std::optional<NorthEast> source) {
   return {.policy = policy,
           .policy_name = options.policy.filename().string(),
-          .curve = curve,
+          .curve = heard.curve,
           .heard_from = heard_from,
           .words = heard_in(options),
+          .conditions = heard.conditions,
           .source = source};
 }
 
@@ -88,9 +106,9 @@ std::unique_ptr<policy::OceanTables> tables_of(const policy::FrozenPolicy& polic
 void draw_for_source(const policy::FrozenPolicy& policy, const PolicyMapOptions& options) {
   const NorthEast source = source_in(policy, *options.source);
   const std::unique_ptr<policy::OceanTables> tables = tables_of(policy, options);
-  const sonar::SnrCurve curve = curve_of(policy, options, *tables);
-  const auto reception_at = [&](NorthEast place) { return policy::Reception{.snr = curve.at(range_between(place, source))}; };
-  const MapOcean ocean = ocean_of(policy, options, curve, source, source);
+  const Heard heard = heard_by(policy, options, *tables);
+  const auto reception_at = [&](NorthEast place) { return policy::Reception{.snr = heard.curve.at(range_between(place, source))}; };
+  const MapOcean ocean = ocean_of(policy, options, heard, source, source);
   if (explain::sees_place_alone(policy)) {
     draw_arrows(options.output, ocean, explain::after_a_first_measurement(policy, *tables, options.arrows, reception_at), "where it goes");
   } else {
@@ -107,9 +125,9 @@ void draw_for_flight(const policy::FrozenPolicy& policy, const PolicyMapOptions&
   const explain::ActionMap map = explain::standing_elsewhere(
       policy, *flight.tables, options.arrows, *explain::remembered_at(policy.observation, *flight.tables, taken, flight.south_west));
   const explain::DecisionAccount account = explain::account_of(flight.circumstances(explain::Baseline::kCentre), taken);
-  const sonar::SnrCurve curve = curve_of(policy, options, *flight.tables);
+  const Heard heard = heard_by(policy, options, *flight.tables);
   const std::optional<NorthEast> source = flight.source ? std::optional(*flight.source - flight.south_west) : std::nullopt;
-  const MapOcean ocean = ocean_of(policy, options, curve, source.value_or(account.place.likeliest), source);
+  const MapOcean ocean = ocean_of(policy, options, heard, source.value_or(account.place.likeliest), source);
   draw_arrows(options.output, ocean, map, "where it would go with what it believes at step " + std::to_string(options.step),
               MapFlight{.belief = account, .track = taken});
 }

@@ -255,7 +255,7 @@ TEST_F(Programs, EvaluateSearchesForTheSourceThatAPolicyWasTrainedWith) {
   EXPECT_EQ(fixed["trained_by"], kFixedSource);
   EXPECT_EQ(fixed["warnings"], nlohmann::json::array());
   EXPECT_TRUE(support::tells(unwrapped(content(folder / "out")),
-                             {"source fixed", "10000 m north", "10000 m east", kFixedSource, "starts domain", kFixedSource}));
+                             {"source fixed", "10000 m north", "10000 m east", kFixedSource, "starts all over the area", kFixedSource}));
   EXPECT_EQ(content(folder / "err"), "");
   ASSERT_EQ(run("evaluate --policies shipped --episodes 1 --json changing.json"), 0) << content(folder / "err");
   EXPECT_EQ(nlohmann::json::parse(content(folder / "changing.json"))["source"], "changing");

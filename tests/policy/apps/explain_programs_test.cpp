@@ -84,7 +84,8 @@ TEST_F(ExplainPrograms, ExplainDrawsMapsForASourceAndAlongAFlight) {
       << content("err");
   ASSERT_EQ(run("explain map flight/journal.policy --flight flight --step 3 --arrows 6 -o belief.png"), 0) << content("err");
   EXPECT_EQ(content("own.png").substr(1, 3), "PNG");
-  EXPECT_NE(content("paper.svg").find("What journal.policy does"), std::string::npos);
+  // As munk_flat.toml and the default of --vehicle-depth-m have it.
+  EXPECT_NE(content("paper.svg").find("What journal.policy does: source of 20 Hz, 30 m deep; vehicle 300 m deep"), std::string::npos);
   EXPECT_NE(content("paper.svg").find(" of 9 starts"), std::string::npos) << "3 x 3 paths of a policy with a belief";
   EXPECT_NE(content("own.png"), content("belief.png"));
 }

@@ -11,6 +11,13 @@ TEST(State, HasOneNameBothWays) {
   EXPECT_EQ(state_named("Simple"), std::nullopt);
 }
 
+TEST(State, StatesInPlainWordsWhatIsObserved) {
+  EXPECT_EQ(what_is_observed(State::kSimple), "its place");
+  EXPECT_EQ(what_is_observed(State::kMemory), "the SNR of its last steps");
+  EXPECT_EQ(what_is_observed(State::kBelief), "its belief about the source");
+  EXPECT_EQ(what_is_observed(State::kPositionMemory), "its place and the SNR of its last steps");
+}
+
 TEST(State, ShowsThePositionTheRememberedStepsOrBoth) {
   const search::SearchSettings settings;
   const auto size = [&](State state) { return observation_of(state, 2, settings).spec.size(); };

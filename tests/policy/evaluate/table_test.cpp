@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <limits>
 #include <sstream>
 #include <utility>
@@ -21,6 +22,12 @@ std::vector<Flight> flights() {
     all[i].refinement_s = 10 * 40e-6;
   }
   return all;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
 }
 
 std::vector<std::string> cells_of(const std::string& line) {
@@ -78,11 +85,67 @@ TEST(Table, SaysHowOftenTheSourceWasDeclaredFoundWronglyOfThoseWhoDeclareIt) {
   EXPECT_EQ(value_of(csv, "declared_falsely_fraction"), "0.75");
   EXPECT_EQ(value_of(csv, "declared_far_off_fraction"), "0.25");
   EXPECT_EQ(value_of(csv, "missed_fraction"), "0.5") << "of the two that came near";
-  EXPECT_TRUE(support::has_line(as_text(rows), {"falsely", "75.0 %", "1.5 step lengths", "25.0 %"}));
-  EXPECT_TRUE(support::has_line(as_text(rows), {"nothing", "50.0 %", "within a step length"}));
+  // 3 of 4 declared falsely, 1 of 4 far off, 1 of the 2 that came near declared nothing there.
+  EXPECT_NE(as_text(rows).find("guess                  75.0         25.0      50.0\n"), std::string::npos) << as_text(rows);
   all[0].declarations->was_within = all[1].declarations->was_within = false;
   rows = {row_of("sea", "guess", all, {}, 1)};
-  EXPECT_NE(as_text(rows).find("   nothing in - % of those"), std::string::npos) << "none came near";
+  EXPECT_NE(as_text(rows).find("guess                  75.0         25.0         -\n"), std::string::npos) << "none came near";
+}
+
+TEST(Table, ListsThoseAloneThatDeclareTheSourceFoundAndSaysWhatItsWordsMean) {
+  std::vector<Flight> declaring = flights();
+  for (Flight& flight : declaring) flight.declarations = Declarations{.was_within = true};
+  const std::string text = as_text(std::vector<Row>{row_of("sea", "guess", flights(), {}, 1), row_of("sea", "sure", declaring, {}, 1)});
+  EXPECT_EQ(count(text, "\nguess "), 3U) << text;
+  EXPECT_EQ(count(text, "\nsure "), 4U) << text;
+  EXPECT_TRUE(support::has_line(text, {"falsely:", "further than one step length", "far off:", "1.5"}));
+  EXPECT_TRUE(support::has_line(text, {"missed:", "came within one step length"}));
+}
+
+/// The columns of a header of two lines, each with both of its lines: "left area %". Two columns are two blanks apart in both lines.
+void add_columns(std::string above, std::string below, std::vector<std::string>& names) {
+  const std::size_t width = std::max(above.size(), below.size()) + 2;
+  above.resize(width, ' ');
+  below.resize(width, ' ');
+  const auto is_blank = [&](std::size_t i) { return above[i] == ' ' && below[i] == ' '; };
+  const auto trimmed = [](const std::string& text) {
+    const std::size_t first = text.find_first_not_of(' ');
+    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
+  };
+  for (std::size_t begin = 0, i = 0; i + 1 < width; ++i) {
+    if (!is_blank(i) || !is_blank(i + 1)) continue;
+    const std::string name = trimmed(trimmed(above.substr(begin, i - begin)) + " " + trimmed(below.substr(begin, i - begin)));
+    if (!name.empty() && name != "policy") names.push_back(name);
+    begin = i + 1;
+  }
+}
+
+/// Of a table in text: every header begins with "policy".
+std::vector<std::string> columns_of_text(const std::string& text) {
+  std::vector<std::string> names;
+  std::istringstream stream(text);
+  for (std::string above, below; std::getline(stream, above);) {
+    if (above.starts_with("policy") && std::getline(stream, below)) add_columns(above, below, names);
+  }
+  return names;
+}
+
+/// Of the table below "What the columns mean": "| found % | ... |".
+std::vector<std::string> columns_of_readme() {
+  std::ifstream stream(std::string(EARSHOT_SOURCE_DIR) + "/policy/evaluate/README.md");
+  std::vector<std::string> names;
+  bool is_there = false;
+  for (std::string line; std::getline(stream, line);) {
+    if (line.starts_with("## ")) is_there = line == "## What the columns mean";
+    if (is_there && line.starts_with("| `")) names.push_back(line.substr(3, line.find('`', 3) - 3));
+  }
+  return names;
+}
+
+TEST(Table, HasTheColumnsThatTheReadmeExplains) {
+  std::vector<Flight> all = flights();
+  for (Flight& flight : all) flight.declarations = Declarations{};
+  EXPECT_EQ(columns_of_text(as_text(std::vector<Row>{row_of("sea", "guess", all, {}, 1)})), columns_of_readme());
 }
 
 TEST(Table, GivesTheShareOfSearchesMismatchedAndTheirMedianMeasurementOrNothingWhereNobodyJudgesIt) {
@@ -142,12 +205,6 @@ TEST(Table, LeadsWithFoundThenTimeThenReward) {
 TEST(Table, ShowsADashForATimeThatNeverComes) {
   const std::string text = as_text(std::vector<Row>{row_of("sea", "guess", flights(), {}, 1)});
   EXPECT_NE(text.find("guess               0.0    0.0 to  60.2       -      - to     -  13.89  13.89 to 13.89"), std::string::npos) << text;
-}
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
-  return found;
 }
 
 TEST(TablePlot, StandsItsPanelsOverOneAnotherWithOneLegendAndAMarkForEachPolicy) {

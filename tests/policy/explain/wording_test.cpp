@@ -18,6 +18,26 @@ Radians degrees(double value) {
   return Radians{value * std::numbers::pi / 180.0};
 }
 
+TEST(UsesMeasurements, IsTrueOfAnObservationWithAnSnrOrABeliefAndFalseOfPlaceAndSteps) {
+  policy::ObservationSpec spec;
+  for (const Feature feature : {Feature::kEast, Feature::kStepNorth, Feature::kToWestEdge}) (void)spec.push_back({.feature = feature});
+  EXPECT_FALSE(uses_measurements(spec));
+  for (const Feature feature : {Feature::kStepSnr, Feature::kLikeliestEast, Feature::kPreference}) {
+    policy::ObservationSpec measuring = spec;
+    (void)measuring.push_back({.feature = feature});
+    EXPECT_TRUE(uses_measurements(measuring)) << static_cast<int>(feature);
+  }
+}
+
+TEST(FactorToString, IsInDigitsAsFarAsTheyCanBeReadAndInPowersOfTenBeyond) {
+  EXPECT_EQ(factor_to_string(std::log(1.826)), "\u00D7 1.83");
+  EXPECT_EQ(factor_to_string(std::log(20'400.0)), "\u00D7 20\u202F000");
+  EXPECT_EQ(factor_to_string(std::log(170.0)), "\u00D7 170");
+  EXPECT_EQ(factor_to_string(std::log(0.00213)), "\u00D7 0.0021");
+  EXPECT_EQ(factor_to_string(std::log(7.4e7)), "\u00D7 7.4\u00B710\u2077");
+  EXPECT_EQ(factor_to_string(std::log(3.2e-12)), "\u00D7 3.2\u00B710\u207B\u00B9\u00B2");
+}
+
 TEST(DirectionName, IsThePointOfTheCompassWhereItIsOneAndDegreesWhereNot) {
   const auto names = [](std::size_t count) {
     std::string text;

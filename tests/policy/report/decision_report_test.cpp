@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -35,6 +36,29 @@ TEST_F(DecisionReportTest, SaysTheSameInEveryFormat) {
   }
 }
 
+TEST_F(DecisionReportTest, StatesThatItIsASimulationAndGivesFrequencyDepthPlaceAndDate) {
+  nlohmann::json summary = nlohmann::json::parse(std::ifstream(folder_ / "summary.json"));
+  summary["source_frequency_hz"] = 20.0;
+  summary["depth_m"] = 300.0;
+  summary["speed_mps"] = 1.5;
+  summary["flown_utc"] = "2026-11-30 12:00:00";
+  summary["origin"] = {{"latitude_deg", 38.5}, {"longitude_deg", -28.0}};
+  std::ofstream(folder_ / "summary.json") << summary;
+  const RecordedFlight flight = open_recording(folder_, {});
+  const DecisionReport report = make_decision_report(flight, 2, explain::Baseline::kCentre);
+  const std::string html = as_html(report);
+  EXPECT_TRUE(support::has_line(html, {"class=\"note\"", "This flight is a simulation", "no vehicle was at sea"}));
+  for (const char* value : {"20.0 Hz", "300 m", "1.5 m/s", "38.500\u00B0 N, 28.000\u00B0 W", "2026-11-30 12:00:00 UTC"})
+    EXPECT_EQ(count(html, value), 1U) << value;
+  const std::string markdown = as_markdown(report);
+  EXPECT_TRUE(support::has_line(markdown, {"This flight is a simulation"}));
+  EXPECT_TRUE(support::has_line(markdown, {"Frequency of the source 20.0 Hz", "300 m", "38.500\u00B0 N", "2026-11-30 12:00:00 UTC"}));
+  const auto conditions = nlohmann::json::parse(as_json(report))["conditions"];
+  EXPECT_EQ(conditions["simulated"], true);
+  EXPECT_EQ(conditions["source_frequency_hz"], 20.0);
+  EXPECT_EQ(conditions["depth_m"], 300.0);
+}
+
 TEST_F(DecisionReportTest, TellsAMeasurementTooFaintToMeasureFromAMeasuredOne) {
   const RecordedFlight flight = open_recording(folder_, {});
   const std::string first = as_html(make_decision_report(flight, 0, explain::Baseline::kCentre));
@@ -54,6 +78,8 @@ TEST_F(DecisionReportTest, SaysWhyTheVehicleSweptInPlaceOfWhatThePolicyWouldHave
   EXPECT_TRUE(support::has_line(html, {"fits no ocean", "9.2 bits"}));
   EXPECT_EQ(count(html, ": a sweep, going "), 2U) << "title and heading";
   EXPECT_EQ(count(html, "It chose "), 0U);
+  EXPECT_EQ(count(html, "What moved the choice"), 0U);
+  EXPECT_EQ(count(as_markdown(report), "| direction |"), 0U);
   EXPECT_EQ(nlohmann::json::parse(as_json(report))["sweeping"], true);
 }
 

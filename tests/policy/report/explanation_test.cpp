@@ -2,29 +2,20 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "tests/policy/report/occurrences.hpp"
+#include "tests/support/text/tells.hpp"
 
 namespace earshot::report {
 namespace {
 
-TEST(Explanation, WritesAFactorInDigitsAsFarAsTheyCanBeReadAndInPowersOfTenBeyond) {
-  EXPECT_EQ(factor_to_string(std::log(1.826)), "\u00D7 1.83");
-  EXPECT_EQ(factor_to_string(std::log(20'400.0)), "\u00D7 20\u202F000");
-  EXPECT_EQ(factor_to_string(std::log(170.0)), "\u00D7 170");
-  EXPECT_EQ(factor_to_string(std::log(0.00213)), "\u00D7 0.0021");
-  EXPECT_EQ(factor_to_string(std::log(7.4e7)), "\u00D7 7.4\u00B710\u2077");
-  EXPECT_EQ(factor_to_string(std::log(3.2e-12)), "\u00D7 3.2\u00B710\u207B\u00B9\u00B2");
-}
-
-/// At the area's south-west corner, the likeliest place 3.2 km NE of it.
+/// At the area's south-west corner, the likeliest place 3.2 km NE of it; steps of 1 km.
 explain::DecisionAccount account_of_three() {
+  constexpr NorthEast kEnd{Meters{600.0}, Meters{800.0}};
   explain::DecisionAccount account;
   account.place.likeliest = {Meters{2'263.0}, Meters{2'263.0}};
-  account.actions = {{.name = "E", .end = {}, .hear = {}, .detected = 0.75, .found_soon = 0.12, .approach = Meters{500.0}, .worth = 0.76},
-                     {.name = "NE", .end = {}, .hear = {}, .detected = 0.8, .found_soon = 0.41, .approach = Meters{900.0}, .worth = 1.0},
-                     {.name = "N", .end = {}, .hear = {}, .detected = 0.7, .found_soon = 0.1, .approach = Meters{400.0}, .worth = 0.5}};
+  account.actions = {{.name = "E", .end = kEnd, .hear = {}, .detected = 0.75, .found_soon = 0.12, .approach = Meters{500.0}, .worth = 0.76},
+                     {.name = "NE", .end = kEnd, .hear = {}, .detected = 0.8, .found_soon = 0.41, .approach = Meters{900.0}, .worth = 1.0},
+                     {.name = "N", .end = kEnd, .hear = {}, .detected = 0.7, .found_soon = 0.1, .approach = Meters{400.0}, .worth = 0.5}};
   account.decision.action = 1;
   return account;
 }
@@ -33,24 +24,56 @@ explain::DecisionAccount account_of_three() {
 constexpr const char* kRated =
     "Why NE and not E: the rest of the search is expected to cost least after NE; E costs 0.32 steps without a detection more. ";
 
-TEST(Explanation, GivesTheRatingFirstAndThenInPhysicalWordsWhyThisDirectionAndNotTheNextBest) {
-  EXPECT_EQ(
-      why_this_direction(account_of_three()),
-      std::string(kRated) + "The likeliest place is 3.2 km NE; NE promises to find the source within three steps with 41 %, E with 12 %.");
+/// Of a step of 1 km 0.4 km are 0.4; the probabilities differ by 0.29 and 0.05.
+TEST(Explanation, GivesTheRatingFirstAndThenInPhysicalWordsWhatSpeaksForTheDirectionTheStrongestFirst) {
+  EXPECT_EQ(why_this_direction(account_of_three()),
+            std::string(kRated) +
+                "The likeliest place is 3.2 km NE. For NE: it ends 0.90 km nearer (E 0.50 km nearer); it finds the source within three "
+                "steps with 41 % (E 12 %); it detects the source with 80 % (E 75 %).");
 }
 
-TEST(Explanation, ComparesApproachAndDetectionWhereBothFindTheSourceAlikeOrNotSoon) {
+TEST(Explanation, NamesWhatSpeaksAgainstTheDirectionLastTheStrongestFirstAndLeavesOutWhatIsAlike) {
   explain::DecisionAccount account = account_of_three();
-  account.actions[0].found_soon = 0.408;
-  EXPECT_EQ(why_this_direction(account),
-            std::string(kRated) +
-                "The likeliest place is 3.2 km NE; NE promises to find the source within three steps with 41 %, E as much; on average over "
-                "the belief NE comes 0.90 km nearer and detects it with 80 %, E 0.50 km and 75 %.");
-  for (explain::ActionAccount& action : account.actions) action.found_soon = 0.002;
-  EXPECT_EQ(why_this_direction(account),
-            std::string(kRated) +
-                "The likeliest place is 3.2 km NE; neither finds it within three steps; on average over the belief NE comes 0.90 km nearer "
-                "and detects it with 80 %, E 0.50 km and 75 %.");
+  account.actions[0].found_soon = 0.408;  // as it is printed the same as 41 %
+  account.actions[0].approach = Meters{1'000.0};
+  account.actions[1].approach = Meters{-110.0};
+  EXPECT_EQ(why_this_direction(account), std::string(kRated) +
+                                             "The likeliest place is 3.2 km NE. For NE: it detects the source with 80 % (E 75 %). Against "
+                                             "NE: it ends 0.11 km further off (E 1.00 km nearer).");
+  account.actions[0].found_soon = 0.5;
+  EXPECT_TRUE(why_this_direction(account).ends_with(
+      " Against NE: it ends 0.11 km further off (E 1.00 km nearer); it finds the source within three steps with 41 % (E 50 %)."))
+      << why_this_direction(account);
+}
+
+TEST(Explanation, SaysThatNothingInTheNextStepsSpeaksForADirectionThatIsCheapestAllTheSame) {
+  explain::DecisionAccount account = account_of_three();
+  account.actions[1].found_soon = account.actions[0].found_soon;
+  account.actions[1].approach = account.actions[0].approach;
+  account.actions[1].detected = 0.7;
+  EXPECT_EQ(why_this_direction(account), std::string(kRated) +
+                                             "The likeliest place is 3.2 km NE. Nothing in the next steps speaks for NE: the cost counts "
+                                             "all steps of the search that follow. Against NE: it detects the source with 70 % (E 75 %).");
+}
+
+TEST(Explanation, SaysThatBothDirectionsPromiseTheSame) {
+  explain::DecisionAccount account = account_of_three();
+  account.actions[0] = account.actions[1];
+  account.actions[0].name = "E";
+  account.actions[0].worth = 0.76;
+  EXPECT_EQ(why_this_direction(account), std::string(kRated) + "The likeliest place is 3.2 km NE. Both promise the same.");
+}
+
+TEST(Explanation, CallsWhatAPolicyDoesNotKnowAnObserversWords) {
+  explain::DecisionAccount account = account_of_three();
+  account.belief_is_the_policys = account.uses_measurements = false;
+  std::string text;
+  for (const std::string& sentence : sentences(account)) text += sentence + "\n";
+  EXPECT_TRUE(support::has_line(text, {"The SNR here was", "does not use it", "place and steps alone"}));
+  EXPECT_TRUE(support::has_line(text, {"Why NE", "To an observer who knows the ocean the likeliest place"}));
+  EXPECT_TRUE(support::has_line(text, {"an observer would expect an SNR"}));
+  EXPECT_EQ(count(text, "It measured"), 0U);
+  EXPECT_EQ(count(text, "it expects"), 0U);
 }
 
 TEST(Explanation, StatesThatTheDifferenceToTheNextBestIsSmall) {
@@ -82,12 +105,40 @@ TEST(Explanation, RatesTheDirectionsOfATrainedPolicyByItsProbabilities) {
       << why_this_direction(account);
 }
 
+TEST(Explanation, ShowsTheCostByWhichThePolicyRanksTheDirectionsAndExplainsItBelowTheTable) {
+  const std::string table = actions_table(account_of_three());
+  for (const char* cost : {"0.32", "0.00", "1.00"})  // 1 / 0.76 - 1, 1 / 1 - 1, 1 / 0.5 - 1
+    EXPECT_EQ(count(table, std::string("<td data-name=\"regret (steps)\">") + cost + "</td>"), 1U) << cost;
+  EXPECT_TRUE(support::has_line(table, {"<li><b>regret (steps)</b>", "rest of the search", "ranks the directions"}));
+  EXPECT_TRUE(support::has_line(actions_markdown(account_of_three()), {"| E |", "| 0.32 |"}));
+}
+
+TEST(Explanation, StatesThatATrainedPolicyRanksTheDirectionsByItsProbabilities) {
+  explain::DecisionAccount account = account_of_three();
+  for (explain::ActionAccount& action : account.actions) action.worth = std::nullopt;
+  EXPECT_EQ(count(actions_table(account), "regret (steps)"), 0U);
+  EXPECT_TRUE(support::has_line(actions_table(account), {"<li><b>chosen with (%)</b>", "ranks the directions by it"}));
+}
+
+TEST(Explanation, NamesEveryCellOfADirectionForANarrowScreenAndExplainsEveryColumn) {
+  const std::string table = actions_table(account_of_three());
+  for (const char* name : {"chosen with (%)", "regret (steps)", "expected SNR (dB)", "detects (%)", "finds (%)", "finds within 3 steps (%)",
+                           "nearer by (km)", "border"}) {
+    EXPECT_EQ(count(table, std::string("<td data-name=\"") + name + "\""), 3U) << name;
+    EXPECT_EQ(count(table, std::string("<th>") + name + "</th>"), 1U) << name;
+    EXPECT_EQ(count(table, std::string("<li><b>") + name + "</b>: "), 1U) << name;
+  }
+}
+
 TEST(Explanation, StatesWhetherThePolicyTakesItsLikeliestDirectionOrDrawsLots) {
   explain::DecisionAccount account = account_of_three();
   account.actions[1].probability = 0.51;
   account.actions[0].probability = 0.31;
   account.likeliest_action = 1;
   account.draw = policy::ActionDraw::kArgmax;
+  EXPECT_EQ(choice_sentence(account),
+            "It chose NE: this policy always takes the direction after which the search is expected to cost least.");
+  for (explain::ActionAccount& action : account.actions) action.worth = std::nullopt;
   EXPECT_EQ(choice_sentence(account), "It chose NE: this policy always takes the direction with the highest probability, here 51 %.");
   account.draw = policy::ActionDraw::kSampled;
   EXPECT_EQ(choice_sentence(account), "It chose NE, which had 51 %: this policy draws lots by its probabilities.");

@@ -31,6 +31,7 @@ TEST(Html, TurnsDecisionsIntoAListOfNamedCellsOnANarrowScreen) {
   EXPECT_NE(narrow.find("tr.step { display: grid;"), std::string::npos);
   EXPECT_NE(narrow.find("td[data-name]::before { content: attr(data-name);"), std::string::npos);
   EXPECT_NE(narrow.find("tr.why, tr.why > td { display: block;"), std::string::npos) << "sentences and charts as wide as the screen";
+  EXPECT_NE(narrow.find(".actions > thead { display: none; }"), std::string::npos) << "the cells of a direction name themselves, too";
   EXPECT_NE(html_head("a page").find("overflow-wrap: anywhere"), std::string::npos) << "a path has no space to break at";
 }
 

@@ -111,6 +111,7 @@ TEST_F(PageTest, StatesThatItIsASimulationAndThatTheColouredFieldIsTheTruthThatT
 TEST_F(PageTest, GivesFrequencyDepthSpeedPlaceAndDateAndWhatEachResultMeans) {
   Flight flight = read_flight(folder_);
   EXPECT_EQ(count(page(flight, {}, {}), "<dt>frequency of the source</dt>"), 0U) << "a summary of an earlier version";
+  flight.summary["surprise_bits"] = 1.0;
   flight.summary["source_frequency_hz"] = 20.0;
   flight.summary["depth_m"] = 300.0;
   flight.summary["speed_mps"] = 2.0;
@@ -125,6 +126,18 @@ TEST_F(PageTest, GivesFrequencyDepthSpeedPlaceAndDateAndWhatEachResultMeans) {
   for (const char* meaning : {"0 for each step that ends with a detection", "a step that ends with an SNR of 10 dB or more",
                               "the vehicle came within one step length of the source", "the vehicle's own rule reports"})
     EXPECT_EQ(count(text, std::string("<dd class=\"meaning\">") + meaning), 1U) << meaning;
+}
+
+TEST_F(PageTest, DoesNotSayOfAPolicyWithoutMeasurementsThatItMeasuredNorThatItCouldDeclare) {
+  const support::TemporaryFolder own;
+  const auto policy = explain::place_policy(1);
+  write_flight(own, *policy, explain::flown(*policy, 3, {}), {});
+  const std::string text = page(read_flight(own), {.map = "<svg>map</svg>", .history = ""}, explain_flight(own));
+  EXPECT_TRUE(support::has_line(text, {"This flight is a simulation.", "place and steps alone", "uses no measurement"}));
+  EXPECT_EQ(count(text, "It measured the SNR"), 0U);
+  EXPECT_EQ(count(text, "It measured an SNR"), 0U);
+  EXPECT_EQ(count(text, "<dt>declared</dt>"), 0U);
+  EXPECT_EQ(count(page(read_flight(folder_), {}, explain_flight(folder_)), "It measured the SNR at its own place"), 1U);
 }
 
 TEST_F(PageTest, StatesThatARowIsTheDecisionThatBeginsAStepAndThatTheLastStepsEndHasNone) {
@@ -154,6 +167,7 @@ TEST_F(PageTest, CallsASweepASweepAndNotAChoiceOfThePolicy) {
   EXPECT_EQ(count(text, "<details><summary>why "), 2U);
   EXPECT_EQ(count(text, "<details><summary>sweep, going "), 1U);
   EXPECT_EQ(count(text, "<td>sweep</td></tr>"), 1U);
+  EXPECT_EQ(count(text, "<h3>What moved the choice</h3>"), 2U) << "a sweep is no choice";
 }
 
 TEST_F(PageTest, SaysWhichRuleEndedASimulatedFlightWhatHappenedBeforeAndWhatIsLeftOfTheBattery) {

@@ -22,6 +22,8 @@ LONGEST_LISTING = 400_000  # bytes
 
 _FENCE = re.compile(r"^```.*?^```[ \t]*$", re.MULTILINE | re.DOTALL)
 _LINK = re.compile(r"(\]\()([^()\s]+)(?=[^()]*\))|((?:href|src)=\")([^\"]+)(?=\")")
+# Of a page that is made with the site the tree holds only the name and, in a comment, the place.
+_MADE = re.compile(r"\*([^*\n]+)\*<!-- page: (\S+) -->")
 _MARK = re.compile(r"^<!-- test: .* -->\n", re.MULTILINE)
 _LIST_ITEM = re.compile(r"(?:[-*]|\d+\.) ")
 
@@ -41,8 +43,11 @@ def page_of(name: str, is_folder: bool) -> str:
 
 
 def for_the_site(text: str) -> str:
-    """GitHub's Markdown as Python-Markdown reads it: a blank line before a list or a table, no marks for the tests."""
-    text = _MARK.sub("", text)
+    """GitHub's Markdown as Python-Markdown reads it: a blank line before a list or a table, no marks for the tests.
+
+    The name of a page that is made with the site becomes a link to it.
+    """
+    text = _MADE.sub(r"[\1](\2)", _MARK.sub("", text))
     lines: list[str] = []
     is_code = False
     for line in text.split("\n"):

@@ -110,7 +110,7 @@ TEST(Checklist, TellsFenceSafePointAndZonesAndWhatSurfaceWaitsFor) {
   EXPECT_TRUE(support::has_line(text, {"5 corners", "-2000 to 29600 m north", "-2000 to 27000 m east"})) << text;
   EXPECT_TRUE(support::has_line(text, {"2000 m north", "3000 m east"}));
   EXPECT_TRUE(support::has_line(text, {"no surface", "4 corners", "6000 to 19000 m north", "-1500 to 26500 m east"}));
-  const std::string surface = "surface once the height above the sea floor is below 15 m for 2 s";
+  const std::string surface = "surface once the height above the sea floor is below 15 m for 2 s (altitude_m)";
   EXPECT_TRUE(support::has_line(text, {surface, "zone of no_surface", "leaves"}));
   file.mission.safety.no_surface.clear();
   file.mission.safety.fence.reset();

@@ -42,43 +42,48 @@ TEST(RuleWarnings, AreNoneAboutTheMissionThatShips) {
 }
 
 TEST(RuleWarnings, NameARuleThatActsInEverySearch) {
-  const std::string acts = " then abort, acts in a search that goes as it is planned: ";
-  EXPECT_EQ(warning_of(Condition::kDepth, 100), "rule 16, depth_m above 100" + acts + "the search is at 300 m; leave 2 m");
+  const std::string acts = ") acts in a search that goes as it is planned: ";
+  EXPECT_EQ(warning_of(Condition::kDepth, 100),
+            "rule 16 (abort once the vehicle's depth is above 100 m (depth_m)" + acts + "the search is at 300 m; leave 2 m");
   EXPECT_NE(warning_of(Condition::kDepth, 301), "");
   EXPECT_EQ(warning_of(Condition::kDepth, 302), "");
-  EXPECT_EQ(warning_of(Condition::kSpeed, 1.5), "rule 16, speed_mps above 1.5" + acts + "the search is at 2 m/s");
+  EXPECT_EQ(warning_of(Condition::kSpeed, 1.5),
+            "rule 16 (abort once the speed through the water is above 1.5 m/s (speed_mps)" + acts + "the search is at 2 m/s");
   EXPECT_NE(warning_of(Condition::kSpeed, 2.0), "");
   EXPECT_EQ(warning_of(Condition::kSpeed, 2.5), "");
-  EXPECT_EQ(warning_of(Condition::kDistanceTravelled, 1000), "rule 16, distance_m above 1000" + acts + "all steps are 100000 m");
+  EXPECT_EQ(warning_of(Condition::kDistanceTravelled, 1000),
+            "rule 16 (abort once the distance travelled is above 1000 m (distance_m)" + acts + "all steps are 100000 m");
   EXPECT_EQ(warning_of(Condition::kDistanceTravelled, 100'000), "");
   EXPECT_EQ(warning_of(Condition::kSearchTime, 49'999),
-            "rule 16, search_time_s above 49999" + acts + "all steps take 50000 s in still water");
+            "rule 16 (abort once the time since the search began is above 49999 s (search_time_s)" + acts +
+                "all steps take 50000 s in still water");
   EXPECT_EQ(warning_of(Condition::kSearchTime, 50'000), "");
 }
 
 // 2 m/s round a circle of 25 m: 0.08 rad/s, 4.58 degrees a second; half of it, less 60 degrees, in 26.2 s.
 TEST(RuleWarnings, NameARuleThatTheVehiclesOwnTurnsAndDivesBreak) {
-  const std::string acts = " then abort, acts in a search that goes as it is planned: ";
-  EXPECT_TRUE(support::tells(warning_of(Condition::kTurnRate, 4.5),
-                             {"rule 16", "turn_rate_deg_per_s", "above 4.5", acts, "vehicle's", "tightest", "4.6 degrees"}));
+  const std::string acts = ") acts in a search that goes as it is planned: ";
+  EXPECT_TRUE(support::tells(warning_of(Condition::kTurnRate, 4.5), {"rule 16", "rate of turn", "above 4.5", "turn_rate_deg_per_s", acts,
+                                                                     "vehicle's", "tightest", "4.6 degrees"}));
   EXPECT_EQ(warning_of(Condition::kTurnRate, 4.6), "");
   EXPECT_TRUE(support::tells(warning_of(Condition::kHeadingIgnored, 60, Duration::seconds(26)),
-                             {"rule 16", "heading_ignored_deg", "above 60", "26 s", acts, "round", "vehicle", "up", "26 s"}));
+                             {"rule 16", "above 60", "26 s", "heading_ignored_deg", acts, "round", "vehicle", "up", "26 s"}));
   EXPECT_EQ(warning_of(Condition::kHeadingIgnored, 60, Duration::seconds(27)), "");
   // Straight down at 3 m/s: 285 m in 95 s.
   EXPECT_TRUE(support::tells(warning_of(Condition::kDepthIgnored, 15, Duration::seconds(94)),
-                             {"rule 16", "depth_ignored_m", "above 15", "94 s", acts, "surface", "300 m", "95 s", "at least"}));
+                             {"rule 16", "above 15", "94 s", "depth_ignored_m", acts, "surface", "300 m", "95 s", "at least"}));
   EXPECT_EQ(warning_of(Condition::kDepthIgnored, 15, Duration::seconds(95)), "");
 }
 
 // All steps: 60 %. Home from (25, 25) km to (2, 3) km: 31.83 km, against 0.4 m/s 39.79 km, 23.9 %.
 TEST(RuleWarnings, CountTheReserveThatARuleKeeps) {
-  const std::string acts = " then abort, acts in a search that goes as it is planned: all steps need 60 % of a battery";
+  const std::string acts = ") acts in a search that goes as it is planned: all steps need 60 % of a battery";
   EXPECT_TRUE(support::tells(warning_of(Condition::kBatteryAtHome, 95),
-                             {"rule 16", "battery_at_home_percent", "below 95", acts, "home 24 %", "95 %"}));
+                             {"rule 16", "below 95", "battery_at_home_percent", acts, "home 24 %", "95 %"}));
   EXPECT_NE(warning_of(Condition::kBatteryAtHome, 16.2), "");
   EXPECT_EQ(warning_of(Condition::kBatteryAtHome, 16.0), "");
-  EXPECT_EQ(warning_of(Condition::kBattery, 41), "rule 16, battery_percent below 41" + acts + ", and the rule keeps 41 %");
+  EXPECT_EQ(warning_of(Condition::kBattery, 41),
+            "rule 16 (abort once the battery's charge is below 41 % (battery_percent)" + acts + ", and the rule keeps 41 %");
   EXPECT_EQ(warning_of(Condition::kBattery, 40), "");
 }
 
@@ -87,8 +92,8 @@ TEST(RuleWarnings, NameTheRulesThatGoByTheWordOfWhomNobodyWatches) {
   const config::Rule altitude = rule(Condition::kAltitude, 15, Response::kSurface);
   const config::Rule disengaged = rule(Condition::kAutopilotDisengaged, 0, Response::kAbort);
   EXPECT_TRUE(support::lines_tell(rule_warnings(mission_with({leak, disengaged, altitude})),
-                                  {{"no", "vehicle_status_age_s", "nobody", "any", "15", "17", "none"},
-                                   {"no", "autopilot_age_s", "nobody", "any", "rule 16", "none"}}));
+                                  {{"no", "age of the newest vehicle status (vehicle_status_age_s)", "nobody", "any", "15", "17", "none"},
+                                   {"no", "age of the newest autopilot status (autopilot_age_s)", "nobody", "any", "rule 16", "none"}}));
   const config::Rule status_age = rule(Condition::kVehicleStatusAge, 60, Response::kWarn);
   const config::Rule autopilot_age = rule(Condition::kAutopilotAge, 10, Response::kWarn);
   EXPECT_EQ(rule_warnings(mission_with({leak, disengaged, altitude, status_age, autopilot_age})), Lines{});

@@ -26,18 +26,18 @@ class ActionMapPlot : public testing::Test {
 
 TEST_F(ActionMapPlot, NamesThePolicyAndSaysWhatAnArrowIsBesideSnrOnTheScaleOfEveryField) {
   const auto policy = explain::place_policy(1);
-  const MapOcean ocean{*policy, "fixed_source.policy", curve_, source_, "heard in a test", source_};
+  const MapOcean ocean{*policy, "fixed_source.policy", curve_, source_, "heard in a test", "source of 20 Hz", source_};
   draw_arrows(folder_ / "map.svg", ocean,
               explain::after_a_first_measurement(*policy, explain::falling_ocean(), 4, [](NorthEast) { return policy::Reception{}; }),
               "where it goes");
-  has({"<title>What fixed_source.policy does</title>", ">What fixed_source.policy does<", ">heard in a test<", ">where it goes<",
-       "Arrow: the mean of the directions, each weighted by its probability", ">-10<", "> 40<"});
+  has({"<title>What fixed_source.policy does: source of 20 Hz</title>", ">What fixed_source.policy does: source of 20 Hz<",
+       ">heard in a test<", ">where it goes<", "Arrow: the mean of the directions, each weighted by its probability", ">-10<", "> 40<"});
 }
 
 /// One picture of the policy's area, with the corner in the mission's plane at `south_west`: what has been flown there looks the same.
 TEST_F(ActionMapPlot, DrawsAFlightInTheAreasPlaneWhereverItsCornerIs) {
   const auto policy = explain::belief_policy(1);
-  const MapOcean ocean{*policy, "shipped.policy", curve_, source_, "heard in a test", source_};
+  const MapOcean ocean{*policy, "shipped.policy", curve_, source_, "heard in a test", "source of 20 Hz", source_};
   const auto arrows =
       explain::after_a_first_measurement(*policy, explain::falling_ocean(), 4, [](NorthEast) { return policy::Reception{}; });
   const auto drawn_at = [&](NorthEast south_west) {
@@ -61,10 +61,10 @@ TEST_F(ActionMapPlot, DrawsAFlightInTheAreasPlaneWhereverItsCornerIs) {
 
 TEST_F(ActionMapPlot, NamesThePolicyAndSaysHowManyPathsFindTheSource) {
   const auto policy = explain::belief_policy(1);
-  const MapOcean ocean{*policy, "shipped.policy", curve_, source_, "heard in a test", source_};
+  const MapOcean ocean{*policy, "shipped.policy", curve_, source_, "heard in a test", "source of 20 Hz", source_};
   const std::vector<FlownPath> paths{{{{Meters{0.0}, Meters{0.0}}, {Meters{700.0}, Meters{700.0}}}, FlownPath::End::kFound}};
   draw_paths(folder_ / "map.svg", ocean, paths);
-  has({">What shipped.policy does<", "searches without noise, the likeliest action at every step",
+  has({">What shipped.policy does: source of 20 Hz<", "searches without noise, the likeliest action at every step",
        "The source is found from 1 of 1 starts, after 1 to 1 steps (median 1). Dot: a start; cross: one from which it is not found."});
 }
 
