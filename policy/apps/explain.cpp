@@ -45,8 +45,8 @@ program::CommandLine& add_map(program::CommandLine& line, report::PolicyMapOptio
              "folder of a flight with this policy, instead of --source: its choice anywhere with what it believed at --step");
   map.option("--step", &o.step, "step of the flight").shows_default();
   map.option("--tables", &o.tables,
-             "ocean tables (.tables) by which a policy with a belief searches; those of a flight are beside its journal")
-      .shows_default()
+             "ocean tables (.tables) by which a policy with a belief searches; those of a flight are beside its journal; default: those that "
+             "ship for 20 Hz at a depth of 300 m")
       .names("a file");
   const program::Option environment =
       map.option("--environment", &o.environment, "environment file (TOML): the ocean, instead of the likeliest one of the tables");
@@ -127,10 +127,12 @@ int main(int argc, char** argv) {
       "map.png\n"
       "  earshot explain decision out --step 4 -o decision.html");
   report::PolicyMapOptions map_options;
-  map_options.tables = host::shipped("policy/tables/shipped/20hz_300m.tables");
   DecisionOptions decision_options;
   const program::CommandLine& map = add_map(line, map_options);
   add_decision(line, decision_options);
-  return command_line::run(line, argc, argv,
-                           [&] { map.is_chosen() ? report::draw_policy_map(map_options) : write_decision_report(decision_options); });
+  return command_line::run(line, argc, argv, [&] {
+    if (!map.is_chosen()) return write_decision_report(decision_options);
+    if (map_options.tables.empty()) map_options.tables = host::shipped("policy/tables/shipped/20hz_300m.tables");
+    report::draw_policy_map(map_options);
+  });
 }

@@ -1,6 +1,7 @@
 // earshot explain and earshot report as a person meets them.
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -23,6 +24,13 @@ class ExplainPrograms : public Programs {
   }
   [[nodiscard]] std::string content(const std::string& name) const { return support::read_text(folder / name); }
 };
+
+TEST_F(ExplainPrograms, HelpNeedsNothingThatShips) {
+  ::setenv("EARSHOT_DATA", (folder / "nothing").c_str(), 1);
+  for (const std::string words : {"explain --help", "explain map --help", "explain decision --help", "report --help"})
+    EXPECT_EQ(run(words), 0) << words << ": " << content("err");
+  ::unsetenv("EARSHOT_DATA");
+}
 
 TEST_F(ExplainPrograms, ExplainWritesAReportInEachFormatAndTheReportOfTheFlight) {
   ASSERT_EQ(run("explain decision flight --step 2 -o decision.html"), 0) << content("err");
