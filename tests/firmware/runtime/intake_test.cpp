@@ -92,7 +92,8 @@ TEST(Intake, CountsTheWayOfASearchOnly) {
 TEST(Intake, HearsTheBearingOfTheNewestMeasurementWhenItIsLessThanASecondOlder) {
   const auto bearing_dated = [](Duration before) {
     Taken taken;
-    taken.take(kArrived, messages::BearingMeasurement{.time = kArrived + Duration{-before.us}, .bearing = {.direction = Radians{1.5}, .deviation = Radians{0.1}}});
+    taken.take(kArrived, messages::BearingMeasurement{.time = kArrived + Duration{-before.us},
+                                                      .bearing = {.direction = Radians{1.5}, .deviation = Radians{0.1}}});
     taken.take_snr(kArrived);
     return taken.intake.reception({}, kArrived).bearing;
   };

@@ -41,12 +41,10 @@ TEST(Orders, AcknowledgeWhatBecameOfACommandToThePortItCameByAndOnce) {
   desk.take(numbered(Order::kPause, 5), CommandOutcome::kNotInThisState);
   const Acknowledgements first = desk.acknowledgements();
   ASSERT_EQ(first.size(), 1U);
-  EXPECT_EQ(first[0], (messages::CommandAcknowledgement{.time = kGiven,
-                                                        .port = kStation,
-                                                        .issuer = 7,
-                                                        .number = 5,
-                                                        .order = Order::kPause,
-                                                        .outcome = CommandOutcome::kNotInThisState}));
+  EXPECT_EQ(
+      first[0],
+      (messages::CommandAcknowledgement{
+          .time = kGiven, .port = kStation, .issuer = 7, .number = 5, .order = Order::kPause, .outcome = CommandOutcome::kNotInThisState}));
   EXPECT_EQ(desk.acknowledgements().size(), 0U);
 }
 

@@ -15,20 +15,20 @@ constexpr Time kBegan{1'000'000'000};
 
 /// The progress of the paper's mission, of a vehicle that hears something where it lies.
 struct Underway {
-  config::Mission mission = paper_mission();
+  config::Mission mission;
   Progress progress;
   Time now = kBegan;
   std::uint32_t orders = 0;
 
-  Underway() {
+  explicit Underway(const config::Mission& flown = paper_mission()) : mission(flown) {
     progress.arm(mission);
     hear_at(at(7000, 12000));
   }
 
   void hear_at(NorthEast position) {
     const Intake::Arrival arrival{.mission = mission, .state = progress.state(), .time = now, .port = 1};
-    progress.intake.take(
-        arrival, messages::Navigation{.time = now, .position = position, .depth = Meters{0}, .heading = Radians{0}, .speed = {}});
+    progress.intake.take(arrival,
+                         messages::Navigation{.time = now, .position = position, .depth = Meters{0}, .heading = Radians{0}, .speed = {}});
     progress.intake.take(arrival, messages::SnrMeasurement{.time = now, .snr = Decibels{3}});
   }
 
@@ -105,7 +105,8 @@ TEST(Progress, GoesOnWithNoLegThatWasInterrupted) {
 TEST(Progress, InterruptsTheLegOfAListenerThatIsToldToStart) {
   Underway underway;
   underway.begin(Order::kListen);
-  EXPECT_TRUE(underway.leg_goes_on());
+  EXPECT_EQ(underway.give(Order::kListen), CommandOutcome::kNotInThisState);
+  EXPECT_TRUE(underway.leg_goes_on()) << "nothing became of that order";
   EXPECT_EQ(underway.give(Order::kStart), CommandOutcome::kObeyed);
   EXPECT_FALSE(underway.leg_goes_on());
 }
@@ -118,6 +119,41 @@ TEST(Progress, HoldsWhilePausedAndWantsNothingOtherwise) {
   EXPECT_EQ(underway.progress.response(), config::Response::kHold);
   EXPECT_EQ(underway.give(Order::kResume), CommandOutcome::kObeyed);
   EXPECT_FALSE(underway.progress.response());
+}
+
+TEST(Progress, HoldsWhereItIsPausedAgainAndNotWhereItWasBefore) {
+  Underway underway;
+  underway.begin(Order::kStart);
+  underway.progress.intake.note_time(underway.now);
+  (void)underway.give(Order::kPause);
+  EXPECT_EQ(underway.progress.setpoint(underway.mission, underway.now)->waypoint, at(7000, 12000));
+  (void)underway.give(Order::kResume);
+  underway.progress.decide_anew();
+  underway.now = kBegan + Duration::seconds(300);
+  underway.hear_at(at(7500, 12000));
+  underway.progress.intake.note_time(underway.now);
+  (void)underway.give(Order::kPause);
+  EXPECT_EQ(underway.progress.setpoint(underway.mission, underway.now)->waypoint, at(7500, 12000));
+}
+
+TEST(Progress, WatchesWhatReleasesTheWeightWhenItIsOver) {
+  config::Mission mission = paper_mission();
+  ASSERT_EQ(mission.safety.rules.push_back({.condition = config::Condition::kLeak,
+                                            .limit = 0,
+                                            .persistence = {},
+                                            .response = config::Response::kRelease,
+                                            .is_latched = true}),
+            Status::kOk);
+  Underway underway(mission);
+  underway.begin(Order::kStart);
+  (void)underway.give(Order::kAbort);
+  underway.progress.intake.take({.mission = mission, .state = underway.progress.state(), .time = kBegan, .port = 1},
+                                messages::VehicleStatus{.time = kBegan, .has_leak = true});
+  safety::SafetyEvents events;
+  underway.progress.watch_for_release(mission, kBegan, events);
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_EQ(events[0].condition, config::Condition::kLeak);
+  EXPECT_EQ(underway.progress.response(), config::Response::kRelease);
 }
 
 TEST(Progress, EndsWithTheReasonOfTheRuleThatEndsIt) {
