@@ -12,6 +12,7 @@
 
 #include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/core/math.hpp"
+#include "firmware/core/overloads.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/journal/reading/record_source.hpp"
 #include "firmware/host/program/exit_status.hpp"
@@ -58,19 +59,20 @@ void note(const messages::Health& health, JournalFindings& found) {
 }
 
 void note(const journal::Record& record, const config::Mission& mission, Time began, JournalFindings& found) {
-  if (const auto* const health = std::get_if<messages::Health>(&record.content)) {
-    note(*health, found);
-  } else if (const auto* const trouble = std::get_if<messages::ControllerTrouble>(&record.content)) {
-    found.troubles.push_back(*trouble);
-  } else if (std::holds_alternative<messages::Decision>(record.content)) {
-    found.decisions.push_back(since(began, record.time));
-  } else if (const auto* const event = std::get_if<messages::SafetyEvent>(&record.content)) {
-    found.events.push_back(*event);
-    found.events.back().time = since(began, event->time);
-  } else if (const auto* const setpoint = std::get_if<messages::Setpoint>(&record.content)) {
-    ++found.setpoints;
-    judge(*setpoint, since(began, record.time), mission, found.beyond_limits);
-  }
+  std::visit(Overloads{[&](const messages::Health& health) { note(health, found); },
+                       [&](const messages::ControllerTrouble& trouble) { found.troubles.push_back(trouble); },
+                       [&](const messages::Decision& /*decision*/) { found.decisions.push_back(since(began, record.time)); },
+                       [&](const messages::SafetyEvent& event) {
+                         found.events.push_back(event);
+                         found.events.back().time = since(began, event.time);
+                       },
+                       [&](const messages::Setpoint& setpoint) {
+                         ++found.setpoints;
+                         judge(setpoint, since(began, record.time), mission, found.beyond_limits);
+                       },
+                       Unheeded<journal::Unreadable, journal::PolicyBytes, journal::TablesBytes, messages::MissionRecord, messages::Input,
+                                messages::CommandAcknowledgement, messages::ClosingRecord, messages::JournalResumed>{}},
+             record.content);
 }
 
 /// Until the first fault begins nothing may have fired.

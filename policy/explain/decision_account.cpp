@@ -14,8 +14,8 @@ namespace {
 std::vector<ActionAccount> actions_of(const Circumstances& c, const RecordedDecision& decision, const policy::OceanBelief& belief,
                                       const BelievedPlace& place) {
   const ExpectedSound sound(belief, c.tables);
-  std::vector<float> probabilities(decision.logits.size());
-  policy::softmax(decision.logits, probabilities);
+  std::vector<float> probabilities(decision.action_logits().size());
+  policy::softmax(decision.action_logits(), probabilities);
   std::vector<ActionAccount> actions;
   for (std::size_t a = 0; a < probabilities.size(); ++a) {
     const NorthEast end = decision.position + c.policy.step_length * c.policy.actions[a];
@@ -36,11 +36,11 @@ std::vector<ActionAccount> actions_of(const Circumstances& c, const RecordedDeci
 /// Of a policy without a network, whose choice rests on nothing else.
 void note_worths(const Circumstances& c, const RecordedDecision& decision, std::vector<ActionAccount>& actions) {
   if (policy::has_network(c.policy.network)) return;
-  for (std::size_t i = 0; i < decision.observation.size(); ++i) {
+  for (std::size_t i = 0; i < decision.observed().size(); ++i) {
     const policy::ObservationElement& element = c.policy.observation.spec[i];
     if (element.feature != policy::Feature::kPreference || element.age >= actions.size()) continue;
     actions[element.age].worth =
-        static_cast<double>(decision.observation[i]) / static_cast<double>(element.scale) + static_cast<double>(element.offset);
+        static_cast<double>(decision.observed()[i]) / static_cast<double>(element.scale) + static_cast<double>(element.offset);
   }
 }
 
@@ -68,14 +68,15 @@ void attribute(const Circumstances& c, DecisionAccount& account) {
   const NorthEast size = c.policy.area_size;
   const NorthEast place = c.baseline == Baseline::kHere ? decision.position - c.south_west : NorthEast{size.north / 2.0, size.east / 2.0};
   const std::vector<float> compared = uninformed_observation(c.policy.observation, c.tables, place, c.policy.detection_threshold);
-  const std::vector<double> observation(decision.observation.begin(), decision.observation.end());
+  const std::span<const float> seen = decision.observed();
+  const std::vector<double> observation(seen.begin(), seen.end());
   const std::vector<double> baseline(compared.begin(), compared.end());
   account.attribution = integrated_gradients(c.policy, {.observation = observation, .baseline = baseline}, decision.action);
   for (std::size_t i = 0; i < observation.size(); ++i) {
     const policy::ObservationElement& element = c.policy.observation.spec[i];
     account.observed.push_back({.subject = subject_of(element.feature),
                                 .name = name_of(element, c.policy.actions),
-                                .value = value_of(element, decision.observation[i]),
+                                .value = value_of(element, seen[i]),
                                 .baseline = value_of(element, compared[i]),
                                 .part = account.attribution.parts[i]});
   }
@@ -107,7 +108,7 @@ std::vector<DecisionAccount> accounts_of(const Circumstances& c, std::span<const
   belief->start(c.belief, c.tables);
   std::vector<DecisionAccount> accounts;
   for (const RecordedDecision& decision : decisions) {
-    belief->update(c.belief, c.tables, decision.position - c.south_west, decision.reception);
+    belief->update(c.belief, c.tables, decision.position - c.south_west, decision.reception());
     accounts.push_back(account_with(c, decision, *belief));
   }
   return accounts;
@@ -118,7 +119,7 @@ DecisionAccount account_of(const Circumstances& c, std::span<const RecordedDecis
   const auto belief = std::make_unique<policy::OceanBelief>();
   belief->start(c.belief, c.tables);
   for (const RecordedDecision& decision : decisions)
-    belief->update(c.belief, c.tables, decision.position - c.south_west, decision.reception);
+    belief->update(c.belief, c.tables, decision.position - c.south_west, decision.reception());
   return account_with(c, decisions.back(), *belief);
 }
 

@@ -1,31 +1,24 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <vector>
+#include <span>
 
-#include "firmware/core/geometry.hpp"
+#include "firmware/messages/decision.hpp"
 #include "firmware/policy/belief/reception.hpp"
 
 namespace earshot::explain {
 
-/// One decision as the vehicle wrote it down.
-struct RecordedDecision {
-  std::uint32_t step = 0;  ///< 0 for the first action
-  double time_s = 0.0;
-  NorthEast position;  ///< in the mission's plane
-  policy::Reception reception;
-  bool detected = false;
-  std::size_t action = 0;
-  bool overridden = false;  ///< the safety layer changed the way-point
-  bool sweeping = false;    ///< the action is a sweep's, not the policy's
-  float mismatch_bits = 0.0F;
-  bool was_mismatched = false;                            ///< then, or before in this search
-  std::optional<float> found_probability = std::nullopt;  ///< where the vehicle declared the source found
-  NorthEast waypoint;
-  std::vector<float> observation;
-  std::vector<float> logits;
+/// A decision as the vehicle wrote it down, and what the search before it adds.
+struct RecordedDecision : messages::Decision {
+  bool was_mismatched = false;  ///< then, or before in this search
+
+  [[nodiscard]] double time_s() const { return static_cast<double>(time.us) * 1e-6; }
+  [[nodiscard]] policy::Reception reception() const { return {.snr = snr, .too_faint = too_faint, .bearing = bearing}; }
+  /// The elements that the policy saw.
+  [[nodiscard]] std::span<const float> observed() const { return messages::counted(observation, observation_size); }
+  /// One for each of the policy's actions.
+  [[nodiscard]] std::span<const float> action_logits() const { return messages::counted(logits, action_count); }
+  /// 0 without a belief.
+  [[nodiscard]] float mismatch_bits() const { return belief ? belief->mismatch_bits : 0.0F; }
 };
 
 }  // namespace earshot::explain

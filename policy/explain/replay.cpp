@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <vector>
 
 namespace earshot::explain {
 
@@ -9,22 +10,22 @@ std::unique_ptr<policy::SearchMemory> remembered_at(const policy::ObservationMod
                                                     std::span<const RecordedDecision> decisions, NorthEast south_west) {
   assert(!decisions.empty());
   auto memory = std::make_unique<policy::SearchMemory>();
-  memory->start(model, tables, decisions.front().position - south_west, decisions.front().reception);
+  memory->start(model, tables, decisions.front().position - south_west, decisions.front().reception());
   for (const RecordedDecision& decision : decisions.subspan(1))
-    memory->remember(model, tables, decision.position - south_west, decision.reception);
+    memory->remember(model, tables, decision.position - south_west, decision.reception());
   return memory;
 }
 
 Contradiction contradiction(const policy::FrozenPolicy& policy, const RecordedDecision& decision, const policy::SearchMemory& memory) {
-  if (decision.observation.size() != policy.observation.spec.size() || decision.logits.size() != policy.actions.size() ||
+  if (decision.observed().size() != policy.observation.spec.size() || decision.action_logits().size() != policy.actions.size() ||
       decision.action >= policy.actions.size())
     return Contradiction::kSizes;
-  std::vector<float> again(decision.logits.size());
-  policy::find_logits(policy, decision.observation, again);
-  if (again != decision.logits) return Contradiction::kLogits;
-  again.resize(decision.observation.size());
+  std::vector<float> again(decision.action_logits().size());
+  policy::find_logits(policy, decision.observed(), again);
+  if (!std::ranges::equal(again, decision.action_logits())) return Contradiction::kLogits;
+  again.resize(decision.observed().size());
   policy::observe(memory, policy.observation, again);
-  return again == decision.observation ? Contradiction::kNone : Contradiction::kObservation;
+  return std::ranges::equal(again, decision.observed()) ? Contradiction::kNone : Contradiction::kObservation;
 }
 
 }  // namespace earshot::explain

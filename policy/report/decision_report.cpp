@@ -15,7 +15,7 @@ constexpr std::size_t kRows = 8;  ///< of the observation, shown in a report
 
 std::string subtitle(const DecisionReport& report) {
   const explain::RecordedDecision& d = report.account.decision;
-  return host::duration(d.time_s - report.measurements().front().time_s) + " after the first decision, " +
+  return host::duration(d.time_s() - report.measurements().front().time_s()) + " after the first decision, " +
          fixed(d.position.north.value / 1e3, 2) + " km north, " + fixed(d.position.east.value / 1e3, 2) + " km east. Journal " +
          report.flight.journal_path.string() + ", policy " + report.flight.policy_path.string() +
          ": replayed, and every decision up to the last comes out bit for bit.";
@@ -86,7 +86,7 @@ std::string as_markdown(const DecisionReport& report) {
   text += "\n| step | north (km) | east (km) | SNR |\n|---|---|---|---|\n";
   for (const explain::RecordedDecision& measurement : report.measurements())
     text += "| " + std::to_string(measurement.step) + " | " + fixed(measurement.position.north.value / 1e3, 2) + " | " +
-            fixed(measurement.position.east.value / 1e3, 2) + " | " + to_string(measurement.reception) +
+            fixed(measurement.position.east.value / 1e3, 2) + " | " + to_string(measurement.reception()) +
             (measurement.detected ? ", a detection" : "") + " |\n";
   return text;
 }

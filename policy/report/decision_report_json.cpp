@@ -31,13 +31,9 @@ ordered_json conditions(const std::optional<Conditions>& known) {
 }
 
 ordered_json measurement(const explain::RecordedDecision& d) {
-  ordered_json json{{"step", d.step},
-                    {"time_s", d.time_s},
-                    {"position", place(d.position)},
-                    {"snr_db", d.reception.snr.value},
-                    {"too_faint", d.reception.too_faint},
-                    {"detected", d.detected}};
-  if (const auto& bearing = d.reception.bearing) {
+  ordered_json json{{"step", d.step},        {"time_s", d.time_s()},     {"position", place(d.position)},
+                    {"snr_db", d.snr.value}, {"too_faint", d.too_faint}, {"detected", d.detected}};
+  if (const auto& bearing = d.bearing) {
     constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
     json["bearing"] = {{"direction_deg", bearing->direction.value * kDegreesPerRadian},
                        {"deviation_deg", bearing->deviation.value * kDegreesPerRadian}};
@@ -117,9 +113,9 @@ std::string as_json(const DecisionReport& report) {
                     {"likeliest", a.actions[a.likeliest_action].name},
                     {"waypoint", place(a.decision.waypoint)},
                     {"changed_by_safety_layer", a.decision.overridden},
-                    {"surprise_bits", a.decision.mismatch_bits},
+                    {"surprise_bits", a.decision.mismatch_bits()},
                     {"sweeping", a.decision.sweeping},
-                    {"found_probability", or_null(a.decision.found_probability)},
+                    {"found_probability", a.decision.found ? ordered_json(a.decision.found->probability) : ordered_json()},
                     {"summary", sentences(a)},
                     {"looks", measurements},
                     {"belief", belief(a)},

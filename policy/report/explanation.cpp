@@ -52,10 +52,10 @@ std::string likeliest_place(const DecisionAccount& a) {
 
 std::string measured_sentence(const DecisionAccount& a) {
   const std::string unused = a.uses_measurements ? "" : " This policy does not use it: it goes by the vehicle's place and steps alone.";
-  if (a.decision.reception.too_faint)
-    return "The signal was too faint to measure: the SNR is below " + fixed(a.decision.reception.snr.value, 1) + " dB." + unused;
+  if (a.decision.too_faint)
+    return "The signal was too faint to measure: the SNR is below " + fixed(a.decision.snr.value, 1) + " dB." + unused;
   const std::string threshold = fixed(a.detection_threshold.value, 0) + " dB";
-  return (a.uses_measurements ? "It measured an SNR of " : "The SNR here was ") + to_string(a.decision.reception) + ", " +
+  return (a.uses_measurements ? "It measured an SNR of " : "The SNR here was ") + to_string(a.decision.reception()) + ", " +
          (a.decision.detected ? "a detection (threshold " + threshold + ")." : "below the threshold of " + threshold + ": no detection.") +
          unused;
 }
@@ -69,7 +69,7 @@ std::string belief_sentence(const DecisionAccount& a) {
 }
 
 std::string declared_sentence(const DecisionAccount& a) {
-  return "It declared the source found: with " + percent(static_cast<double>(*a.decision.found_probability)) +
+  return "It declared the source found: with " + percent(static_cast<double>(a.decision.found->probability)) +
          " the source lies within a step of here.";
 }
 
@@ -78,7 +78,7 @@ std::string sweep_sentence(const DecisionAccount& a) {
       "It sweeps the whole area in parallel tracks, not by the policy, and went " + a.actions[a.decision.action].name + ": ";
   if (!a.decision.was_mismatched) return sweep + "it had detected nothing for long, where its tables predict detections.";
   return sweep + "the SNR that it measured fits no ocean of its tables (model-mismatch score " +
-         fixed(static_cast<double>(a.decision.mismatch_bits), 1) + " bits).";
+         fixed(static_cast<double>(a.decision.mismatch_bits()), 1) + " bits).";
 }
 
 std::string expectation_sentence(const DecisionAccount& a) {
@@ -262,7 +262,7 @@ std::string what_weighed_most(const DecisionAccount& a) {
 
 std::vector<std::string> sentences(const DecisionAccount& a) {
   std::vector<std::string> all{measured_sentence(a), belief_sentence(a)};
-  if (a.decision.found_probability) all.push_back(declared_sentence(a));
+  if (a.decision.found) all.push_back(declared_sentence(a));
   if (a.decision.sweeping) {
     all.push_back(sweep_sentence(a));
     return all;  // what the policy would have done, nobody did
@@ -300,9 +300,10 @@ std::string measurements_table(std::span<const explain::RecordedDecision> measur
   std::string text = "<div class=\"table\"><table>\n<tr><th>step</th><th>at</th><th>north (km)</th><th>east (km)</th><th>SNR</th></tr>\n";
   for (std::size_t i = measurements.size(); i > 0 && measurements.size() - i < kMeasurementsShown; --i) {
     const explain::RecordedDecision& measurement = measurements[i - 1];
-    text += "<tr><td>" + std::to_string(measurement.step) + "</td><td>" + host::duration(measurement.time_s - measurements.front().time_s) +
-            "</td><td>" + fixed(measurement.position.north.value / 1e3, 2) + "</td><td>" + fixed(measurement.position.east.value / 1e3, 2) +
-            "</td><td" + (measurement.detected ? " class=\"heard\"" : "") + ">" + to_string(measurement.reception) +
+    text += "<tr><td>" + std::to_string(measurement.step) + "</td><td>" +
+            host::duration(measurement.time_s() - measurements.front().time_s()) + "</td><td>" +
+            fixed(measurement.position.north.value / 1e3, 2) + "</td><td>" + fixed(measurement.position.east.value / 1e3, 2) + "</td><td" +
+            (measurement.detected ? " class=\"heard\"" : "") + ">" + to_string(measurement.reception()) +
             (measurement.detected ? " &#9679;" : "") + "</td></tr>\n";
   }
   return text + "</table></div>\n";

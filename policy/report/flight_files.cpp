@@ -118,26 +118,6 @@ std::vector<SnrRow> read_snr(const std::filesystem::path& path) {
   return rows;
 }
 
-std::vector<float> copied(std::span<const float> floats) {
-  return {floats.begin(), floats.end()};
-}
-
-explain::RecordedDecision decision_of(const messages::Decision& m) {
-  return {.step = m.step,
-          .time_s = static_cast<double>(m.time.us) * 1e-6,
-          .position = m.position,
-          .reception = {.snr = m.snr, .too_faint = m.too_faint, .bearing = m.bearing},
-          .detected = m.detected,
-          .action = m.action,
-          .overridden = m.overridden,
-          .sweeping = m.sweeping,
-          .mismatch_bits = m.belief ? m.belief->mismatch_bits : 0.0F,
-          .found_probability = m.found ? std::optional(m.found->probability) : std::nullopt,
-          .waypoint = m.waypoint,
-          .observation = copied(messages::counted(m.observation, m.observation_size)),
-          .logits = copied(messages::counted(m.logits, m.action_count))};
-}
-
 std::string bytes_to_string(const host::JournalDamage& damage) {
   return host::counted(damage.bytes, "byte") + " from byte " + std::to_string(damage.offset) + " on" +
          (damage.part.empty() ? "" : " of " + damage.part);
@@ -189,10 +169,10 @@ void note(const journal::Record& record, JournalledSearch& search) {
   if (const auto* const closing = std::get_if<messages::ClosingRecord>(&record.content)) search.closing = *closing;
   const auto* const decision = std::get_if<messages::Decision>(&record.content);
   if (decision == nullptr) return;
-  explain::RecordedDecision recorded = decision_of(*decision);
+  explain::RecordedDecision recorded{*decision};
   const bool was_before = recorded.step > 0 && !search.decisions.empty() && search.decisions.back().was_mismatched;
-  recorded.was_mismatched = was_before || recorded.mismatch_bits >= messages::kMismatchThreshold_bits;
-  search.decisions.push_back(std::move(recorded));
+  recorded.was_mismatched = was_before || recorded.mismatch_bits() >= messages::kMismatchThreshold_bits;
+  search.decisions.push_back(recorded);
 }
 
 }  // namespace

@@ -117,8 +117,8 @@ search::ActionTable directions_of(std::size_t count) {
 }
 
 std::vector<double> probabilities_of(const explain::RecordedDecision& d) {
-  std::vector<float> p(d.logits.size());
-  if (!p.empty()) policy::softmax(d.logits, p);
+  std::vector<float> p(d.action_logits().size());
+  if (!p.empty()) policy::softmax(d.action_logits(), p);
   return {p.begin(), p.end()};
 }
 
@@ -130,10 +130,9 @@ std::string cell(std::string_view name, const std::string& value, const char* of
 /// @param began_s  from when the page counts its times
 std::string row(const explain::RecordedDecision& d, double began_s, const std::vector<std::string>& directions) {
   std::string text =
-      "<tr class=\"step\">" + cell("step", std::to_string(d.step)) + cell("at", host::duration(d.time_s - began_s)) +
+      "<tr class=\"step\">" + cell("step", std::to_string(d.step)) + cell("at", host::duration(d.time_s() - began_s)) +
       cell("north (km)", fixed(d.position.north.value / 1e3, 2)) + cell("east (km)", fixed(d.position.east.value / 1e3, 2)) +
-      cell("SNR (dB)", (d.reception.too_faint ? "&lt; " : "") + fixed(d.reception.snr.value, 1) + (d.detected ? " &#9679;" : ""),
-           d.detected ? "heard" : "");
+      cell("SNR (dB)", (d.too_faint ? "&lt; " : "") + fixed(d.snr.value, 1) + (d.detected ? " &#9679;" : ""), d.detected ? "heard" : "");
   const std::vector<double> probabilities = probabilities_of(d);
   for (std::size_t a = 0; a < probabilities.size(); ++a) text += percent_cell(directions[a], probabilities[a], a == d.action);
   return text + "<td>" + (d.sweeping ? "sweep" : "") + (d.sweeping && d.overridden ? ", " : "") + (d.overridden ? "way-point moved" : "") +
@@ -165,7 +164,7 @@ std::string decisions(const Flight& flight, const FlightExplanation& explanation
       "<div class=\"table\"><table class=\"decisions\">\n<thead><tr><th>step</th><th>at</th><th>north (km)</th><th>east (km)</th><th>SNR "
       "(dB)</th>";
   std::vector<std::string> directions;
-  for (const UnitNorthEast& direction : directions_of(taken.front().logits.size()))
+  for (const UnitNorthEast& direction : directions_of(taken.front().action_logits().size()))
     text += "<th>" + directions.emplace_back(explain::direction_name(direction)) + "</th>";
   text += "<th>remark</th></tr></thead>\n<tbody>\n";
   for (std::size_t i = 0; i < taken.size(); ++i) {

@@ -53,8 +53,8 @@ void write_track(const fs::path& path, const Flight& flight) {
 void write_decisions(const fs::path& path, const Flight& flight) {
   std::ofstream out(path);
   for (const explain::RecordedDecision& d : flight.journal.decisions) {
-    out << d.position.east.value / 1e3 << ' ' << d.position.north.value / 1e3 << ' ' << (d.detected ? 1 : 0) << ' ' << d.time_s / 3600
-        << ' ' << d.reception.snr.value << '\n';
+    out << d.position.east.value / 1e3 << ' ' << d.position.north.value / 1e3 << ' ' << (d.detected ? 1 : 0) << ' ' << d.time_s() / 3600
+        << ' ' << d.snr.value << '\n';
   }
 }
 

@@ -47,8 +47,8 @@ fs::path file_for(const fs::path& journal, const std::optional<fs::path>& given,
   const std::string here = flight.journal_path.string() + ": step " + std::to_string(decision.step) + ": ";
   const std::string policy = flight.policy_path.string();
   if (why == explain::Contradiction::kSizes)
-    throw BadInput(here + "taken by another policy than " + policy + ": it saw " + std::to_string(decision.observation.size()) +
-                   " numbers and had " + std::to_string(decision.logits.size()) + " actions, this one sees " +
+    throw BadInput(here + "taken by another policy than " + policy + ": it saw " + std::to_string(decision.observed().size()) +
+                   " numbers and had " + std::to_string(decision.action_logits().size()) + " actions, this one sees " +
                    std::to_string(flight.policy->observation.spec.size()) + " and has " + std::to_string(flight.policy->actions.size()));
   if (why == explain::Contradiction::kLogits)
     throw BadInput(here + "taken by another policy than " + policy + ": the same observation gives other logits");
@@ -63,9 +63,9 @@ void check_against_policy(const RecordedFlight& flight) {
   for (const RecordedDecision& decision : flight.journal.decisions) {
     const NorthEast place = decision.position - flight.south_west;
     if (decision.step == 0)
-      memory->start(model, *flight.tables, place, decision.reception);
+      memory->start(model, *flight.tables, place, decision.reception());
     else
-      memory->remember(model, *flight.tables, place, decision.reception);
+      memory->remember(model, *flight.tables, place, decision.reception());
     const explain::Contradiction found = explain::contradiction(*flight.policy, decision, *memory);
     if (found != explain::Contradiction::kNone) refuse(flight, decision, found);
   }

@@ -18,17 +18,19 @@ using messages::MissionState;
 constexpr Duration kSecond = Duration::seconds(1);
 constexpr int kTurnsAfter = 60;
 
-/// The first members of a Runtime as they are laid out: what follows the search's memory is state again.
-struct FirstMembers {
-  bool configured;
-  config::Mission mission;
+/// The first members of a Runtime and of its SearchAgent as they are laid out: what follows the search's memory is state again.
+struct Agent {
   policy::FrozenPolicy policy;
   policy::OceanTables tables;
   policy::SearchMemory memory;
 };
-constexpr std::size_t kPolicy = offsetof(FirstMembers, policy);
-constexpr std::size_t kTables = offsetof(FirstMembers, tables);
-constexpr std::size_t kMemory = offsetof(FirstMembers, memory);
+struct FirstMembers {
+  config::Mission mission;
+  Agent agent;
+};
+constexpr std::size_t kPolicy = offsetof(FirstMembers, agent) + offsetof(Agent, policy);
+constexpr std::size_t kTables = offsetof(FirstMembers, agent) + offsetof(Agent, tables);
+constexpr std::size_t kMemory = offsetof(FirstMembers, agent) + offsetof(Agent, memory);
 constexpr std::size_t kState = sizeof(FirstMembers);
 static_assert(kState < sizeof(runtime::Runtime));
 

@@ -27,8 +27,8 @@ void write_decisions(const fs::path& path, const SeaFlight& flight, const std::v
                      double unit_s) {
   std::ofstream out(path);
   for (const explain::RecordedDecision& d : decisions)
-    out << km(d.position) << ' ' << (d.detected ? 1 : 0) << ' ' << (d.time_s - journal::seconds_of(flight.began)) / unit_s << ' '
-        << d.reception.snr.value << '\n';
+    out << km(d.position) << ' ' << (d.detected ? 1 : 0) << ' ' << (d.time_s() - journal::seconds_of(flight.began)) / unit_s << ' '
+        << d.snr.value << '\n';
 }
 
 /// The loudest of each group when there are more than the picture has points across: a call between two of them is not left out.

@@ -32,7 +32,7 @@ void write_measurements_file(const fs::path& path, const HeardSound& sound, Deci
 void write_decisions(const fs::path& path, const std::vector<explain::RecordedDecision>& decisions) {
   std::ofstream out(path);
   for (const explain::RecordedDecision& d : decisions)
-    out << d.time_s / kHour_s << ' ' << d.reception.snr.value << ' ' << (d.detected ? 1 : 0) << '\n';
+    out << d.time_s() / kHour_s << ' ' << d.snr.value << ' ' << (d.detected ? 1 : 0) << '\n';
 }
 
 void write_spectrogram(const fs::path& path, const SpectrogramTable& table) {

@@ -122,7 +122,10 @@ TEST(DecisionAccount, TellsWhatAHypothesisSays) {
   auto flat = std::make_unique<policy::OceanTables>(falling_ocean());
   flat->tables[0].snr_half_db.fill(policy::to_half_db(10.0));  // the same everywhere
   std::vector<RecordedDecision> taken = flown(*policy, 10, kCorner);
-  for (RecordedDecision& decision : taken) decision.reception = {.snr = Decibels{16.0}};
+  for (RecordedDecision& decision : taken) {
+    decision.snr = Decibels{16.0};
+    decision.too_faint = false;
+  }
   const DecisionAccount a =
       account_of({.policy = *policy, .belief = policy->observation.belief, .tables = *flat, .south_west = kCorner}, taken);
   // Ten times 16.0 dB where the ocean gives 10: 6 dB louder, and nothing else moves it by more than a decibel.

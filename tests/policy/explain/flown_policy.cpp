@@ -88,18 +88,21 @@ std::vector<RecordedDecision> flown(const policy::FrozenPolicy& policy, std::siz
   for (std::size_t i = 0; i < decisions; ++i) {
     RecordedDecision d;
     d.step = static_cast<std::uint32_t>(i);
-    d.time_s = 500.0 * static_cast<double>(i);
+    d.time = Time{} + Duration::seconds(500 * static_cast<std::int64_t>(i));
     d.position = south_west + place;
-    d.reception = hear(curve.at(range_between(place, source)));
-    d.reception.bearing = bearing;
-    d.detected = !d.reception.too_faint && d.reception.snr >= policy.detection_threshold;
-    i == 0 ? memory->start(policy.observation, falling_ocean(), d.position - south_west, d.reception)
-           : memory->remember(policy.observation, falling_ocean(), d.position - south_west, d.reception);
-    d.observation.resize(policy.observation.spec.size());
-    d.logits.resize(policy.actions.size());
-    policy::observe(*memory, policy.observation, d.observation);
-    policy::find_logits(policy, d.observation, d.logits);
-    d.action = static_cast<std::size_t>(std::ranges::max_element(d.logits) - d.logits.begin());
+    const policy::Reception reception = hear(curve.at(range_between(place, source)));
+    d.snr = reception.snr;
+    d.too_faint = reception.too_faint;
+    d.bearing = bearing;
+    d.detected = !d.too_faint && d.snr >= policy.detection_threshold;
+    i == 0 ? memory->start(policy.observation, falling_ocean(), d.position - south_west, d.reception())
+           : memory->remember(policy.observation, falling_ocean(), d.position - south_west, d.reception());
+    d.observation_size = static_cast<std::uint8_t>(policy.observation.spec.size());
+    d.action_count = static_cast<std::uint8_t>(policy.actions.size());
+    const std::span<float> logits = std::span(d.logits).first(d.action_count);
+    policy::observe(*memory, policy.observation, std::span(d.observation).first(d.observation_size));
+    policy::find_logits(policy, d.observed(), logits);
+    d.action = static_cast<std::uint8_t>(std::ranges::max_element(logits) - logits.begin());
     // Towards the middle, whatever it chose: a random policy would leave.
     place = place + NorthEast{Meters{400.0}, Meters{700.0}};
     d.waypoint = south_west + place;

@@ -34,7 +34,7 @@ TEST(Replay, KnowsThatThePastIsNotTheOneThatWasSeen) {
   const auto policy = belief_policy(1);
   std::vector<RecordedDecision> taken = flown(*policy, 4, kSouthWest);
   EXPECT_EQ(last_contradiction(*policy, taken, {}), Contradiction::kObservation) << "of another corner";
-  taken[1].reception.snr = taken[1].reception.snr + Decibels{1.0};
+  taken[1].snr = taken[1].snr + Decibels{1.0};
   EXPECT_EQ(last_contradiction(*policy, taken, kSouthWest), Contradiction::kObservation) << "of another look";
 }
 

@@ -71,7 +71,7 @@ TEST_F(DecisionReportTest, SaysWhyTheVehicleSweptInPlaceOfWhatThePolicyWouldHave
   const RecordedFlight flight = open_recording(folder_, {});
   DecisionReport report = make_decision_report(flight, 2, explain::Baseline::kCentre);
   report.account.decision.sweeping = true;
-  report.account.decision.mismatch_bits = 9.25F;
+  report.account.decision.belief.emplace().mismatch_bits = 9.25F;
   report.account.decision.was_mismatched = true;
   const std::string html = as_html(report);
   EXPECT_TRUE(support::has_line(html, {"sweeps", "not by the policy"}));
@@ -97,7 +97,7 @@ TEST_F(DecisionReportTest, SaysThatTheVehicleDeclaredTheSourceFound) {
   DecisionReport report = make_decision_report(flight, 2, explain::Baseline::kCentre);
   EXPECT_EQ(count(as_html(report), "found: with"), 0U);
   EXPECT_EQ(nlohmann::json::parse(as_json(report))["found_probability"], nullptr);
-  report.account.decision.found_probability = 0.93F;
+  report.account.decision.found.emplace().probability = 0.93F;
   EXPECT_TRUE(support::has_line(as_html(report), {"declared", "found", "93 %", "within a step"}));
 }
 

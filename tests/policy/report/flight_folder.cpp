@@ -1,6 +1,5 @@
 #include "tests/policy/report/flight_folder.hpp"
 
-#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -12,25 +11,6 @@
 #include "tests/support/signed_policy.hpp"
 
 namespace earshot::report {
-messages::Decision message_of(const explain::RecordedDecision& d) {
-  messages::Decision m;
-  m.time = Time{static_cast<std::int64_t>(d.time_s * 1e6)};
-  m.step = d.step;
-  m.position = d.position;
-  m.snr = d.reception.snr;
-  m.too_faint = d.reception.too_faint;
-  m.detected = d.detected;
-  m.bearing = d.reception.bearing;
-  m.action = static_cast<std::uint8_t>(d.action);
-  m.overridden = d.overridden;
-  m.waypoint = d.waypoint;
-  m.observation_size = static_cast<std::uint8_t>(d.observation.size());
-  m.action_count = static_cast<std::uint8_t>(d.logits.size());
-  std::ranges::copy(d.observation, m.observation.begin());
-  std::ranges::copy(d.logits, m.logits.begin());
-  return m;
-}
-
 namespace {
 
 nlohmann::json place(NorthEast p) {
@@ -60,9 +40,8 @@ nlohmann::json summary_of(const policy::FrozenPolicy& policy, std::size_t steps,
 void write_journal(const std::filesystem::path& path, const std::vector<explain::RecordedDecision>& decisions) {
   host::Journal journal(path, {.existing = host::ExistingJournal::kReplace});
   for (const explain::RecordedDecision& d : decisions) {
-    const wire::Encoded encoded(message_of(d));
-    if (journal.append(Time{static_cast<std::int64_t>(d.time_s * 1e6)}, wire::kDecisionChannel, encoded.bytes()) != Status::kOk)
-      std::abort();
+    const wire::Encoded encoded(static_cast<const messages::Decision&>(d));
+    if (journal.append(d.time, wire::kDecisionChannel, encoded.bytes()) != Status::kOk) std::abort();
   }
   journal.conclude({});
   if (journal.close() != Status::kOk) std::abort();
@@ -82,8 +61,8 @@ void write_flight(const std::filesystem::path& folder, const policy::FrozenPolic
   std::ofstream track(folder / "track.csv");
   track << "time_s,north_m,east_m,depth_m,heading_deg,speed_mps,snr_db,range_m,state,steps_taken\n";
   for (const explain::RecordedDecision& d : decisions)
-    track << d.time_s << ',' << d.position.north.value << ',' << d.position.east.value << ",300,0,2," << d.reception.snr.value
-          << ",9000,search," << d.step << '\n';
+    track << d.time_s() << ',' << d.position.north.value << ',' << d.position.east.value << ",300,0,2," << d.snr.value << ",9000,search,"
+          << d.step << '\n';
 }
 
 }  // namespace earshot::report

@@ -4,14 +4,10 @@
 #include <filesystem>
 #include <vector>
 
-#include "firmware/messages/decision.hpp"
 #include "firmware/policy/frozen_policy.hpp"
 #include "policy/explain/recorded_decision.hpp"
 
 namespace earshot::report {
-
-/// As earshotd sends it.
-[[nodiscard]] messages::Decision message_of(const explain::RecordedDecision& decision);
 
 /// Writes the decisions as earshotd journals them.
 void write_journal(const std::filesystem::path& path, const std::vector<explain::RecordedDecision>& decisions);

@@ -57,7 +57,7 @@ TEST_F(RecordedFlightTest, MakesABeliefThatTookBearingsAgainBitForBit) {
   write_flight(folder_ / "with", *policy_, explain::flown(*policy_, 5, kCorner, bearing), kCorner);
   const RecordedFlight flight = open_recording(folder_ / "with", {});  // which refuses what its belief does not give
   ASSERT_EQ(flight.journal.decisions.size(), 5U);
-  EXPECT_EQ(flight.journal.decisions[3].reception.bearing, bearing);
+  EXPECT_EQ(flight.journal.decisions[3].bearing, bearing);
   EXPECT_NE(flight.journal.decisions[3].observation, explain::flown(*policy_, 5, kCorner)[3].observation) << "it does not go by them";
 }
 
@@ -65,8 +65,7 @@ TEST_F(RecordedFlightTest, OpensTheFolderOfAFlightAtSeaByTheCornerOfItsMission) 
   fs::remove(folder_ / "summary.json");
   fs::remove(journal());
   SeaJournal sea(journal(), kCorner);
-  for (const explain::RecordedDecision& decision : explain::flown(*policy_, 5, kCorner))
-    sea.decision(decision.time_s, message_of(decision));
+  for (const explain::RecordedDecision& decision : explain::flown(*policy_, 5, kCorner)) sea.decision(decision.time_s(), decision);
   sea.end(messages::Ending::kStopped);
   const RecordedFlight flight = open_recording(folder_, {});
   EXPECT_EQ(flight.journal.decisions.size(), 5U);

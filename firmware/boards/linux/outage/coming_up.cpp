@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "firmware/core/math.hpp"
+#include "firmware/core/overloads.hpp"
 #include "firmware/safety/limits.hpp"
 
 namespace earshot::board {
@@ -56,25 +57,36 @@ ComingUp::ComingUp(const config::Mission& mission, const host::SafetyRecord& rec
 
 std::optional<CommandOutcome> ComingUp::take(const messages::Input& input) {
   CommandOutcome outcome = CommandOutcome::kObeyed;
-  if (const auto* fix = std::get_if<messages::Navigation>(&input.value); fix != nullptr && messages::is_usable(*fix)) {
-    fix_ = *fix;
-    fix_->time = input.arrival;
-    if (began_) depth_.take(*fix_);
-  }
-  const auto* status = std::get_if<messages::VehicleStatus>(&input.value);
-  if (status != nullptr) leak_.take(input.arrival, input.port, status->has_leak);
+  std::visit(Overloads{[&](const messages::Navigation& fix) { hear(input.arrival, fix); },
+                       [&](const messages::VehicleStatus& status) { hear(input, status); },
+                       [&](const messages::OperatorCommand& command) { outcome = answer(input.arrival, input.port, command); },
+                       [&](const messages::PortReport& report) { keep(report); },
+                       Unheeded<messages::SnrMeasurement, messages::AutopilotStatus, messages::HydrophoneStatus,
+                                messages::BearingMeasurement, messages::UnsentSetpoints>{}},
+             input.value);
+  return outcome;
+}
+
+void ComingUp::hear(Time arrival, const messages::Navigation& fix) {
+  if (!messages::is_usable(fix)) return;
+  fix_ = fix;
+  fix_->time = arrival;
+  if (began_) depth_.take(*fix_);
+}
+
+void ComingUp::hear(const messages::Input& input, const messages::VehicleStatus& status) {
+  leak_.take(input.arrival, input.port, status.has_leak);
   if (!leak_.stands()) leaks_since_.reset();
   if (leak_.stands() && !leaks_since_) leaks_since_ = input.arrival;
-  if (const auto* command = std::get_if<messages::OperatorCommand>(&input.value)) outcome = answer(input.arrival, input.port, *command);
-  const auto* report = std::get_if<messages::PortReport>(&input.value);
-  if (report == nullptr) return outcome;
-  const auto known = std::ranges::find(health_.ports, report->port, &messages::PortReport::port);
+}
+
+void ComingUp::keep(const messages::PortReport& report) {
+  const auto known = std::ranges::find(health_.ports, report.port, &messages::PortReport::port);
   if (known != health_.ports.end()) {
-    *known = *report;
+    *known = report;
   } else {
-    static_cast<void>(health_.ports.push_back(*report));
+    static_cast<void>(health_.ports.push_back(report));
   }
-  return outcome;
 }
 
 CommandOutcome ComingUp::answer(Time arrival, std::uint8_t port, const messages::OperatorCommand& command) {

@@ -39,6 +39,10 @@ class ComingUp final : public Core {
 
  private:
   [[nodiscard]] messages::Setpoint setpoint(Time now);
+  void hear(Time arrival, const messages::Navigation& fix);
+  void hear(const messages::Input& input, const messages::VehicleStatus& status);
+  /// In place of what the port reported before.
+  void keep(const messages::PortReport& report);
   messages::CommandOutcome answer(Time arrival, std::uint8_t port, const messages::OperatorCommand& command);
 
   config::Mission mission_;

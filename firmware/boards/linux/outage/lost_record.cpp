@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "firmware/boards/linux/outage/safety_log.hpp"
+#include "firmware/core/overloads.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/journal/reading/record_source.hpp"
@@ -21,15 +22,17 @@ struct Standing {
 void note(const journal::Record& record, Standing& standing) {
   standing.time = record.time;
   standing.is_ended = record.channel == wire::kJournalEndChannel;  // of another version of Earshot, too
-  if (const auto* const begun = std::get_if<messages::MissionRecord>(&record.content)) {
-    standing.mission = begun->mission;
-  } else if (const auto* const setpoint = std::get_if<messages::Setpoint>(&record.content)) {
-    standing.outputs.setpoint = *setpoint;
-  } else if (const auto* const health = std::get_if<messages::Health>(&record.content)) {
-    standing.outputs.health.state = health->state;
-    standing.outputs.health.end_reason = health->end_reason;
-    standing.outputs.health.is_paused = health->is_paused;
-  }
+  std::visit(Overloads{[&](const messages::MissionRecord& begun) { standing.mission = begun.mission; },
+                       [&](const messages::Setpoint& setpoint) { standing.outputs.setpoint = setpoint; },
+                       [&](const messages::Health& health) {
+                         standing.outputs.health.state = health.state;
+                         standing.outputs.health.end_reason = health.end_reason;
+                         standing.outputs.health.is_paused = health.is_paused;
+                       },
+                       Unheeded<journal::Unreadable, journal::PolicyBytes, journal::TablesBytes, messages::Input, messages::Decision,
+                                messages::SafetyEvent, messages::CommandAcknowledgement, messages::ClosingRecord, messages::JournalResumed,
+                                messages::ControllerTrouble>{}},
+             record.content);
 }
 
 }  // namespace
