@@ -48,10 +48,10 @@ inline constexpr std::size_t kMaxOceanTables = by_profile(96, 32, 3);
 inline constexpr std::size_t kMaxTableRanges = by_profile(512, 128, 2);
 /// Bytes of the name of such an ocean; full: `earshot tables` cuts it off.
 inline constexpr std::size_t kMaxTableName = 32;
-/// Blocks of eight hypotheses about ocean, level, fluctuation, pauses and motion that are held, each with a grid of 16 bits a cell and
+/// Blocks of eight retained hypotheses about ocean, level, fluctuation, pauses and motion, each with a grid of 16 bits a cell and
 /// hypothesis; full: the least likely gives way.
 inline constexpr std::size_t kBeliefBlocks = by_profile(3, 3, 2);
-/// Measurements by which hypotheses are weighed that are not held (18 h of one every 500 s); full: those that are held are all.
+/// Measurements by which hypotheses are weighed that are not retained (18 h of one every 500 s); full: the retained ones are all.
 inline constexpr std::size_t kMaxBeliefMeasurements = by_profile(128, 128, 1);
 /// Measurements of such others that are weighed in one go, between two decisions; full: the next go weighs on.
 inline constexpr std::size_t kMeasurementsInASlice = by_profile(50, 5);

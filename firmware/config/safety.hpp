@@ -27,9 +27,23 @@ enum class Response : std::uint8_t {
   kRelease = 6,    ///< likewise, and asks for the drop weight to be released
 };
 inline constexpr std::size_t kResponses = 7;
-/// The words for these in files, in the same order.
-inline constexpr std::array<std::string_view, kResponses> kResponseWords{"warn",    "steer_back", "hold",   "return",
-                                                                         "surface", "abort",      "release"};
+/// How a response is called, everywhere.
+struct ResponseTraits {
+  Response response{};
+  std::string_view key;   ///< in files, and in lines about a rule
+  std::string_view name;  ///< on CAN and in tables
+  std::string_view deed;  ///< for people: what is done, before "once"
+};
+/// In the order of Response; firmware/messages/dictionary/complete.cpp does not compile while one has no row.
+inline constexpr std::array<ResponseTraits, kResponses> kResponseTraits{{
+    {Response::kWarn, "warn", "warn", "warn"},
+    {Response::kSteerBack, "steer_back", "steer back", "steer back into the fence"},
+    {Response::kHold, "hold", "hold", "hold the place"},
+    {Response::kReturn, "return", "return", "return to the safe point"},
+    {Response::kSurface, "surface", "surface", "surface"},
+    {Response::kAbort, "abort", "abort", "abort"},
+    {Response::kRelease, "release", "release", "abort and ask for the drop weight to be released"},
+}};
 
 /// What a rule watches: one number each, of which too much (or too little) is a fault.
 enum class Condition : std::uint8_t {

@@ -11,6 +11,7 @@
 
 #include "firmware/host/file/printable.hpp"
 #include "firmware/messages/dictionary/health_words.hpp"
+#include "firmware/messages/dictionary/safety_words.hpp"
 #include "firmware/wire/n2k/identifier.hpp"
 #include "hil/bench/vehicle_bus.hpp"
 
@@ -42,7 +43,7 @@ json polygon_of(const config::Mission& mission) {
 
 json event_of(const messages::SafetyEvent& event) {
   return {{"time_s", seconds(event.time)}, {"rule", key_of(event.condition)},
-          {"begins", event.begins},        {"response", config::kResponseWords.at(static_cast<std::size_t>(event.response))},
+          {"begins", event.begins},        {"response", messages::key_of(event.response)},
           {"measure", event.measure},      {"limit", event.limit}};
 }
 

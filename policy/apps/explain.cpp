@@ -44,9 +44,10 @@ program::CommandLine& add_map(program::CommandLine& line, report::PolicyMapOptio
   map.option("--flight", &o.flight,
              "folder of a flight with this policy, instead of --source: its choice anywhere with what it believed at --step");
   map.option("--step", &o.step, "step of the flight").shows_default();
-  map.option("--tables", &o.tables,
-             "ocean tables (.tables) by which a policy with a belief searches; those of a flight are beside its journal; default: those that "
-             "ship for 20 Hz at a depth of 300 m")
+  map.option(
+         "--tables", &o.tables,
+         "ocean tables (.tables) by which a policy with a belief searches; those of a flight are beside its journal; default: those that "
+         "ship for 20 Hz at a depth of 300 m")
       .names("a file");
   const program::Option environment =
       map.option("--environment", &o.environment, "environment file (TOML): the ocean, instead of the likeliest one of the tables");

@@ -45,7 +45,8 @@ struct ExpectedHearing {
 /// By how much a step is expected to shorten the distance to the source, metres; negative when it leads away.
 [[nodiscard]] Meters expected_approach(const BelievedPlace& place, NorthEast from, NorthEast to);
 
-/// What is expected of a source at every range, over all hypotheses that a belief holds: each as likely as it now is, wherever the source.
+/// What is expected of a source at every range, over all hypotheses that a belief retains: each as likely as it now is, wherever the
+/// source.
 class ExpectedSound {
  public:
   ExpectedSound(const policy::OceanBelief& belief, const policy::OceanTables& tables);

@@ -124,7 +124,7 @@ TEST_F(SickDisk, GivenAFullDiskASearchThatASignalStopsEndsWithTheStatusOfTheLoss
   search(vehicle, "full");
   earshotd_->signal(SIGTERM);
   EXPECT_EQ(earshotd_->wait(std::chrono::seconds(60)), 3) << earshotd_->output();
-  EXPECT_TRUE(is_printed("ABORT, this program was stopped")) << earshotd_->output();
+  EXPECT_TRUE(is_printed("ABORT, its program was stopped")) << earshotd_->output();
   EXPECT_TRUE(is_printed(kNotWhole)) << earshotd_->output();
 }
 

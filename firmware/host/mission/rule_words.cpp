@@ -14,8 +14,8 @@ const ConditionTraits& traits_of(const config::Rule& rule) {
   return config::kConditionTraits.at(static_cast<std::size_t>(rule.condition));
 }
 
-std::string_view response_of(const config::Rule& rule) {
-  return config::kResponseWords.at(static_cast<std::size_t>(rule.response));
+const config::ResponseTraits& response_of(const config::Rule& rule) {
+  return config::kResponseTraits.at(static_cast<std::size_t>(rule.response));
 }
 
 std::string lasting(const config::Rule& rule) {
@@ -30,18 +30,6 @@ std::string_view unit_of(std::string_view key) {
     if (key.ends_with(end)) return unit;
   }
   return {};
-}
-
-/// What is done, before "once".
-std::string_view done_by(config::Response response) {
-  constexpr std::array<std::string_view, config::kResponses> kDone{"warn",
-                                                                   "steer back into the fence",
-                                                                   "hold the place",
-                                                                   "return to the safe point",
-                                                                   "surface",
-                                                                   "abort",
-                                                                   "abort and ask for the drop weight to be released"};
-  return kDone.at(static_cast<std::size_t>(response));
 }
 
 /// "the age of the newest fix is above 5 s"
@@ -70,12 +58,12 @@ std::string to_string(const config::Rule& rule) {
   std::string text(traits.key);
   if (traits.kind == ConditionTraits::Kind::kAbove) text += " above " + shortly(rule.limit);
   if (traits.kind == ConditionTraits::Kind::kBelow) text += " below " + shortly(rule.limit);
-  return text + lasting(rule) + " then " + std::string(response_of(rule));
+  return text + lasting(rule) + " then " + std::string(response_of(rule).key);
 }
 
 std::string sentence_of(const config::Rule& rule) {
   const std::string text =
-      std::string(done_by(rule.response)) + " once " + clause_of(rule) + lasting(rule) + " (" + std::string(traits_of(rule).key) + ")";
+      std::string(response_of(rule).deed) + " once " + clause_of(rule) + lasting(rule) + " (" + std::string(traits_of(rule).key) + ")";
   const bool ends_the_mission = rule.response >= config::Response::kAbort;
   return rule.is_latched && !ends_the_mission ? text + ", and until the mission ends" : text;
 }

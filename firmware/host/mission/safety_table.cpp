@@ -63,22 +63,21 @@ std::vector<TableReader> tables_if_any(TableReader& root, const char* key, std::
   return root.has(key) ? root.tables(key, most, counted) : std::vector<TableReader>();
 }
 
-std::vector<std::string> words_of_conditions() {
-  std::vector<std::string> words;
-  for (const ConditionTraits& traits : config::kConditionTraits) words.emplace_back(traits.key);
-  return words;
+std::vector<std::string> keys_of(const auto& traits_of_all) {
+  std::vector<std::string> keys;
+  for (const auto& traits : traits_of_all) keys.emplace_back(traits.key);
+  return keys;
 }
 
 Rule read_rule(TableReader table) {
   Rule rule;
-  rule.condition = static_cast<Condition>(table.choice("when", words_of_conditions()));
+  rule.condition = static_cast<Condition>(table.choice("when", keys_of(config::kConditionTraits)));
   const ConditionTraits& traits = config::kConditionTraits.at(static_cast<std::size_t>(rule.condition));
   const Range range = Range::between(traits.lowest, traits.highest);
   if (!table.is_noted("when") && traits.kind != ConditionTraits::Kind::kFlag)
     rule.limit = table.number(traits.kind == ConditionTraits::Kind::kAbove ? "above" : "below", range);
   rule.persistence = {std::llround(table.number_or("for_s", 0.0, Range::between(0.0, 86'400.0)) * 1e6)};
-  rule.response = static_cast<config::Response>(
-      table.choice("then", std::vector<std::string>(config::kResponseWords.begin(), config::kResponseWords.end())));
+  rule.response = static_cast<config::Response>(table.choice("then", keys_of(config::kResponseTraits)));
   rule.is_latched = table.boolean_or("latched", rule.response >= config::Response::kAbort);
   return rule;
 }

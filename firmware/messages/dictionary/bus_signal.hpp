@@ -38,6 +38,7 @@ struct Choice {
 struct NoChoices {
   constexpr NoChoices() = default;
   constexpr NoChoices(std::span<const Choice> /*choices*/) {}  // NOLINT(google-explicit-constructor): in a span's place
+  [[nodiscard]] static constexpr bool empty() { return true; }
 };
 using Choices = std::conditional_t<kHasWords, std::span<const Choice>, NoChoices>;
 

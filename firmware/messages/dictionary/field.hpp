@@ -46,8 +46,8 @@ struct FieldFormat {
   /// In the definition stand the names of its values, too (of an enum with words): as they are; behind the field's name; or behind it where
   /// another field of the message has a value of that name.
   enum class Values : std::uint8_t { kNone, kPlain, kPrefixed, kPrefixedIfTaken } values = Values::kNone;
-  n2k::Signal bus = {};           ///< its place in the message's own NMEA 2000 group; without a name: the bus does not carry it
-  BusWords bus_words = {};        ///< likewise, of bytes
+  n2k::Signal bus = {};     ///< its place in its own NMEA 2000 group (firmware/wire/n2k/table); without a name: no such group carries it
+  BusWords bus_words = {};  ///< likewise, of bytes
   bool is_later_on_bus = false;   ///< senders of before do not have it: what is not there stays as it is
   bool saturates_on_bus = false;  ///< what its place cannot hold is told as the nearest that it can, and a NaN as not available
 };

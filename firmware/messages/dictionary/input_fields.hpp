@@ -14,6 +14,8 @@ namespace earshot::messages {
 
 // What the runtime receives of the vehicle and its sea.
 
+inline constexpr n2k::Choice kLeakStates[]{{0, "dry"}, {1, "wet"}};
+
 template <>
 struct Described<Navigation> {
   static constexpr std::string_view kType = "nav_state_t";
@@ -37,9 +39,11 @@ struct Described<SnrMeasurement> {
   static constexpr LineList kFields{
       field<&SnrMeasurement::time>(
           "utime", {.meaning = "end of the interval it was measured over, microseconds, UTC by the wall clock", .key = "valid_time_s"}),
-      field<&SnrMeasurement::snr>("snr_db"),
+      field<&SnrMeasurement::snr>(
+          "snr_db", {.bus = on_bus::within(-600, 600, on_bus::number("SNR", 16, 18, on_bus::kSigned, on_bus::kHundredth, "dB"))}),
       field<&SnrMeasurement::too_faint>(
-          "too_faint", {.meaning = "not measured: the signal lies somewhere below snr_db, the least that could have been measured"}),
+          "too_faint", {.meaning = "not measured: the signal lies somewhere below snr_db, the least that could have been measured",
+                        .bus = on_bus::number("TooFaint", 34, 2)}),
   };
 };
 
@@ -72,10 +76,13 @@ struct Described<VehicleStatus> {
   static constexpr std::string_view kMeaning = "How the vehicle is. What it does not measure is NaN, or false.";
   static constexpr LineList kFields{
       field<&VehicleStatus::time>("utime", {.key = "valid_time_s"}),
-      field<&VehicleStatus::altitude>("altitude_m", {.meaning = "above the sea floor; NaN: no bottom is heard"}),
+      field<&VehicleStatus::altitude>("altitude_m",
+                                      {.meaning = "above the sea floor; NaN: no bottom is heard",
+                                       .bus = on_bus::number("Altitude", 24, 32, on_bus::kUnsigned, on_bus::kHundredth, "m")}),
       field<&VehicleStatus::battery_percent>("battery_percent", {.meaning = "charge that is left; NaN: not known"}),
-      field<&VehicleStatus::has_leak>("leak", {.meaning = "water in the hull"}),
-      field<&VehicleStatus::has_ground_fault>("ground_fault", {.meaning = "current between battery and hull"}),
+      field<&VehicleStatus::has_leak>("leak", {.meaning = "water in the hull", .bus = on_bus::choice("State", 24, 2, kLeakStates)}),
+      field<&VehicleStatus::has_ground_fault>("ground_fault",
+                                              {.meaning = "current between battery and hull", .bus = on_bus::number("GroundFault", 26, 2)}),
   };
 };
 
@@ -86,7 +93,8 @@ struct Described<AutopilotStatus> {
   static constexpr std::string_view kMeaning = "What the autopilot reports of itself.";
   static constexpr LineList kFields{
       field<&AutopilotStatus::time>("utime", {.key = "valid_time_s"}),
-      field<&AutopilotStatus::follows_setpoints>("follows_setpoints", {.meaning = "false: a person or another mission steers"}),
+      field<&AutopilotStatus::follows_setpoints>(
+          "follows_setpoints", {.meaning = "false: a person or another mission steers", .bus = on_bus::number("FollowsSetpoints", 16, 2)}),
   };
 };
 
@@ -97,7 +105,8 @@ struct Described<HydrophoneStatus> {
   static constexpr std::string_view kMeaning = "What a hydrophone reports of itself.";
   static constexpr LineList kFields{
       field<&HydrophoneStatus::time>("utime", {.key = "valid_time_s"}),
-      field<&HydrophoneStatus::is_deaf>("deaf", {.meaning = "its samples are still, clipped or below the noise of any sea"}),
+      field<&HydrophoneStatus::is_deaf>(
+          "deaf", {.meaning = "its samples are still, clipped or below the noise of any sea", .bus = on_bus::number("Deaf", 60, 2)}),
   };
 };
 

@@ -22,10 +22,14 @@ struct WordsOf<ControllerState> {
   static constexpr std::string_view kUnknown = "?";
   static constexpr auto kInRecords = &Word<ControllerState>::name;
   static constexpr auto kTable = std::to_array<Word<ControllerState>>({
-      {ControllerState::kErrorPassive, "error_passive", "error passive", "counts many errors (error-passive)"},
-      {ControllerState::kBusOff, "bus_off", "bus off", "has left the bus after too many errors (bus-off)"},
+      {ControllerState::kErrorPassive, "error_passive", "error passive", "the CAN controller counts many errors (error-passive)"},
+      {ControllerState::kBusOff, "bus_off", "bus off", "the CAN controller has left the bus after too many errors (bus-off)"},
   });
 };
+/// What is said when that is over.
+[[nodiscard]] constexpr std::string_view end_of(ControllerState trouble) {
+  return trouble == ControllerState::kBusOff ? "the CAN controller is back on the bus" : "the CAN controller counts few errors";
+}
 
 template <>
 struct Described<ClosingRecord> {

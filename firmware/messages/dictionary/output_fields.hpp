@@ -21,12 +21,16 @@ struct Described<Setpoint> {
   static constexpr LineList kFields{
       sent_time("utime"),
       field<&Setpoint::heading>("heading_rad", {.meaning = "clockwise from north"}),
-      field<&Setpoint::speed>("speed_mps"),
-      field<&Setpoint::depth>("depth_m", {.meaning = "positive down"}),
+      field<&Setpoint::speed>("speed_mps", {.bus = on_bus::number("CommandedSpeed", 16, 16, on_bus::kUnsigned, on_bus::kHundredth, "m/s")}),
+      field<&Setpoint::depth>(
+          "depth_m",
+          {.meaning = "positive down",
+           .bus = on_bus::within(0, 12'000, on_bus::number("CommandedDepth", 32, 24, on_bus::kUnsigned, on_bus::kHundredth, "m"))}),
       field<&Setpoint::waypoint, &NorthEast::north>("waypoint_north_m"),
       field<&Setpoint::waypoint, &NorthEast::east>("waypoint_east_m"),
       field<&Setpoint::release_weight>("release_weight",
-                                       {.meaning = "the mission was aborted by a rule that asks for the drop weight to be released"}),
+                                       {.meaning = "the mission was aborted by a rule that asks for the drop weight to be released",
+                                        .bus = on_bus::number("ReleaseWeight", 60, 4)}),
   };
 };
 

@@ -5,18 +5,18 @@
 
 namespace earshot::messages {
 
-// Keys of rules are a mission's: firmware/config/safety.hpp has them.
+// Rules are a mission's: firmware/config/safety.hpp has their words.
 
 template <>
 struct WordsOf<config::Response> {
   static constexpr std::string_view kUnknown = "?";
   static constexpr auto kInRecords = &Word<config::Response>::key;
   static constexpr auto kTable = [] {
-    constexpr std::array<std::string_view, config::kResponses> kNames{"warn",    "steer back", "hold",   "return",
-                                                                      "surface", "abort",      "release"};
     std::array<Word<config::Response>, config::kResponses> table{};
-    for (std::size_t i = 0; i < table.size(); ++i)
-      table[i] = {static_cast<config::Response>(i), config::kResponseWords[i], kNames[i], config::kResponseWords[i]};
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      const config::ResponseTraits& traits = config::kResponseTraits[i];
+      table[i] = {traits.response, traits.key, traits.name, traits.deed};
+    }
     return table;
   }();
 };

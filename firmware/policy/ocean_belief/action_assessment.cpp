@@ -52,7 +52,7 @@ EARSHOT_WIDE std::size_t ActionAssessment::tabulate(const Assumptions& assumed, 
   const std::size_t count = std::min(ranges + half, std::size_t{tables.range_count});  // what a cell at the last range lies at as well
   std::array<float, config::kMaxTableRanges> over_all{};
   std::array<float, config::kMaxTableRanges> detected;  // under one hypothesis, then under all
-  for (std::size_t i = 0; i < kHeldHypotheses; ++i) {
+  for (std::size_t i = 0; i < kRetainedHypotheses; ++i) {
     if (retained.share(i) < kLeastShare) continue;
     const Hypothesis& h = retained.hypothesis(i);
     const OceanTable& table = tables.tables[h.table];
@@ -74,8 +74,8 @@ EARSHOT_WIDE std::size_t ActionAssessment::tabulate(const Assumptions& assumed, 
 /// and forth between two of them: that looks cheap at every step where the way to the source is by way of the border.
 void ActionAssessment::find_regrets(const BeliefModel& model, const RetainedHypotheses& retained, const MeasurementHistory& history,
                                     NorthEast position) {
-  std::array<PossiblePlace, kHeldHypotheses> places;
-  for (std::size_t i = 0; i < kHeldHypotheses; ++i) {
+  std::array<PossiblePlace, kRetainedHypotheses> places;
+  for (std::size_t i = 0; i < kRetainedHypotheses; ++i) {
     const Drift current = current_of(retained.hypothesis(i));
     places[i] = {.vehicle = position - way_of(current, model, history.count()), .share = retained.share(i)};
   }

@@ -15,7 +15,7 @@ Decibels least_snr_near(const Assumptions& assumed, const RetainedHypotheses& re
   const OceanTables& tables = assumed.tables;
   const auto at = std::min(static_cast<std::size_t>(assumed.model.step_length / tables.range_step), tables.range_count - std::size_t{1});
   float sum_db = 0.0F;
-  for (std::size_t i = 0; i < kHeldHypotheses; ++i) {
+  for (std::size_t i = 0; i < kRetainedHypotheses; ++i) {
     const Hypothesis& h = retained.hypothesis(i);
     sum_db += retained.share(i) * (tables.tables[h.table].snr_db(at) + kLevelOffsets_db[h.level] - kFainter * kSpreads_db[h.spread]);
   }

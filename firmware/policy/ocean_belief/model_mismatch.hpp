@@ -32,7 +32,7 @@ inline constexpr float kSweepLevel_bits = 12.0F;
 /// How unlikely what was heard is under every hypothesis: by how much better it is explained by knowing nothing.
 ///
 ///   mismatch = log2 P0(heard) - log2 P(heard)
-///   P  = sum over the hypotheses h held:  2^-penalty(h) P(h but for its ocean and drift) P(heard | h)
+///   P  = sum over the retained hypotheses h:  2^-penalty(h) P(h but for its ocean and drift) P(heard | h)
 ///   P0 = mean over 9 levels m and 2 spreads s:  product over the measurements of  { 0.95 [0.98 N(SNR; m, s) + 0.02 / 80 dB] }^t, or of
 ///   0.05^t
 ///        where it was too faint, t what counts of a measurement in P as well (kTrust_256ths); no part of the mean falls under 1e-6 of all

@@ -13,8 +13,8 @@ namespace {
 
 /// log2 of the probability of all measurements, explanations with a prior penalty counting for less.
 int log_explained(const Assumptions& assumed, const RetainedHypotheses& retained) {
-  std::array<int, kHeldHypotheses> explanations;
-  for (std::size_t i = 0; i < kHeldHypotheses; ++i) {
+  std::array<int, kRetainedHypotheses> explanations;
+  for (std::size_t i = 0; i < kRetainedHypotheses; ++i) {
     const Hypothesis& h = retained.hypothesis(i);
     explanations[i] = retained.posterior(i) - log_prior_of_ocean(h, assumed.tables) - log_prior(h.drift) - prior_penalty(h);
   }

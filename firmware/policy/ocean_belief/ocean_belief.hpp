@@ -30,8 +30,8 @@ namespace earshot::policy {
 /// Probability of the source's place together with that of the hypotheses about ocean, level, fluctuation, pauses and motion, in fixed
 /// memory. It owns what all hypotheses together mean for the place, and the objects that do the rest, which it calls in their order.
 ///
-/// There are thousands of hypotheses, each with a grid of its own; only the likeliest are held. The others are drawn, a few between every
-/// two measurements, weighed by all that was heard since the start, and take the place of one that is less likely.
+/// There are thousands of hypotheses, each with a grid of its own; only the likeliest are retained. The others are drawn, a few between
+/// every two measurements, weighed by all that was heard since the start, and take the place of one that is less likely.
 class OceanBelief {
  public:
   /// Forgets everything: every place is as likely as any other.
@@ -57,19 +57,19 @@ class OceanBelief {
     return marginal_[north * model.cells_east + east];
   }
 
-  static constexpr std::size_t kHypotheses = kHeldHypotheses;
+  static constexpr std::size_t kHypotheses = kRetainedHypotheses;
   /// @param index  below kHypotheses
   [[nodiscard]] const Hypothesis& hypothesis(std::size_t index) const { return retained_.hypothesis(index); }
-  /// Probability of one of the hypotheses that are held; these add up to one.
+  /// Probability of one of the retained hypotheses; these add up to one.
   [[nodiscard]] float share(std::size_t index) const { return retained_.share(index); }
-  /// How unlikely what was heard is under every hypothesis that is held.
+  /// How unlikely what was heard is under every retained hypothesis.
   [[nodiscard]] const ModelMismatch& model_mismatch() const { return model_mismatch_; }
   /// How unlikely it is that nothing was detected for so long; what the last measurement says against the tables once it is refined.
   [[nodiscard]] const Silence& silence() const { return silence_; }
   /// Whether, after the last update(), the vehicle had better sweep the area: what it hears fits no hypothesis, or it has heard nothing for
   /// long, against the tables up to the measurement before.
   [[nodiscard]] bool calls_for_sweep() const { return calls_for_sweep_; }
-  /// Adds the probability of every cell together with that of one of the hypotheses that are held.
+  /// Adds the probability of every cell together with that of one of the retained hypotheses.
   /// @param joint  [north x east]
   void add_joint(const BeliefModel& model, std::size_t index, std::span<float> joint) const {
     retained_.add_joint(model, index, history_.count(), joint);

@@ -36,7 +36,7 @@ void Replacement::begin(const MeasurementHistory& history) {
   to_weigh_ = history.is_whole() ? kMeasurementsOfOthers : 0;
 }
 
-/// None of eight is weighed any longer than it can still be held.
+/// None of eight is weighed any longer than it can still be retained.
 void Replacement::weigh_slice(const Assumptions& assumed, const MeasurementHistory& history, const BearingSum& bearings,
                               MeasurementWeigher& weigher, RetainedHypotheses& retained) {
   const auto is_measured = [](const Measurement& measurement) { return !measurement.too_faint; };
@@ -44,7 +44,7 @@ void Replacement::weigh_slice(const Assumptions& assumed, const MeasurementHisto
   for (std::size_t slice = config::kMeasurementsInASlice; slice > 0 && to_weigh_ > 0;) {
     if (!has_candidates_) draw(assumed, history, bearings, retained);
     const bool drift = are_drifting();
-    const int least = retained.least_to_be_held(drift);
+    const int least = retained.least_to_be_retained(drift);
     int to_measure = static_cast<int>(std::count_if(measurements.begin() + weighed_, measurements.end(), is_measured));
     while (slice > 0 && to_weigh_ > 0 && has_candidates_ && weighed_ < measurements.size()) {
       const std::uint32_t index = weighed_++;
@@ -74,7 +74,7 @@ void Replacement::take_in_bearing(const BeliefModel& model, const Measurement& m
 /// Those that rest start with the sum of all bearings; those that drift are weighed by them one by one, from where they were.
 void Replacement::draw(const Assumptions& assumed, const MeasurementHistory& history, const BearingSum& bearings,
                        const RetainedHypotheses& retained) {
-  const HeldHypotheses all = retained.held();
+  const RetainedShares all = retained.with_shares();
   Trial trial = draw_trial(all, random_);
   const bool is_too_early = history.count() < (bearings.is_empty() ? kMeasurementsBeforeDrifts : kMeasurementsBeforeDriftsWithBearings);
   if (is_too_early && trial == Trial::kDrifting) trial = Trial::kAtRest;

@@ -14,9 +14,13 @@ namespace {
 constexpr double kTrueNorth = 0.0;       ///< DIRECTION_REFERENCE
 constexpr double kHeadingControl = 4.0;  ///< STEERING_MODE
 constexpr double kManufacturer = table::kManufacturer;
-constexpr double kMarineIndustry = 4.0;  ///< INDUSTRY_CODE
-constexpr double kYes = 1.0;             ///< YES_NO
-constexpr unsigned kSequences = 8;       ///< of a fast packet: 3 bits
+constexpr double kMarineIndustry = table::kMarineIndustry;
+constexpr double kYes = 1.0;        ///< YES_NO
+constexpr unsigned kSequences = 8;  ///< of a fast packet: 3 bits
+
+constexpr FieldName kSpeed = kBusName<&messages::Setpoint::speed>;
+constexpr FieldName kDepth = kBusName<&messages::Setpoint::depth>;
+constexpr FieldName kReleaseWeight = kBusName<&messages::Setpoint::release_weight>;
 
 }  // namespace
 
@@ -26,10 +30,10 @@ Status compose_setpoint(const messages::Setpoint& setpoint, std::uint8_t source,
   Status status = MessageWriter(table::kSpeedDepth)
                       .set("ManufacturerCode", kManufacturer)
                       .set("IndustryGroup", kMarineIndustry)
-                      .set("CommandedSpeed", setpoint.speed.value)
-                      .set("CommandedDepth", setpoint.depth.value)
+                      .set(kSpeed, setpoint.speed.value)
+                      .set(kDepth, setpoint.depth.value)
                       .set("HeadingSequence", sequence % kSequences)
-                      .set_raw("ReleaseWeight", setpoint.release_weight ? 1 : 0)
+                      .set_raw(kReleaseWeight, setpoint.release_weight ? 1 : 0)
                       .frame(source, speed_depth);
   if (status != Status::kOk) return status;
 
@@ -58,10 +62,10 @@ Status SetpointReceiver::accept(const HeardFrame& heard, messages::Setpoint& set
     const Result<double> maker = read(kSpeedDepthPgn, "ManufacturerCode", frame.bytes());
     const Result<double> industry = read(kSpeedDepthPgn, "IndustryGroup", frame.bytes());
     if (!maker.ok() || maker.value() != kManufacturer || !industry.ok() || industry.value() != kMarineIndustry) return Status::kNotReady;
-    const Result<double> speed = read(kSpeedDepthPgn, "CommandedSpeed", frame.bytes());
-    const Result<double> depth = read(kSpeedDepthPgn, "CommandedDepth", frame.bytes());
+    const Result<double> speed = read(kSpeedDepthPgn, kSpeed, frame.bytes());
+    const Result<double> depth = read(kSpeedDepthPgn, kDepth, frame.bytes());
     const Result<double> sequence = read(kSpeedDepthPgn, "HeadingSequence", frame.bytes());
-    const Result<double> release = read(kSpeedDepthPgn, "ReleaseWeight", frame.bytes());
+    const Result<double> release = read(kSpeedDepthPgn, kReleaseWeight, frame.bytes());
     speed_depth_.reset();
     if (!speed.ok() || !depth.ok() || !sequence.ok() || !(sequence.value() < kSequences)) return Status::kOutOfRange;
     speed_depth_ = SpeedDepth{MetersPerSecond{speed.value()}, Meters{depth.value()}, static_cast<unsigned>(sequence.value()),

@@ -24,6 +24,10 @@ struct FieldName {
   constexpr explicit FieldName(std::uint32_t key_of_name) : key(key_of_name) {}
 };
 
+/// What a member of a message is called on the bus: kBusName<&messages::Setpoint::speed>. Does not compile if the bus does not carry it.
+template <auto... kSteps>
+inline constexpr FieldName kBusName{table::signal_of<kSteps...>().key};
+
 /// Every message Earshot reads or writes.
 [[nodiscard]] std::span<const Message> messages();
 

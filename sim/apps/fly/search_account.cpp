@@ -59,13 +59,11 @@ nlohmann::ordered_json SearchAccount::to_json() const {
 nlohmann::ordered_json ending_rule_to_json(const std::optional<messages::SafetyEvent>& rule) {
   if (!rule) return nullptr;
   nlohmann::ordered_json json{{"what", journal::to_string(*rule)}, {"rule", rule->rule + 1}};
-  const auto condition = static_cast<std::size_t>(rule->condition);
-  const auto response = static_cast<std::size_t>(rule->response);
-  if (condition >= config::kConditions || response >= config::kResponses) return json;
-  json["condition"] = config::kConditionTraits.at(condition).key;
+  if (!messages::is_known(rule->condition) || !messages::is_known(rule->response)) return json;
+  json["condition"] = messages::key_of(rule->condition);
   json["value"] = rule->measure;
   json["limit"] = rule->limit;
-  json["response"] = config::kResponseWords.at(response);
+  json["response"] = messages::key_of(rule->response);
   return json;
 }
 

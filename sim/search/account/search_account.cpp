@@ -9,6 +9,7 @@
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/text/numbers.hpp"
 #include "firmware/messages/dictionary/mission_words.hpp"
+#include "firmware/messages/dictionary/safety_words.hpp"
 #include "firmware/messages/health.hpp"
 #include "sim/search/account/numbers.hpp"
 
@@ -19,7 +20,7 @@ using messages::EndReason;
 
 constexpr std::uint64_t kMostSteps = 1'000'000'000;
 constexpr double kMostNumber = 1e15;
-constexpr std::string_view kSurfaceWord = config::kResponseWords.at(static_cast<std::size_t>(config::Response::kSurface));
+constexpr std::string_view kSurfaceKey = messages::key_of(config::Response::kSurface);
 
 /// The value of a summary's key; null where it has none.
 nlohmann::json value_in(const nlohmann::json& table, const char* key) {
@@ -141,7 +142,7 @@ SearchAccount account_in(const nlohmann::json& summary) {
   if (const nlohmann::json home = value_in(summary, "went_home"); !home.is_null())
     account.way_home = {.rule = home.at("what").get<std::string>(),
                         .steps = home.at("step").get<std::uint32_t>(),
-                        .is_to_surface = value_in(home, "response") == kSurfaceWord};
+                        .is_to_surface = value_in(home, "response") == kSurfaceKey};
   if (const nlohmann::json rule = value_in(summary, "ended_by"); !rule.is_null()) account.ending_rule = rule.at("what").get<std::string>();
   return account;
 }

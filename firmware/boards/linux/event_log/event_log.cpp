@@ -4,14 +4,18 @@
 #include <cstddef>
 #include <string_view>
 
-#include "firmware/boards/linux/event_log/health_words.hpp"
-#include "firmware/boards/linux/event_log/text_line.hpp"
 #include "firmware/detector/bearing_window.hpp"
+#include "firmware/host/journal/words/event_words.hpp"
 #include "firmware/host/journal/words/rule_event_words.hpp"
+#include "firmware/host/text/text_line.hpp"
 #include "firmware/messages/dictionary/health_words.hpp"
 
 namespace earshot::board {
 namespace {
+
+using host::Counted;
+using host::TextInto;
+using host::TextLine;
 
 /// "hears 15.0 to 30.0 Hz of 8 channels at 96000.0 Hz: full scale 180.0, the ADC's own noise 8.4 dB re 1 uPa; SNR measurements lag by 0.24
 /// s"
@@ -33,24 +37,6 @@ void write_chain(TextInto& line, const HeardChain& chain) {
   line.decimal(chain.full_scale_level.value, 1) << ", the ADC's own noise ";
   line.decimal(chain.adc_noise_level.value, 1) << " dB re 1 uPa; SNR measurements lag by ";
   line.decimal(chain.delay_s, 2) << " s";
-}
-
-/// As journal::to_string(), which allocates.
-void write_evidence(TextInto& line, const messages::SafetyEvent& event) {
-  using config::ConditionTraits;
-  const ConditionTraits& traits = config::kConditionTraits.at(static_cast<std::size_t>(event.condition));
-  const journal::MeasureWords words = journal::words_of_measure(event.condition).value_or(journal::MeasureWords{});
-  const int places = journal::decimals_apart(event.measure, event.limit);
-  if (traits.kind != ConditionTraits::Kind::kFlag) {
-    line << ": " << words.before;
-    line.decimal(event.measure, places) << words.behind;
-  }
-  if (journal::names_limit(event)) {
-    line << (traits.kind == ConditionTraits::Kind::kAbove ? ", above " : ", below ");
-    line.decimal(event.limit, places);
-  }
-  line << ": " << config::kResponseWords.at(static_cast<std::size_t>(event.response));
-  if (!words.hint.empty()) line << "; " << words.hint;
 }
 
 /// What else there is to say about a state that has not ended.
@@ -122,12 +108,7 @@ void EventLog::report_rule(Time now, RuleState& rule) {
   const bool ends_mission = event.begins && event.response >= config::Response::kAbort && event.response > rule.ended_by;
   if (rule.changes == 0 || (now < rule.due && !ends_mission)) return;
   TextLine line;
-  line << "rule " << event.rule + 1 << ", " << config::kConditionTraits.at(static_cast<std::size_t>(event.condition)).key;
-  if (event.begins) {
-    write_evidence(line, event);
-  } else {
-    line << ": no longer";
-  }
+  journal::write_rule(line, event);
   if (rule.changes > 1) line << "; it changed " << rule.changes << " times since it was last reported";
   if (ends_mission) rule.ended_by = event.response;
   write({.severity = ends_mission ? Severity::kError : Severity::kWarning,
@@ -187,6 +168,7 @@ void EventLog::report_troubles(Time now, std::size_t port) {
     if (words.empty()) continue;
     TextLine line;
     line << links_.at(port).label << ": " << words;
+    if (const std::string_view hint = hint_of(static_cast<BusTrouble>(i)); trouble.is_there && !hint.empty()) line << ": " << hint;
     write({.severity = trouble.is_there ? Severity::kWarning : Severity::kNotice,
            .event = "bus",
            .time = now,
@@ -240,12 +222,7 @@ void EventLog::report_state(Time now, const messages::Health& health) {
   state_ = health.state;
   remark_ = remark;
   TextLine line;
-  line << to_string(health.state);
-  const bool is_stopped = is_stopping_ && health.end_reason == messages::EndReason::kOperatorAbort;
-  const bool is_over = health.end_reason != messages::EndReason::kNone;
-  if (is_over) line << ", " << (is_stopped ? kProgramStopped : to_string(health.end_reason));
-  if (is_over && messages::counts_steps(health.end_reason)) line << ", after " << Counted{health.steps_taken, "step"};
-  if (!remark.empty()) line << ", " << remark;
+  journal::write_state(line, health, remark, is_stopping_ ? journal::AbortedBy::kProgram : journal::AbortedBy::kOperator);
   const bool is_aborted = health.state == messages::MissionState::kAbort;
   write({.severity = is_aborted ? Severity::kError : Severity::kNotice, .event = "state", .time = now, .message = line.text()});
 }
@@ -255,9 +232,8 @@ void EventLog::report_refused(Time now, std::string_view sensor, std::uint64_t c
   if (count == refused.reported || refused.is_reported_in_state) return;
   refused = {.reported = count, .is_reported_in_state = true};
   TextLine line;
-  line << sensor << ": " << Counted{count, "message"}
-       << " refused so far, for their date, their order or what is in them; check their sender's clock "
-          "(of CAN messages, which bear no date: at two ports that bring the same)";
+  journal::write_refused(line, sensor, count);
+  line << "; check their sender's clock (of CAN messages, which bear no date: at two ports that bring the same)";
   write({.severity = Severity::kWarning, .event = "refused", .time = now, .message = line.text()});
 }
 
@@ -265,8 +241,8 @@ void EventLog::report_others(Time now, std::uint64_t count) {
   if (count == others_bearing_.reported || others_bearing_.is_reported_in_state) return;
   others_bearing_ = {.reported = count, .is_reported_in_state = true};
   TextLine line;
-  line << "bearing: " << Counted{count, "message"}
-       << " of a second sender not taken so far: the first that was heard is listened to, until it is silent for "
+  journal::write_bearings_of_others(line, count);
+  line << ": the first that was heard is listened to, until it is silent for "
        << static_cast<std::uint64_t>(detector::kBearingHandover.to_seconds()) << " s";
   write({.severity = Severity::kWarning, .event = "refused", .time = now, .message = line.text()});
 }
@@ -276,11 +252,12 @@ void EventLog::report_journal_link(Time now, const messages::PortReport& report)
   if (report.link_up == is_journal_up_) return;
   is_journal_up_ = report.link_up;
   TextLine line;
+  line << "journal: " << journal::words_of_disk(is_journal_up_);
   if (is_journal_up_) {
-    line << "journal: the disk takes it again; " << report.lost << " records are lost";
+    line << "; " << report.lost << " records are lost";
   } else {
-    line << "journal: the disk does not take it in time (full, read-only, broken, slow, or in memory alone): the flight goes on; once the "
-            "buffer is full only orders, changes of state and some set-points are kept";
+    line << " (full, read-only, broken, slow, or in memory alone): the flight goes on; once the buffer is full only orders, changes of "
+            "state and some set-points are kept";
   }
   write({.severity = is_journal_up_ ? Severity::kNotice : Severity::kError, .event = "journal", .time = now, .message = line.text()});
 }
@@ -292,7 +269,7 @@ void EventLog::report_link(Time now, const messages::PortReport& report) {
   link.is_up = report.link_up;
   if (link.changes == 0 || link.due - now > kMostAhead) return;
   TextLine line;
-  line << link.label << ": its link is " << (link.is_up ? "up again" : "down; tried again once a second");
+  line << link.label << ": " << journal::words_of_link(link.is_up) << (link.is_up ? "" : "; tried again once a second");
   if (link.changes > 1) line << "; it changed " << link.changes << " times since it was last reported";
   write({.severity = link.is_up ? Severity::kNotice : Severity::kWarning,
          .event = "link",

@@ -29,7 +29,7 @@ namespace earshot::board {
 /// waits after construction.
 ///
 ///     earshotd: 2026-11-22 15:04:07 UTC: ABORT, navigation went silent, after 12 steps
-///     earshotd: 2026-11-22 15:04:07 UTC: navigation: 31 messages refused so far, for their date, their order or what is in them; look at
+///     earshotd: 2026-11-22 15:04:07 UTC: navigation: 31 messages refused so far, for their date, their order or what is in them; check
 ///     their sender's clock (of CAN messages, which bear no date: at two ports that bring the same)
 ///     earshotd: 2026-11-22 15:01:12 UTC: port 2, ears, hydrophone, LCM udpm://...: hears 15.0 to 30.0 Hz of 1 channel at 96000.0 Hz: full
 ///     scale 180.0, the ADC's own noise 8.4 dB re 1 uPa; SNR measurements lag by 0.24 s

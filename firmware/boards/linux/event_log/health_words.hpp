@@ -6,9 +6,6 @@
 
 namespace earshot::board {
 
-/// Why a mission was aborted when nobody gave the order but the signal that ends this program.
-inline constexpr const char* kProgramStopped = "this program was stopped";
-
 /// "DONE, completed, the source is reached, after 37 steps"; "SEARCH, after 3 steps"
 [[nodiscard]] std::string to_string(const messages::Health& health);
 /// The same of a flight that was told to stop. @param found_in  the state that it was in then: of a mission that was not over, an abort is

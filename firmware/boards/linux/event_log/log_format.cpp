@@ -9,11 +9,14 @@
 #include <cstdlib>
 #include <string>
 
-#include "firmware/boards/linux/event_log/text_line.hpp"
+#include "firmware/host/text/text_line.hpp"
 #include "firmware/host/text/utc.hpp"
 
 namespace earshot::board {
 namespace {
+
+using host::goes_on;
+using host::TextInto;
 
 constexpr Time kLongAgo{
     std::chrono::microseconds(std::chrono::sys_days(std::chrono::year(2000) / std::chrono::January / 1).time_since_epoch()).count()};

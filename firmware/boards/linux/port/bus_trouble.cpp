@@ -2,23 +2,30 @@
 
 #include <array>
 
+#include "firmware/messages/dictionary/journal_fields.hpp"
+
 namespace earshot::board {
 namespace {
 
 struct Words {
   std::string_view begin;
   std::string_view end;
+  std::string_view hint = {};
 };
+
+constexpr std::string_view kCheckCables = "check the cables, their two ends and the bit rate";
+
+constexpr Words words_of(messages::ControllerState trouble) {
+  return {messages::to_string(trouble), messages::end_of(trouble), kCheckCables};
+}
 
 // In the order of BusTrouble.
 constexpr std::array<Words, kBusTroubleCount> kWords{
     Words{"it has no address on the bus, and sends nothing without one: devices with more rights have those that it claims",
           "it has an address on the bus"},
     Words{"another device on the bus has its NAME, or somebody sends its frames back: give one of them another unique_number", ""},
-    Words{"the CAN controller counts many errors: check the cables, their two ends and the bit rate",
-          "the CAN controller counts few errors"},
-    Words{"the CAN controller has left the bus after too many errors (bus-off): check the cables, their two ends and the bit rate",
-          "the CAN controller is back on the bus"},
+    words_of(messages::ControllerState::kErrorPassive),
+    words_of(messages::ControllerState::kBusOff),
     Words{"no position is heard (129025, 129029)", "positions are heard"},
     Words{"positions are heard (129025, 129029), but not from the device that the mission names for position",
           "positions of the named device are heard"},
@@ -34,8 +41,8 @@ constexpr std::array<Words, kBusTroubleCount> kWords{
     Words{"no SNR is heard (65291)", "SNR is heard"},
     Words{"SNR is heard (65291), but not from the device that the mission names for snr", "SNR of the named device is heard"},
     Words{"frames come faster than they are read, and some are lost", "no more frames are lost"},
-    Words{"messages cannot be sent, set-points perhaps among them: check the bus's load and who acknowledges its frames",
-          "messages are sent"},
+    Words{"messages cannot be sent, set-points perhaps among them", "messages are sent",
+          "check the bus's load and who acknowledges its frames"},
 };
 
 }  // namespace
@@ -46,6 +53,10 @@ std::string_view begin_of(BusTrouble trouble) {
 
 std::string_view end_of(BusTrouble trouble) {
   return kWords[static_cast<std::size_t>(trouble)].end;
+}
+
+std::string_view hint_of(BusTrouble trouble) {
+  return kWords[static_cast<std::size_t>(trouble)].hint;
 }
 
 }  // namespace earshot::board

@@ -34,5 +34,7 @@ using BusTroubles = std::bitset<kBusTroubleCount>;  ///< by BusTrouble
 [[nodiscard]] std::string_view begin_of(BusTrouble trouble);
 /// "positions are heard"; empty: its end is not told.
 [[nodiscard]] std::string_view end_of(BusTrouble trouble);
+/// "check the cables, their two ends and the bit rate"; empty: there is none.
+[[nodiscard]] std::string_view hint_of(BusTrouble trouble);
 
 }  // namespace earshot::board

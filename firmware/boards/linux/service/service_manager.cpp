@@ -12,9 +12,9 @@
 #include <system_error>
 #include <utility>
 
-#include "firmware/boards/linux/event_log/text_line.hpp"
 #include "firmware/host/file/printable.hpp"
-#include "firmware/messages/dictionary/health_words.hpp"
+#include "firmware/host/journal/words/event_words.hpp"
+#include "firmware/host/text/text_line.hpp"
 
 namespace earshot::board {
 namespace {
@@ -77,10 +77,9 @@ void ServiceManager::notify(std::string_view message) const {
 }
 
 void ServiceManager::notify_state(const messages::Health& health) const {
-  TextLine message;
-  message << (is_ready_ ? "" : "READY=1\n") << "STATUS=" << messages::to_string(health.state);
-  if (health.end_reason != messages::EndReason::kNone) message << ", " << messages::to_string(health.end_reason);
-  message << ", after " << Counted{health.steps_taken, "step"};
+  host::TextLine message;
+  message << (is_ready_ ? "" : "READY=1\n") << "STATUS=";
+  journal::write_standing(message, health.state, health.end_reason, health.steps_taken, journal::AbortedBy::kOperator);
   notify(message.text());
 }
 
@@ -103,7 +102,7 @@ void ServiceManager::note_stop() {
 
 void ServiceManager::ask_for(std::chrono::seconds more) {
   if (is_ready_) return;
-  TextLine message;
+  host::TextLine message;
   message << "EXTEND_TIMEOUT_USEC=" << std::chrono::microseconds(more).count();
   notify(message.text());
 }

@@ -7,9 +7,11 @@
 #include "firmware/config/safety.hpp"
 #include "firmware/host/file/checksum_text.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/journal/words/event_words.hpp"
 #include "firmware/host/journal/words/rule_event_words.hpp"
 #include "firmware/host/journal/words/wording.hpp"
 #include "firmware/host/text/numbers.hpp"
+#include "firmware/host/text/text_line.hpp"
 #include "firmware/host/text/utc.hpp"
 #include "firmware/messages/dictionary/health_words.hpp"
 
@@ -19,9 +21,11 @@ using Severity = Event::Severity;
 
 namespace {
 
-const char* link_to_string(const messages::PortReport& report) {
-  if (report.port == 0) return report.link_up ? "the disk takes it again" : "the disk does not take it";
-  return report.link_up ? "its link is up again" : "its link is down";
+/// What `write` writes into a line.
+std::string line_of(const auto& write) {
+  host::TextLine line;
+  write(line);
+  return std::string(line.text());
 }
 
 }  // namespace
@@ -181,16 +185,14 @@ void Timeline::note_content(const messages::Health& health, const Record& /*reco
 
 void Timeline::note_refused(const messages::Health& health) {
   const auto add_growth = [this](Grown& counter, std::uint64_t count, const char* what) {
-    if (counter.has_grown(count))
-      warn(std::string(what) + ": " + host::counted(counter.seen, "message") +
-           " refused so far, for their date, their order or what is in them");
+    if (counter.has_grown(count)) warn(line_of([&](host::TextInto& line) { write_refused(line, what, counter.seen); }));
   };
   add_growth(navigation_refused_, health.counters.navigation_refused, "navigation");
   add_growth(snr_refused_, health.counters.snr_refused, "SNR");
   add_growth(status_refused_, health.counters.status_refused, "status");
   add_growth(bearings_refused_, health.counters.bearings_refused, "bearing");
   if (bearings_of_others_.has_grown(health.counters.bearings_of_others))
-    warn("bearing: " + host::counted(bearings_of_others_.seen, "message") + " of a second sender not taken so far");
+    warn(line_of([this](host::TextInto& line) { write_bearings_of_others(line, bearings_of_others_.seen); }));
 }
 
 void Timeline::note_content(const messages::ClosingRecord& closing, const Record& /*record*/) {
@@ -212,9 +214,10 @@ void Timeline::note_content(const messages::ControllerTrouble& trouble, const Re
 void Timeline::note_input(const messages::PortReport& report, std::uint8_t /*port*/) {
   if (report.port >= ports_.size()) return;
   Port& port = ports_.at(report.port);
-  const std::string name = report.port == 0 ? "the journal: " : "port " + std::to_string(report.port) + ": ";
+  const std::string name = report.port == 0 ? "journal: " : "port " + std::to_string(report.port) + ": ";
   if (port.is_down.changes_to(!report.link_up))
-    add(report.link_up ? Severity::kInformation : Severity::kWarning, name + link_to_string(report));
+    add(report.link_up ? Severity::kInformation : Severity::kWarning,
+        name + std::string(report.port == 0 ? words_of_disk(report.link_up) : words_of_link(report.link_up)));
   if (port.failures.has_grown(report.lost + report.malformed + report.unsent))
     warn(name + "so far " + std::to_string(report.lost) + " lost, " + std::to_string(report.malformed) + " malformed and " +
          std::to_string(report.unsent) + " not sent");

@@ -23,7 +23,7 @@ struct Event {
   bool is_lack = false;  ///< the journal itself is damaged, or misses something
 };
 
-/// "2026-11-22 15:04:07 UTC     187.0 s  ABORT: navigation went silent, after 12 steps"; of a simulator's clock without the date.
+/// "2026-11-22 15:04:07 UTC     187.0 s  ABORT, navigation went silent, after 12 steps"; of a simulator's clock without the date.
 /// @param began  when the seconds count from
 [[nodiscard]] std::string to_line(const Event& event, Time began);
 

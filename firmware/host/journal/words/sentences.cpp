@@ -87,21 +87,16 @@ std::string to_string(const messages::Decision& m) {
   return text;
 }
 
-const char* why_it_ended(EndReason reason, AbortedBy by) {
-  const bool is_stopped = reason == EndReason::kOperatorAbort && by == AbortedBy::kProgram;
-  return is_stopped ? "its program was stopped" : messages::to_string(reason);
-}
-
 std::string to_string(MissionState state, EndReason reason, std::uint32_t steps, AbortedBy by) {
-  std::string text = messages::to_string(state);
-  if (reason != EndReason::kNone) text += std::string(": ") + why_it_ended(reason, by);
-  return messages::counts_steps(reason) ? text + ", after " + host::counted(steps, "step") : text;
+  host::TextLine line;
+  write_standing(line, state, reason, steps, by);
+  return std::string(line.text());
 }
 
 std::string to_string(const messages::Health& m, bool was_mismatched, AbortedBy by) {
-  if (m.end_reason != EndReason::kNone) return to_string(m.state, m.end_reason, m.steps_taken, by);
-  const std::string_view remark = messages::remark_on(m, was_mismatched);
-  return messages::to_string(m.state) + (remark.empty() ? "" : ", " + std::string(remark));
+  host::TextLine line;
+  write_state(line, m, messages::remark_on(m, was_mismatched), by);
+  return std::string(line.text());
 }
 
 std::string to_string(const messages::LostRecords& lost) {
@@ -123,10 +118,7 @@ std::string to_string(const messages::JournalResumed& resumed) {
 }
 
 std::string to_string(const messages::ControllerTrouble& trouble) {
-  const bool is_bus_off = trouble.trouble == messages::ControllerState::kBusOff;
-  const char* const ends = is_bus_off ? "is back on the bus" : "counts few errors";
-  return "port " + std::to_string(trouble.port) + ": the CAN controller " +
-         (trouble.is_there ? messages::to_string(trouble.trouble) : ends);
+  return "port " + std::to_string(trouble.port) + ": " + std::string(words_of(trouble.trouble, trouble.is_there));
 }
 
 namespace {

@@ -4,12 +4,14 @@
 #include <string>
 
 #include "firmware/host/journal/reading/entry.hpp"
+#include "firmware/host/journal/words/event_words.hpp"
 #include "firmware/messages/bearing_measurement.hpp"
 
 namespace earshot::journal {
 
 // The words for what a journal holds: `earshot journal`, `replay` and `report` print it with these. One entry is one line, and whatever
-// another wrote into the journal is spelled out (host::printable). Rules that act: rule_event_words.hpp.
+// another wrote into the journal is spelled out (host::printable). What the event log reports, too, has its words in event_words.hpp and
+// rule_event_words.hpp.
 
 /// "mission begins: area of 25.0 km x 25.0 km, at 300 m depth and 2.0 m/s, up to 100 steps of 1000 m in 60000 s; ..."
 [[nodiscard]] std::string to_string(const messages::MissionRecord& mission);
@@ -25,13 +27,7 @@ namespace earshot::journal {
 [[nodiscard]] std::string to_string(const messages::Bearing& bearing);
 [[nodiscard]] std::string to_string(const messages::Decision& decision);
 
-/// Whose order an ABORT was that no rule gave: a program that is stopped gives one, too.
-enum class AbortedBy : std::uint8_t { kOperator, kProgram };
-
-/// "navigation went silent"; "its program was stopped"
-[[nodiscard]] const char* why_it_ended(messages::EndReason reason, AbortedBy by);
-
-/// "ABORT: navigation went silent, after 12 steps"
+/// "ABORT, navigation went silent, after 12 steps"
 [[nodiscard]] std::string to_string(messages::MissionState state, messages::EndReason reason, std::uint32_t steps, AbortedBy by);
 
 /// Likewise, and of one that is not over what else there is to say: "SEARCH, listening: it commands nothing"
@@ -40,7 +36,7 @@ enum class AbortedBy : std::uint8_t { kOperator, kProgram };
 /// "2 of navigation, SNR and health, 0 set-points and decisions, 1 orders and changes of state"
 [[nodiscard]] std::string to_string(const messages::LostRecords& lost);
 
-/// "end: the mission was over; DONE: completed, the source is reached, after 37 steps; no record was lost"
+/// "end: the mission was over; DONE, completed, the source is reached, after 37 steps; no record was lost"
 [[nodiscard]] std::string to_string(const messages::ClosingRecord& closing, AbortedBy by = AbortedBy::kOperator);
 [[nodiscard]] std::string to_string(const messages::JournalResumed& resumed);
 

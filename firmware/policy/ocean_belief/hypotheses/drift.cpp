@@ -14,7 +14,7 @@ constexpr int velocities_within(int most) {
   return count;
 }
 
-// Prior probabilities: of no drift, and of each that there is. Of these a few can be held, and stand for those about them that cannot:
+// Prior probabilities: of no drift, and of each that there is. Of these a few can be retained, and stand for those about them that cannot:
 // with a fifth of this for all that swim, sources at 1.5 m/s were found 58 % of the times instead of 70. A current must be heard to be
 // there: one that is believed wrongly takes the vehicle over the edge (README.md has what was measured).
 constexpr float kNone = 0.275F;

@@ -12,13 +12,14 @@ namespace {
 constexpr int kMostBelowLikeliest = 60 * kOctave;
 /// So many of the retained hypotheses drift, once any does.
 constexpr std::size_t kLeastThatDrift = 8;
-static_assert(kLeastThatDrift < kHeldHypotheses);
+static_assert(kLeastThatDrift < kRetainedHypotheses);
 
-/// The n-th to begin with, the likeliest first: all oceans as they are, then louder, fainter, and so on; fit for more than are ever held.
+/// The n-th to begin with, the likeliest first: all oceans as they are, then louder, fainter, and so on; fit for more than are ever
+/// retained.
 Hypothesis at_start(const OceanTables& tables, std::size_t n) {
   constexpr std::array<std::uint8_t, kLevelOffsets_db.size()> kLevels{3, 5, 1, 4, 2, 6, 0};
   constexpr std::array<std::uint8_t, kSpreads_db.size()> kSpreads{2, 1, 3, 0};
-  static_assert(kLevels.size() * kSpreads.size() >= kHeldHypotheses, "even with one ocean");
+  static_assert(kLevels.size() * kSpreads.size() >= kRetainedHypotheses, "even with one ocean");
   const std::size_t way = n / tables.tables.size();
   return {.table = static_cast<std::uint8_t>(n % tables.tables.size()),
           .level = kLevels[way % kLevels.size()],
@@ -46,7 +47,7 @@ void RetainedHypotheses::start(const Assumptions& assumed, const PlacePrior& pri
   for (std::size_t b = 1; b < blocks_.size(); ++b) {
     for (Hypothesis& h : hypotheses) {
       do h = at_start(tables, next++);
-      while (blocks_[0].holds(h));  // one that is held twice would count twice
+      while (blocks_[0].holds(h));  // one that is retained twice would count twice
     }
     blocks_[b].start(assumed.model, hypotheses, prior);
   }
@@ -64,7 +65,7 @@ void RetainedHypotheses::find_shares(const Assumptions& assumed) {
 /// Finds the shares by the posteriors.
 void RetainedHypotheses::share_out() {
   int highest = kNoPosterior;
-  for (std::size_t i = 0; i < kHeldHypotheses; ++i) highest = std::max(highest, posterior(i));
+  for (std::size_t i = 0; i < kRetainedHypotheses; ++i) highest = std::max(highest, posterior(i));
   float sum = 0.0F;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     for (std::size_t l = 0; l < kLanes; ++l) {
@@ -77,13 +78,13 @@ void RetainedHypotheses::share_out() {
   }
 }
 
-HeldHypotheses RetainedHypotheses::held() const {
-  HeldHypotheses held;
-  for (std::size_t i = 0; i < kHeldHypotheses; ++i) {
-    held.hypotheses[i] = hypothesis(i);
-    held.shares[i] = share(i);
+RetainedShares RetainedHypotheses::with_shares() const {
+  RetainedShares retained;
+  for (std::size_t i = 0; i < kRetainedHypotheses; ++i) {
+    retained.hypotheses[i] = hypothesis(i);
+    retained.shares[i] = share(i);
   }
-  return held;
+  return retained;
 }
 
 bool RetainedHypotheses::holds(const Hypothesis& hypothesis) const {
@@ -92,7 +93,7 @@ bool RetainedHypotheses::holds(const Hypothesis& hypothesis) const {
 
 std::size_t RetainedHypotheses::drifting() const {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < kHeldHypotheses; ++i) count += hypothesis(i).drift.is_none() ? 0U : 1U;
+  for (std::size_t i = 0; i < kRetainedHypotheses; ++i) count += hypothesis(i).drift.is_none() ? 0U : 1U;
   return count;
 }
 
@@ -102,15 +103,15 @@ std::size_t RetainedHypotheses::drifting() const {
 std::size_t RetainedHypotheses::least_likely(bool drifts) const {
   const std::size_t count = drifting();
   const bool may_drift = count > kLeastThatDrift || (drifts && count == kLeastThatDrift);
-  std::size_t least = kHeldHypotheses;
-  for (std::size_t i = 0; i < kHeldHypotheses; ++i) {
+  std::size_t least = kRetainedHypotheses;
+  for (std::size_t i = 0; i < kRetainedHypotheses; ++i) {
     if (!hypothesis(i).drift.is_none() && !may_drift) continue;
-    if (least == kHeldHypotheses || posterior(i) < posterior(least)) least = i;
+    if (least == kRetainedHypotheses || posterior(i) < posterior(least)) least = i;
   }
   return least;
 }
 
-int RetainedHypotheses::least_to_be_held(bool drifts) const {
+int RetainedHypotheses::least_to_be_retained(bool drifts) const {
   return drifts && drifting() < kLeastThatDrift ? kNoPosterior : posterior(least_likely(drifts));
 }
 
@@ -121,7 +122,7 @@ void RetainedHypotheses::take_the_likelier(const Assumptions& assumed, const Hyp
     if (holds(candidate)) continue;
     const bool drifts = !candidate.drift.is_none();
     const int of_candidate = evidence[c] + log_prior(candidate, assumed.tables);
-    if (of_candidate <= least_to_be_held(drifts)) continue;
+    if (of_candidate <= least_to_be_retained(drifts)) continue;
     const std::size_t least = least_likely(drifts);
     blocks_[least / kLanes].take_over(assumed.model, least % kLanes, candidates, c);
     posteriors_[least / kLanes][least % kLanes] = of_candidate;
@@ -132,13 +133,13 @@ void RetainedHypotheses::take_the_likelier(const Assumptions& assumed, const Hyp
 Drift RetainedHypotheses::likeliest_current() const {
   float most = 0.0F;
   Drift likeliest;
-  for (std::size_t i = 0; i < kHeldHypotheses; ++i) {
+  for (std::size_t i = 0; i < kRetainedHypotheses; ++i) {
     const Drift current = current_of(hypothesis(i));
     std::size_t first = 0;
     while (!(current_of(hypothesis(first)) == current)) ++first;
     if (first < i) continue;  // it has been summed up
     float sum = 0.0F;
-    for (std::size_t k = i; k < kHeldHypotheses; ++k) sum += current_of(hypothesis(k)) == current ? share(k) : 0.0F;
+    for (std::size_t k = i; k < kRetainedHypotheses; ++k) sum += current_of(hypothesis(k)) == current ? share(k) : 0.0F;
     if (sum > most) likeliest = current;
     most = std::max(most, sum);
   }

@@ -20,7 +20,7 @@ inline constexpr int kNoPosterior = std::numeric_limits<int>::min() / 2;
 
 /// The likeliest hypotheses, as many as memory holds. It owns the place under each of them, their posteriors and their shares.
 ///
-/// An index is below kHeldHypotheses. No hypothesis is held twice, for it would count twice.
+/// An index is below kRetainedHypotheses. No hypothesis is retained twice, for it would count twice.
 class RetainedHypotheses {
  public:
   /// The likeliest ocean in every way that is not rare, and as many other hypotheses as there is room for.
@@ -33,7 +33,7 @@ class RetainedHypotheses {
   /// Replaces the least likely by candidates that are likelier. @param candidates  which have been weighed by every measurement
   void take_the_likelier(const Assumptions& assumed, const HypothesisBlock& candidates);
   /// Posterior beyond which a candidate replaces a retained hypothesis. @param drifts  whether the candidate does
-  [[nodiscard]] int least_to_be_held(bool drifts) const;
+  [[nodiscard]] int least_to_be_retained(bool drifts) const;
 
   [[nodiscard]] const Hypothesis& hypothesis(std::size_t index) const { return blocks_[index / kLanes].hypothesis(index % kLanes); }
   /// log2 of what is proportional to the probability of a hypothesis, in 1/512.
@@ -41,7 +41,7 @@ class RetainedHypotheses {
   /// Probability of a hypothesis; these add up to one.
   [[nodiscard]] float share(std::size_t index) const { return shares_[index / kLanes][index % kLanes]; }
   /// All hypotheses with their shares.
-  [[nodiscard]] HeldHypotheses held() const;
+  [[nodiscard]] RetainedShares with_shares() const;
   /// The current that is the likeliest of all; none where it is likelier that there is none.
   [[nodiscard]] Drift likeliest_current() const;
 

@@ -1,11 +1,15 @@
 #include "firmware/wire/n2k/own/conditions.hpp"
 
+#include "firmware/wire/n2k/own/fields.hpp"
 #include "firmware/wire/n2k/own/ownership.hpp"
 
 namespace earshot::n2k {
 namespace {
 
 using Bytes = std::span<const std::uint8_t>;
+using messages::AutopilotStatus;
+using messages::HydrophoneStatus;
+using messages::VehicleStatus;
 
 Result<bool> yes_or_no(const Signal& signal, Bytes bytes) {
   const Result<std::int64_t> raw = decode_raw(signal, bytes);
@@ -27,15 +31,15 @@ std::optional<std::uint8_t> if_any(const Result<std::int64_t>& reading) {
 Status compose_hull(const Hull& hull, std::uint8_t source, Frame& frame) {
   MessageWriter writer = begin_own(table::kLeak);
   if (hull.instance) writer.set_raw("Instance", *hull.instance);
-  if (hull.wet) writer.set_raw("State", *hull.wet ? 1 : 0);
-  if (hull.has_ground_fault) writer.set_raw("GroundFault", *hull.has_ground_fault ? 1 : 0);
+  if (hull.wet) writer.set_raw(kBusName<&VehicleStatus::has_leak>, *hull.wet ? 1 : 0);
+  if (hull.has_ground_fault) writer.set_raw(kBusName<&VehicleStatus::has_ground_fault>, *hull.has_ground_fault ? 1 : 0);
   return writer.frame(source, frame);
 }
 
 Result<Hull> read_hull(Bytes bytes) {
   constexpr Signal kInstance = table::field(table::kLeak, "Instance");
-  constexpr Signal kState = table::field(table::kLeak, "State");
-  constexpr Signal kGroundFault = table::field(table::kLeak, "GroundFault");
+  constexpr Signal kState = table::signal_of<&VehicleStatus::has_leak>();
+  constexpr Signal kGroundFault = table::signal_of<&VehicleStatus::has_ground_fault>();
   if (!is_ours(table::kLeak, bytes)) return Status::kUnsupported;
   const Result<bool> wet = yes_or_no(kState, bytes);
   const Result<bool> fault = yes_or_no(kGroundFault, bytes);
@@ -45,13 +49,13 @@ Result<Hull> read_hull(Bytes bytes) {
 
 Status compose_autopilot_status(const AutopilotCondition& condition, std::uint8_t source, Frame& frame) {
   MessageWriter writer = begin_own(table::kAutopilotStatus);
-  writer.set_raw("FollowsSetpoints", condition.follows_setpoints ? 1 : 0);
+  writer.set_raw(kBusName<&AutopilotStatus::follows_setpoints>, condition.follows_setpoints ? 1 : 0);
   if (condition.heading_sequence) writer.set_raw("HeadingSequence", *condition.heading_sequence);
   return writer.frame(source, frame);
 }
 
 Result<AutopilotCondition> read_autopilot_status(Bytes bytes) {
-  constexpr Signal kFollows = table::field(table::kAutopilotStatus, "FollowsSetpoints");
+  constexpr Signal kFollows = table::signal_of<&AutopilotStatus::follows_setpoints>();
   constexpr Signal kSequence = table::field(table::kAutopilotStatus, "HeadingSequence");
   if (!is_ours(table::kAutopilotStatus, bytes)) return Status::kUnsupported;
   const Result<bool> follows = yes_or_no(kFollows, bytes);
@@ -60,11 +64,11 @@ Result<AutopilotCondition> read_autopilot_status(Bytes bytes) {
 }
 
 Status compose_deaf(bool is_deaf, std::uint8_t source, Frame& frame) {
-  return begin_own(table::kSnr).set_raw("Deaf", is_deaf ? 1 : 0).frame(source, frame);
+  return begin_own(table::kSnr).set_raw(kBusName<&HydrophoneStatus::is_deaf>, is_deaf ? 1 : 0).frame(source, frame);
 }
 
 Result<bool> read_deaf(Bytes bytes) {
-  constexpr Signal kDeaf = table::field(table::kSnr, "Deaf");
+  constexpr Signal kDeaf = table::signal_of<&HydrophoneStatus::is_deaf>();
   if (!is_ours(table::kSnr, bytes)) return Status::kUnsupported;
   return yes_or_no(kDeaf, bytes);
 }

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "firmware/messages/dictionary/command_fields.hpp"
+#include "firmware/messages/dictionary/input_fields.hpp"
 #include "firmware/messages/dictionary/output_fields.hpp"
 #include "firmware/wire/n2k/table/choices.hpp"
 #include "firmware/wire/n2k/table/own_group.hpp"
@@ -17,7 +18,6 @@ namespace earshot::n2k::table {
 inline constexpr std::int64_t kManufacturer = 2044;
 inline constexpr std::int64_t kMarineIndustry = raw_of(kIndustry, "Marine Industry");
 
-inline constexpr Choice kLeakStates[]{{0, "dry"}, {1, "wet"}};
 inline constexpr Choice kPeers[]{{1, "command"}, {2, "acknowledgement"}, {3, "abort"}};
 
 consteval Signal manufacturer() {
@@ -29,45 +29,57 @@ consteval Signal industry() {
 consteval Signal message_kind() {
   return choice("Kind", 16, 8, kPeers);
 }
+// Single frames of what a vehicle's messages hold, as far as it fits. What else is in them stands in no message, and is written here: who
+// made the frame, what belongs together (HeadingSequence, SID), which compartment it is of (Instance), and the level that only who reads
+// the bus looks at (BandLevel).
+
 // HeadingSequence is the sequence counter of the fast packet (127237) that brings the heading of the same set-point.
 // ReleaseWeight has the half of the byte that the sequence, 0 to 7, leaves: "No" is as it was when all of the byte was the sequence's.
 inline constexpr Signal kSpeedDepthSignals[]{
     manufacturer(),
     industry(),
-    number("CommandedSpeed", 16, 16, kUnsigned, kHundredth, "m/s"),
-    within(0, 12'000, number("CommandedDepth", 32, 24, kUnsigned, kHundredth, "m")),
+    signal_of<&messages::Setpoint::speed>(),
+    signal_of<&messages::Setpoint::depth>(),
     number("HeadingSequence", 56, 4),
-    choice("ReleaseWeight", 60, 4, kYesNo),
+    signal_of<&messages::Setpoint::release_weight>(),
 };
+static_assert(carry_all_of<messages::Setpoint>(kSpeedDepthSignals));
 
 inline constexpr Signal kSnrSignals[]{
     manufacturer(),
     industry(),
-    within(-600, 600, number("SNR", 16, 18, kSigned, kHundredth, "dB")),
-    choice("TooFaint", 34, 2, kYesNo),
+    signal_of<&messages::SnrMeasurement::snr>(),
+    signal_of<&messages::SnrMeasurement::too_faint>(),
     number("BandLevel", 36, 16, kUnsigned, kHundredth, "dB re 1 uPa"),
     sequence_identifier(52),
-    choice("Deaf", 60, 2, kYesNo),
+    signal_of<&messages::HydrophoneStatus::is_deaf>(),
 };
+static_assert(carry_all_of<messages::SnrMeasurement>(kSnrSignals) && carry_all_of<messages::HydrophoneStatus>(kSnrSignals));
 
 inline constexpr Signal kAltitudeSignals[]{
     manufacturer(),
     industry(),
     sequence_identifier(16),
-    number("Altitude", 24, 32, kUnsigned, kHundredth, "m"),
+    signal_of<&messages::VehicleStatus::altitude>(),
 };
 
 inline constexpr Signal kLeakSignals[]{
-    manufacturer(), industry(), number("Instance", 16, 8), choice("State", 24, 2, kLeakStates), choice("GroundFault", 26, 2, kYesNo),
+    manufacturer(),
+    industry(),
+    number("Instance", 16, 8),
+    signal_of<&messages::VehicleStatus::has_leak>(),
+    signal_of<&messages::VehicleStatus::has_ground_fault>(),
 };
+static_assert(carry_all_of<messages::VehicleStatus>(kAltitudeSignals, kLeakSignals));
 
 // HeadingSequence is that of the last set-point that was taken (65290).
 inline constexpr Signal kAutopilotStatusSignals[]{
     manufacturer(),
     industry(),
-    choice("FollowsSetpoints", 16, 2, kYesNo),
+    signal_of<&messages::AutopilotStatus::follows_setpoints>(),
     number("HeadingSequence", 24, 8),
 };
+static_assert(carry_all_of<messages::AutopilotStatus>(kAutopilotStatusSignals));
 
 inline constexpr Signal kHead[]{manufacturer(), industry()};
 inline constexpr Signal kPeerHead[]{manufacturer(), industry(), message_kind()};

@@ -53,6 +53,7 @@ TEST(DictionaryWords, CallAValueInFilesOnTheBusAndInSentences) {
   EXPECT_STREQ(to_string(CommandOutcome::kTooOld), "refused: too old");
   EXPECT_EQ(key_of(config::Response::kSteerBack), "steer_back");
   EXPECT_EQ(name_of(config::Response::kSteerBack), "steer back");
+  EXPECT_STREQ(to_string(config::Response::kSteerBack), "steer back into the fence");
   EXPECT_EQ(key_of(config::Condition::kSetpointsUnsent), "setpoints_unsent_s");
 }
 

@@ -181,14 +181,14 @@ class UnlikelyExplanations : public ModelMismatchOfABelief {
 
 TEST_F(UnlikelyExplanations, CountForLess) {
   expect_by_hand({heard(14.0), heard(19.0), heard(9.5)});
-  EXPECT_EQ(held_that_drift(), 0);
+  EXPECT_EQ(retained_that_drift(), 0);
 }
 
 /// One drift of hundreds has not as high a penalty as its prior is low: the others explain nearly the same.
 TEST_F(UnlikelyExplanations, AreDriftsByTheirPenaltyInPlaceOfTheirPrior) {
   expect_by_hand({heard(14.0), heard(19.0), heard(9.5), heard(12.0), heard(15.0), heard(11.0), heard(8.0), heard(16.0), heard(13.0),
                   heard(10.0), heard(12.5), heard(11.5)});
-  EXPECT_GT(held_that_drift(), 0);
+  EXPECT_GT(retained_that_drift(), 0);
 }
 
 /// A bearing explains as much as it is likelier than any other direction, on the mean over the places.

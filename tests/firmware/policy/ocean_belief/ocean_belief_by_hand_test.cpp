@@ -47,7 +47,7 @@ void keep_forgotten(Joint& joint) {
   for (double& p : joint) p = std::max(p, least);
 }
 
-/// By hand: each hypothesis that is held, weighed by its prior and by all that was heard, before each of which the source may have moved,
+/// By hand: each retained hypothesis, weighed by its prior and by all that was heard, before each of which the source may have moved,
 /// and has drifted. Where it was declared found and the search went on it is not within a step.
 class OceanBeliefByHand : public OceanBeliefRig {
  protected:
@@ -68,7 +68,7 @@ class OceanBeliefByHand : public OceanBeliefRig {
   void expect_by_hand(const Measurements& measurements, const Declared& declared, double tolerance) const {
     std::vector<Joint> joint;
     double total = 0.0;
-    for (const Hypothesis& h : held()) {
+    for (const Hypothesis& h : retained()) {
       joint.push_back(joint_by_hand(h, measurements, declared));
       total += std::accumulate(joint.back().begin(), joint.back().end(), 0.0);
     }
@@ -85,7 +85,7 @@ class OceanBeliefByHand : public OceanBeliefRig {
       EXPECT_NEAR(double{belief->share(k)}, share, tolerance * share + too_early + 1e-9) << k;
       Joint of_one(400);  // in the area where it was
       for (std::size_t i = 0; i < 400; ++i) {
-        const NorthEast place = drifted(held()[k].drift, measurement_count, i);
+        const NorthEast place = drifted(retained()[k].drift, measurement_count, i);
         by_place[cell_at(place - corner)] += joint[k][i];
         if (share < 1.1e-4) left_out[cell_at(place - corner)] += joint[k][i];
         of_one[cell_at(place)] += joint[k][i];
@@ -172,13 +172,13 @@ TEST_F(OceanBeliefByHand, IsTheMixtureByHandOfThoseThatDriftToo) {
     const Measurements measurements = south_of(drift);
     const Declared declared = fly(measurements);
     EXPECT_EQ(std::ranges::count(declared, true), 0) << "it never gets near";
-    EXPECT_GT(held_that_drift(), 5);
+    EXPECT_GT(retained_that_drift(), 5);
     EXPECT_EQ(likeliest_current(*belief).is_current, drift.is_current);
     expect_by_hand(measurements, declared, 0.02);
   }
 }
 
-/// Of where it is then, whether a hypothesis was held when a bearing came or drawn later; beyond the edge too.
+/// Of where it is then, whether a hypothesis was retained when a bearing came or drawn later; beyond the edge too.
 TEST_F(OceanBeliefByHand, TakesBearingsInUnderThoseThatDrift) {
   add_table(tables, 1.0F, kFourPerKilometre);
   for (const Drift& drift : std::span(kDrifts).first<tests::times(2, 1)>()) {
@@ -191,14 +191,14 @@ TEST_F(OceanBeliefByHand, TakesBearingsInUnderThoseThatDrift) {
         measurements[i].second.bearing = messages::Bearing{.direction = Radians{direction}, .deviation = Radians{0.2}};
       }
       const Declared declared = fly(measurements);
-      EXPECT_GT(held_that_drift(), 5);
+      EXPECT_GT(retained_that_drift(), 5);
       expect_by_hand(measurements, declared, 0.02);
     }
   }
 }
 
 /// A bearing with every measurement, so that some come while others are being weighed that have heard only a part of the measurements:
-/// those hear it, too, and are as likely as had they been held all the time.
+/// those hear it, too, and are as likely as had they been retained all the time.
 TEST_F(OceanBeliefByHand, TakesABearingInUnderThoseThatAreBeingWeighedWhenItComes) {
   add_table(tables, 1.0F, kFourPerKilometre);
   Measurements measurements = south_of({});
@@ -238,7 +238,7 @@ TEST_F(OceanBeliefByHand, DeclaresASourceFoundThatDriftsAndThenRulesOutWhereItWo
         EXPECT_LT(range_between(belief->declaration()->likeliest, place).value, 2'000.0) << "within a step, or next to it";
         declared_before_the_last += declared.size() < measurements.size() ? 1 : 0;
       }
-      EXPECT_GT(held_that_drift(), 5);
+      EXPECT_GT(retained_that_drift(), 5);
       expect_by_hand(measurements, declared, 0.02);
     }
     EXPECT_GE(declared_before_the_last, 1);
@@ -268,7 +268,7 @@ TEST_F(OceanBeliefByHand, DeclaresTheSourceFoundWhereItIsAndThenRulesThatOutInEv
     belief->update(model, tables, place, reception);
     declared.push_back(belief->declaration().has_value());
     if (!declared.back()) continue;
-    at_declaration = held();
+    at_declaration = retained();
     EXPECT_LT(range_between(place, source).value, 1'000.0);
     EXPECT_LT(range_between(belief->declaration()->likeliest, source).value, 500.0);
     EXPECT_DOUBLE_EQ(belief->declaration()->closest_approach.value, range_between(belief->declaration()->likeliest, place).value);
@@ -281,7 +281,7 @@ TEST_F(OceanBeliefByHand, DeclaresTheSourceFoundWhereItIsAndThenRulesThatOutInEv
     EXPECT_GT(range_between(belief->summary().likeliest, place).value, 750.0) << "of a search that goes on";
   }
   EXPECT_EQ(std::ranges::count(declared, true), 1) << "not again, where it was not";
-  EXPECT_NE(held(), at_declaration) << "others were taken up since";
+  EXPECT_NE(retained(), at_declaration) << "others were taken up since";
   expect_by_hand(measurements, declared, 0.01);
 }
 

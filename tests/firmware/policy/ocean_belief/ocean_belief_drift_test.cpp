@@ -65,16 +65,16 @@ TEST_F(OceanDrift, IsFollowedBeyondTheEdgeWhereACurrentHidesFromNavigation) {
   EXPECT_GE(share_followed({.north = 3, .east = 3, .is_current = true}, 16 * 20 + 16), 0.65) << "seven of ten, two of three";
 }
 
-TEST_F(OceanDrift, IsSeenInNoSourceThatRestsThoughEightAreHeld) {
+TEST_F(OceanDrift, IsSeenInNoSourceThatRestsThoughEightAreRetained) {
   EXPECT_EQ(share_followed({}, 12 * 20 + 8), 0.0);
   EXPECT_LT(range_between(belief->summary().likeliest, drifted({}, 30, 12 * 20 + 8)).value, 1'000.0);
-  EXPECT_EQ(held_that_drift(), 8);
+  EXPECT_EQ(retained_that_drift(), 8);
 }
 
 /// Where nothing has told it yet from another place; in some searches at once from then on, and earlier where there are bearings.
 TEST_F(OceanDrift, IsTriedFromTheEighthMeasurementOnAndWithBearingsFromTheFourth) {
   for (const bool with_bearings : {false, true}) {
-    std::set<std::size_t> first_held;  // after how many measurements
+    std::set<std::size_t> first_retained;  // after how many measurements
     for (std::uint64_t seed = 1; seed <= kSearches; ++seed) {
       belief->start(model, tables);
       std::size_t heard = 0;
@@ -84,13 +84,13 @@ TEST_F(OceanDrift, IsTriedFromTheEighthMeasurementOnAndWithBearingsFromTheFourth
         while (belief->refine(model, tables)) {
         }
         ++heard;
-        if (held_that_drift() == 0) continue;
-        first_held.insert(heard);
+        if (retained_that_drift() == 0) continue;
+        first_retained.insert(heard);
         break;
       }
     }
-    ASSERT_FALSE(first_held.empty());
-    EXPECT_EQ(*first_held.begin(), with_bearings ? 4U : 8U);
+    ASSERT_FALSE(first_retained.empty());
+    EXPECT_EQ(*first_retained.begin(), with_bearings ? 4U : 8U);
   }
 }
 

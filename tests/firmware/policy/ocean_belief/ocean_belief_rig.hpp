@@ -30,14 +30,14 @@ class OceanBeliefRig : public testing::Test {
     for (const auto& [place, reception] : measurements) belief->update(model, tables, place, reception);
   }
 
-  [[nodiscard]] std::vector<Hypothesis> held() const {
+  [[nodiscard]] std::vector<Hypothesis> retained() const {
     std::vector<Hypothesis> all;
     for (std::size_t i = 0; i < OceanBelief::kHypotheses; ++i) all.push_back(belief->hypothesis(i));
     return all;
   }
 
-  [[nodiscard]] int held_that_drift() const {
-    const std::vector<Hypothesis> all = held();
+  [[nodiscard]] int retained_that_drift() const {
+    const std::vector<Hypothesis> all = retained();
     return static_cast<int>(std::count_if(all.begin(), all.end(), [](const Hypothesis& h) { return !h.drift.is_none(); }));
   }
 

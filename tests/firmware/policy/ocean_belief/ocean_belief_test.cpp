@@ -38,7 +38,7 @@ TEST_F(OceanBeliefTest, StartsWithEveryPlaceAsLikelyAndEveryHypothesisOnce) {
   for (int count = 1; count <= 40; ++count) {
     add_table(tables, count == 3 ? 8.0F : 1.0F, kTwoPerKilometre);
     belief->start(model, tables);
-    EXPECT_EQ(distinct(held()), OceanBelief::kHypotheses) << "one that is held twice counts twice; of " << count << " tables";
+    EXPECT_EQ(distinct(retained()), OceanBelief::kHypotheses) << "one that is retained twice counts twice; of " << count << " tables";
     double sum = 0.0;
     for (std::size_t i = 0; i < OceanBelief::kHypotheses; ++i) {
       EXPECT_LT(belief->hypothesis(i).table, count);
@@ -96,7 +96,7 @@ TEST_F(OceanBeliefTest, FindsAnOceanThatItDoesNotBeginWith) {
     }
   }
   belief->start(model, tables);
-  for (const Hypothesis& h : held()) EXPECT_NE(h.table, 57);
+  for (const Hypothesis& h : retained()) EXPECT_NE(h.table, 57);
   const NorthEast source = at(6'200, 5'900);
   for (const auto& [place, reception] : zigzag(25, truth, source, 5)) {
     if (range_between(place, source).value > 1'300.0) belief->update(model, tables, place, reception);
@@ -139,7 +139,7 @@ TEST_F(OceanBeliefTest, HasSharesAndPlacesThatAddUpToOneAndNothingTwice) {
     double places = 0.0;
     for (std::size_t i = 0; i < 400; ++i) places += double{belief->probability(model, i / 20, i % 20)};
     EXPECT_NEAR(places, 1.0, 24e-4);  // hypotheses below 1e-4 are left out
-    ASSERT_EQ(distinct(held()), OceanBelief::kHypotheses) << measurement;
+    ASSERT_EQ(distinct(retained()), OceanBelief::kHypotheses) << measurement;
   }
 }
 
@@ -153,21 +153,21 @@ TEST_F(OceanBeliefTest, GoesOnWithWhatItHoldsWhenThereAreMoreMeasurementsThanItR
   int exchanges = 0;
   for (std::size_t i = 0; i < config::kMaxBeliefMeasurements; ++i) {
     measurement(i);
-    exchanges += held() != before ? 1 : 0;
-    before = held();
+    exchanges += retained() != before ? 1 : 0;
+    before = retained();
   }
   EXPECT_GT(exchanges, 10);
   const std::uint32_t last = belief->fingerprint(model);
   for (std::size_t i = config::kMaxBeliefMeasurements; i < config::kMaxBeliefMeasurements + 20; ++i) {
     measurement(i);
-    EXPECT_EQ(held(), before) << i;
+    EXPECT_EQ(retained(), before) << i;
   }
   EXPECT_NE(belief->fingerprint(model), last);
   EXPECT_TRUE(std::isfinite(belief->action_values(kNorth).regret));
   belief->start(model, tables);  // remembers again
-  const std::vector<Hypothesis> first = held();
+  const std::vector<Hypothesis> first = retained();
   for (std::size_t i = 0; i < 10; ++i) measurement(i);
-  EXPECT_NE(held(), first);
+  EXPECT_NE(retained(), first);
 }
 
 TEST_F(OceanBeliefTest, BelievesTheSameWhoeverRefinedItWhen) {
@@ -305,7 +305,8 @@ TEST_F(OceanBeliefTest, HearsABearingWhereASourceThatMovesIsNow) {
   for (std::size_t i = 0; i < 400; ++i) EXPECT_NEAR(moving[i], at_rest[i], 1e-5) << i;
 }
 
-/// Where nothing else tells of the place a bearing says nothing of the ocean, whether a hypothesis was held when it came or drawn later.
+/// Where nothing else tells of the place a bearing says nothing of the ocean, whether a hypothesis was retained when it came or drawn
+/// later.
 TEST_F(OceanBeliefTest, LearnsNothingOfTheOceanFromBearings) {
   for (int k = 0; k < 40; ++k) add_table(tables, 1.0F, [k](double) { return 0.5 * k; });
   const auto without = std::make_unique<OceanBelief>();

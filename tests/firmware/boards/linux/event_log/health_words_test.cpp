@@ -37,7 +37,7 @@ TEST(HealthWords, TellTheStopOfThisProgramFromAnAbortThatCameBeforeIt) {
   health.state = messages::MissionState::kAbort;
   health.end_reason = messages::EndReason::kOperatorAbort;
   health.steps_taken = 3;
-  const std::string own = "ABORT, this program was stopped, after 3 steps";
+  const std::string own = "ABORT, its program was stopped, after 3 steps";
   const std::string operators = "ABORT, an operator aborted it, after 3 steps";
   EXPECT_EQ(to_string(health, messages::MissionState::kStandby), own);
   EXPECT_EQ(to_string(health, messages::MissionState::kSearch), own);

@@ -216,8 +216,8 @@ TEST_F(TimelineTest, TellsBearingsThatAreRefusedApartFromThoseOfASecondSender) {
 
 TEST_F(TimelineTest, SaysThatADiskDoesNotTakeTheJournal) {
   EXPECT_EQ(events_of_input(messages::PortReport{.port = 0, .link_up = true}), Lines{});
-  EXPECT_EQ(events_of_input(messages::PortReport{.port = 0, .link_up = false}), Lines{"the journal: the disk does not take it"});
-  EXPECT_EQ(events_of_input(messages::PortReport{.port = 0, .link_up = true}), Lines{"the journal: the disk takes it again"});
+  EXPECT_EQ(events_of_input(messages::PortReport{.port = 0, .link_up = false}), Lines{"journal: the disk does not take it in time"});
+  EXPECT_EQ(events_of_input(messages::PortReport{.port = 0, .link_up = true}), Lines{"journal: the disk takes it again"});
 }
 
 TEST_F(TimelineTest, SaysHowManySetpointsCouldNotBeSent) {

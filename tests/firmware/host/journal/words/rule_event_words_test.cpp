@@ -23,6 +23,8 @@ TEST(RuleEventWords, SayARuleWithItsEvidence) {
   EXPECT_EQ(to_string(event), "rule 1, leak: release");
   event.condition = static_cast<config::Condition>(config::kConditions);
   EXPECT_EQ(to_string(event), "rule 1, which this program does not know");
+  event = event_of(config::Condition::kLeak, static_cast<config::Response>(config::kResponses));
+  EXPECT_EQ(to_string(event), "rule 1, which this program does not know");
 }
 
 TEST(RuleEventWords, TellAMeasureFromItsLimitHoweverNearItIs) {

@@ -92,7 +92,7 @@ TEST(JournalSentence, SaysWhoHoldsASearchBack) {
   m.end_reason = messages::EndReason::kNavigationStale;
   m.state = messages::MissionState::kAbort;
   m.steps_taken = 12;
-  EXPECT_EQ(to_string(m, false), "ABORT: navigation went silent, after 12 steps");
+  EXPECT_EQ(to_string(m, false), "ABORT, navigation went silent, after 12 steps");
 }
 
 TEST(JournalSentence, SaysHowAJournalEndsAndWhatItLost) {

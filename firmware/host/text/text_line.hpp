@@ -10,7 +10,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace earshot::board {
+namespace earshot::host {
 
 /// Whether a byte of UTF-8 goes on with a character that began before it.
 [[nodiscard]] constexpr bool goes_on(char byte) {
@@ -70,4 +70,4 @@ class TextLine : private TextMemory, public TextInto {
   TextLine& operator=(const TextLine&) = delete;
 };
 
-}  // namespace earshot::board
+}  // namespace earshot::host

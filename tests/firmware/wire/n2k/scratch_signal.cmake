@@ -1,0 +1,44 @@
+# An own group does not compile with a signal of what is no field of a message, nor without one that a message's list has a place on the bus for: each is
+# tried in a copy of a header that stands before the tree's own. As it is, the table compiles.
+#   cmake -D ROOT=<checkout> -D COMPILER=<C++ compiler> -D FOLDER=<to work in> -P scratch_signal.cmake
+cmake_minimum_required(VERSION 3.25)
+set(source ${ROOT}/firmware/wire/n2k/signals.cpp)
+set(groups firmware/wire/n2k/table/proprietary.hpp)
+set(fields firmware/messages/dictionary/input_fields.hpp)
+
+function(compile RESULT OUTPUT)
+  execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only -I ${FOLDER} -I ${ROOT} ${source} RESULT_VARIABLE result ERROR_VARIABLE output)
+  set(${RESULT} "${result}" PARENT_SCOPE)
+  set(${OUTPUT} "${output}" PARENT_SCOPE)
+endfunction()
+
+function(expect_refused HEADER BEFORE AFTER REASON)
+  file(READ ${ROOT}/${HEADER} text)
+  string(REPLACE "${BEFORE}" "${AFTER}" changed "${text}")
+  if(changed STREQUAL text)
+    message(FATAL_ERROR "${HEADER} has no ${BEFORE} by now")
+  endif()
+  file(REMOVE_RECURSE ${FOLDER})
+  file(WRITE ${FOLDER}/${HEADER} "${changed}")
+  compile(result output)
+  if(result EQUAL 0)
+    message(FATAL_ERROR "${HEADER} compiles with \"${AFTER}\" in place of \"${BEFORE}\"")
+  elseif(NOT output MATCHES "${REASON}")
+    message(FATAL_ERROR "${HEADER} with \"${AFTER}\" in place of \"${BEFORE}\" does not compile, but not for ${REASON}:\n${output}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${FOLDER})
+compile(result output)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "the table as it is does not compile:\n${output}")
+endif()
+# A member that no message has; one that the bus does not carry; a field whose line lost its place.
+expect_refused(${groups} "&messages::Setpoint::depth" "&messages::Setpoint::draught" "draught")
+expect_refused(${groups} "&messages::Setpoint::depth" "&messages::Setpoint::heading" "there_is_no_such_name")
+expect_refused(${fields} ".bus = on_bus::number(\"Deaf\", 60, 2)" "" "there_is_no_such_name")
+# A field that a group leaves out; one that got a place, of which no group knows.
+expect_refused(${groups} "    signal_of<&messages::Setpoint::release_weight>(),\n" "" "carry_all_of<messages::Setpoint>")
+expect_refused(${fields} "{.meaning = \"charge that is left; NaN: not known\"" "{.bus = on_bus::number(\"Charge\", 56, 8)"
+  "carry_all_of<messages::VehicleStatus>")
+message("every own group has the fields of its messages")
