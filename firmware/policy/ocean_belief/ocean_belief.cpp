@@ -11,6 +11,17 @@
 namespace earshot::policy {
 namespace {
 
+/// No hydrophone measures less: sound of -30 dB adds a thousandth to a power that noise alone makes fluctuate by a tenth (4 Hz, 30 s). Only
+/// a simulation can give such a number, and no ocean of any table explains it: the belief would look for the source beyond the area.
+constexpr Decibels kLeastMeasurable{-30.0};
+
+Reception measurable(Reception reception) {
+  if (reception.snr >= kLeastMeasurable) return reception;
+  reception.snr = kLeastMeasurable;
+  reception.too_faint = true;
+  return reception;
+}
+
 /// log2 of the probability of all measurements, explanations with a prior penalty counting for less.
 int log_explained(const Assumptions& assumed, const RetainedHypotheses& retained) {
   std::array<int, kRetainedHypotheses> explanations;
@@ -40,6 +51,7 @@ void OceanBelief::start(const BeliefModel& model, const OceanTables& tables) {
 void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, NorthEast position, Reception reception) {
   while (refine(model, tables)) {
   }
+  reception = measurable(reception);
   const Assumptions assumed{model, tables};
   silence_.take_in(model, position, reception, assessment_.expected_detection(model, position));
   const Measurement measurement = measurement_of(position, reception);

@@ -267,6 +267,21 @@ TEST_F(OceanBeliefTest, HasTheSameBitsOnEveryMachine) {
 }
 
 /// As loud everywhere, so that a bearing alone tells of the place: from outside, where nothing is ruled out.
+/// A thousandth of the noise's power: only a simulation can give such a number.
+TEST_F(OceanBeliefTest, TakesAnSnrThatNoHydrophoneMeasuresForOneThatIsTooFaint) {
+  add_table(tables, 1.0F, kTwoPerKilometre);
+  const auto fingerprint_after = [&](Reception reception) {
+    belief->start(model, tables);
+    for (int i = 0; i < 6; ++i) belief->update(model, tables, at(-1'000.0 * i, 3'000), reception);
+    return belief->fingerprint(model);
+  };
+  const std::uint32_t too_faint = fingerprint_after({.snr = Decibels{-30.0}, .too_faint = true});
+  EXPECT_EQ(fingerprint_after({.snr = Decibels{-30.01}}), too_faint);
+  EXPECT_EQ(fingerprint_after({.snr = Decibels{-85.0}}), too_faint);
+  EXPECT_EQ(fingerprint_after({.snr = Decibels{-60.0}, .too_faint = true}), too_faint);
+  EXPECT_NE(fingerprint_after({.snr = Decibels{-30.0}}), too_faint) << "this one can be a measurement";
+}
+
 TEST_F(OceanBeliefTest, TakesABearingAsOneMoreLikelihood) {
   constexpr double kDegree = std::numbers::pi / 180.0;
   add_table(tables, 1.0F, [](double) { return 20.0; });
