@@ -1,10 +1,11 @@
-// earshot_gym._core: the search as Python sees it. Every argument is checked here; earshot_gym/_core.pyi says what a call takes and gives.
+// earshot._core: the search as Python sees it. Every argument is checked here; earshot/_core.pyi says what a call takes and gives.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -374,7 +375,13 @@ void add_episodes(py::module_& module) {
 }  // namespace
 
 PYBIND11_MODULE(_core, module) {
-  py::register_exception<host::BadInput>(module, "BadInput", PyExc_ValueError);
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const host::BadInput& bad) {
+      py::set_error(py::module_::import("earshot.errors").attr("BadInput"), bad.what());
+    }
+  });
   add_world(module);
   add_episodes(module);
   py::class_<FrozenPolicy>(module, "FrozenPolicy")

@@ -99,7 +99,7 @@ class Wheel(unittest.TestCase):
 
     def test_refuses_a_processor_that_it_was_not_built_for(self):
         program = (
-            "from pathlib import Path; from earshot_gym.processor import require; "
+            "from pathlib import Path; from earshot.processor import require; "
             "require(Path('built_for'), Path('cpuinfo'))"
         )
         (self.folder / "built_for").write_text("avx2 fma\n")

@@ -1,4 +1,7 @@
-"""The search in C++. Positions are (north, east), metres from the south-west corner of the search domain."""
+"""The search in C++. Positions are (north, east), metres from the south-west corner of the search domain.
+
+What is not as it must be raises earshot.errors.BadInput.
+"""
 
 import os
 from typing import Any, SupportsIndex
@@ -11,9 +14,6 @@ Place = tuple[float, float]
 # snr_db (as heard; where it was too faint to measure, the least that could have been), too_faint, position_m, source_m;
 # at the end of an episode also found and detections. A plain dict, as Gymnasium wants it.
 Info = dict[str, Any]
-
-class BadInput(ValueError):
-    """An argument or a file is not as it must be; the message names it and says what is allowed."""
 
 def environment_crc32(environment: os.PathLike[str] | str) -> int:
     """CRC-32 of an environment file and of all that it names: data files, charts, other oceans, field library."""
