@@ -1,4 +1,9 @@
-"""Earshot from Python: the search for an underwater source as a Gymnasium environment (`earshot.gym`).
+"""Earshot from Python: sound fields (`earshot.field`), and the search for an underwater source (`earshot.gym`).
+
+>>> import earshot
+>>> env = earshot.Environment(sound_speed=earshot.Munk(), bathymetry=3000.0, sediment=earshot.Layer(1505.0))
+>>> sound = earshot.field(env, frequency=20.0, source_depth=30.0)
+>>> sound.transmission_loss.sel(depth=300.0).plot()
 
 Where lcm-gen has made types of Earshot's LCM messages, they are found here, too: `from earshot import nav_state_t`.
 """
@@ -8,20 +13,31 @@ from __future__ import annotations
 import importlib as _importlib
 import sys as _sys
 import types as _types
+from typing import TYPE_CHECKING as _TYPE_CHECKING
 from typing import Any as _Any
 
 import earshot_name as _name
 
+if _TYPE_CHECKING:
+    from earshot.errors import BadInput as BadInput
+    from earshot.errors import BadType as BadType
+    from earshot.fields import field as field
+    from earshot.ocean_parts import Layer as Layer
+    from earshot.ocean_parts import Munk as Munk
+    from earshot.ocean_parts import SeaWater as SeaWater
+    from earshot.oceans import Environment as Environment
+
 _OWN = {
     "BadInput": "earshot.errors",
     "BadType": "earshot.errors",
+    "Environment": "earshot.oceans",
+    "Layer": "earshot.ocean_parts",
+    "Munk": "earshot.ocean_parts",
+    "SeaWater": "earshot.ocean_parts",
+    "field": "earshot.fields",
 }
 # Everything is imported when it is first used: who wants LCM types alone waits for nothing else.
-__all__ = [
-    "BadInput",
-    "BadType",
-]
-__all__ += _name.type_names()
+__all__ = [*_OWN, *_name.type_names()]  # noqa: PLE0604  (texts, all of them)
 
 
 def __getattr__(name: str) -> _Any:

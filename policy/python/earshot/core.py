@@ -7,7 +7,7 @@ from earshot.errors import BadInput
 
 _processor.require(_Path(__file__).with_name("built_for.txt"))
 try:
-    from earshot._core import Episodes, FrozenPolicy, World, environment_crc32
+    from earshot._core import Episodes, FrozenPolicy, Ocean, World, environment_crc32, radial
 except ModuleNotFoundError as missing:
     if missing.name != "earshot._core":
         raise
@@ -16,4 +16,4 @@ except ModuleNotFoundError as missing:
         "from the root of the repository"
     ) from None
 
-__all__ = ["BadInput", "Episodes", "FrozenPolicy", "World", "environment_crc32"]
+__all__ = ["BadInput", "Episodes", "FrozenPolicy", "Ocean", "World", "environment_crc32", "radial"]

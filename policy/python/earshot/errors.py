@@ -19,7 +19,7 @@ class BadInput(ValueError):
 
     file, line  where the first problem stands, None for an argument
     key         name of the argument, or the key in the file
-    value       what was given: for a file its text
+    value       what was given, or its text
     """
 
     file: str | None

@@ -265,10 +265,14 @@ class Package(unittest.TestCase):
         done = subprocess.run(command, cwd=source, capture_output=True, text=True, check=False)
         self.assertIn("pip install ./policy/python", done.stderr)
 
-    def test_runs_the_block_of_its_readme_pasted_whole(self):
-        block = (ROOT / "policy/python/README.md").read_text().split("```python\n")[1].split("```")[0]
-        said = subprocess.run([sys.executable, "-qi"], input=block, capture_output=True, text=True, check=True).stderr
-        self.assertEqual(said.replace(">>> ", "").replace("... ", "").strip(), "")
+    def test_runs_the_blocks_of_its_readme_pasted_whole(self):
+        blocks = (ROOT / "policy/python/README.md").read_text().split("```python\n")[1:]
+        self.assertEqual(len(blocks), 2)
+        for block in (text.split("```")[0] for text in blocks):
+            said = subprocess.run(
+                [sys.executable, "-qi"], input=block, capture_output=True, text=True, check=True
+            ).stderr
+            self.assertEqual(said.replace(">>> ", "").replace("... ", "").strip(), "")
 
     def test_says_that_it_is_typed(self):
         self.assertTrue((Path(earshot_gym.__file__).parent / "py.typed").exists())
