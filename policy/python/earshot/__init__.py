@@ -22,6 +22,8 @@ if _TYPE_CHECKING:
     from earshot.errors import BadInput as BadInput
     from earshot.errors import BadType as BadType
     from earshot.fields import field as field
+    from earshot.journals import JournalWarning as JournalWarning
+    from earshot.journals import read_journal as read_journal
     from earshot.ocean_parts import Layer as Layer
     from earshot.ocean_parts import Munk as Munk
     from earshot.ocean_parts import SeaWater as SeaWater
@@ -34,7 +36,9 @@ _OWN = {
     "Layer": "earshot.ocean_parts",
     "Munk": "earshot.ocean_parts",
     "SeaWater": "earshot.ocean_parts",
+    "JournalWarning": "earshot.journals",
     "field": "earshot.fields",
+    "read_journal": "earshot.journals",
 }
 # Everything is imported when it is first used: who wants LCM types alone waits for nothing else.
 __all__ = [*_OWN, *_name.type_names()]  # noqa: PLE0604  (texts, all of them)

@@ -179,3 +179,13 @@ def radial(
     depth [n] float64 m; sea_floor_depth [n_range] float32 m; unmeasured_water, a text or None; grid, None or
     (depth step m, range step m, terms, predicted error dB, reference wavenumber 1/m).
     """
+
+def journal_records(path: os.PathLike[str] | str) -> dict[str, Any]:
+    """A journal, a flight's folder, or a log that lcm-logger wrote.
+
+    records: topic -> list of (number, time in us of the mission's clock, fields as JSON); is_bus_log, is_dated, is_cut;
+    missing_records, damaged_bytes, how many.
+    """
+
+def journal_fields() -> dict[str, dict[str, tuple[str, str]]]:
+    """Topic -> field -> (unit of its type or "", meaning or ""), as the dictionary of messages has them."""

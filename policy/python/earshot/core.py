@@ -7,7 +7,16 @@ from earshot.errors import BadInput
 
 _processor.require(_Path(__file__).with_name("built_for.txt"))
 try:
-    from earshot._core import Episodes, FrozenPolicy, Ocean, World, environment_crc32, radial
+    from earshot._core import (
+        Episodes,
+        FrozenPolicy,
+        Ocean,
+        World,
+        environment_crc32,
+        journal_fields,
+        journal_records,
+        radial,
+    )
 except ModuleNotFoundError as missing:
     if missing.name != "earshot._core":
         raise
@@ -16,4 +25,14 @@ except ModuleNotFoundError as missing:
         "from the root of the repository"
     ) from None
 
-__all__ = ["BadInput", "Episodes", "FrozenPolicy", "Ocean", "World", "environment_crc32", "radial"]
+__all__ = [
+    "BadInput",
+    "Episodes",
+    "FrozenPolicy",
+    "Ocean",
+    "World",
+    "environment_crc32",
+    "journal_fields",
+    "journal_records",
+    "radial",
+]

@@ -267,8 +267,8 @@ class Package(unittest.TestCase):
 
     def test_runs_the_blocks_of_its_readme_pasted_whole(self):
         blocks = (ROOT / "policy/python/README.md").read_text().split("```python\n")[1:]
-        self.assertEqual(len(blocks), 2)
-        for block in (text.split("```")[0] for text in blocks):
+        self.assertEqual(len(blocks), 3)
+        for block in (text.split("```")[0] for text in blocks if "read_journal" not in text):  # tests/readme has flown
             said = subprocess.run(
                 [sys.executable, "-qi"], input=block, capture_output=True, text=True, check=True
             ).stderr
