@@ -1,10 +1,11 @@
-// earshot_gym._core: the search as Python sees it. Every argument is checked here; earshot_gym/_core.pyi says what a call takes and gives.
+// earshot._core: the search as Python sees it. Every argument is checked here; earshot/_core.pyi says what a call takes and gives.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -14,6 +15,8 @@
 #include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/policy/format/policy_format.hpp"
+#include "policy/python/journal_module.hpp"
+#include "policy/python/ocean_module.hpp"
 #include "policy/python/replayable_episode.hpp"
 #include "policy/python/search_problem.hpp"
 #include "sim/search/streams.hpp"
@@ -374,8 +377,16 @@ void add_episodes(py::module_& module) {
 }  // namespace
 
 PYBIND11_MODULE(_core, module) {
-  py::register_exception<host::BadInput>(module, "BadInput", PyExc_ValueError);
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const host::BadInput& bad) {
+      py::set_error(py::module_::import("earshot.errors").attr("BadInput"), bad.what());
+    }
+  });
   add_world(module);
+  python::add_ocean(module);
+  python::add_journal(module);
   add_episodes(module);
   py::class_<FrozenPolicy>(module, "FrozenPolicy")
       .def(py::init<std::filesystem::path>(), py::arg("file"))

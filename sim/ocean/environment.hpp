@@ -9,6 +9,7 @@
 
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
+#include "sim/ocean/water/sea_water.hpp"
 #include "sim/ocean/water/sound_speed.hpp"
 
 namespace earshot::ocean {
@@ -45,6 +46,12 @@ struct SedimentStation {
   std::vector<SedimentLayer> layers;  ///< from the sea floor down, at least one
 };
 
+/// Sea water that absorbs sound, as found at a depth.
+struct AbsorbingWater {
+  SeaWater water;
+  Meters depth;
+};
+
 struct Charts;  ///< sea floor and water by geographic position; see charts.hpp
 
 struct Source {
@@ -73,6 +80,7 @@ struct Environment {
   /// and its field library), for provenance; 0: none.
   std::uint32_t file_crc32 = 0;
   std::vector<std::filesystem::path> files = {};  ///< the same ones, itself first; empty: none
+  std::optional<AbsorbingWater> absorbing = {};   ///< what `absorption_db_per_km` was computed of; empty: nothing absorbs
 };
 
 }  // namespace earshot::ocean

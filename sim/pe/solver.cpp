@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
@@ -235,9 +236,18 @@ Field solve(const ocean::Section& section, const PointSource& source, const Opti
   const Stepping stepping = choose_stepping(options, choice, 2.0 * std::numbers::pi / grid.reference_wavenumber_per_m);
   const std::size_t terms = options.terms == 0 ? choice.terms : options.terms;
   const Propagator propagator = propagator_of(section, grid, source.frequency, stepping, terms);
-  if (!is_automatic(choice, terms, stepping.step_m)) require_serves(propagator, terms, stepping.step_m, max_range);
+  const bool is_chosen_here = is_automatic(choice, terms, stepping.step_m);
+  if (!is_chosen_here) require_serves(propagator, terms, stepping.step_m, max_range);
   March march(section, source, grid, stepping, propagator, options.starter, receiver_depth_m);
-  Field field{.range_step = Meters{stepping.row_m()}, .depth_m = {receiver_depth_m.begin(), receiver_depth_m.end()}, .pressure = {}};
+  Field field{.range_step = Meters{stepping.row_m()},
+              .depth_m = {receiver_depth_m.begin(), receiver_depth_m.end()},
+              .pressure = {},
+              .grid = {.depth_step = Meters{grid.step_m},
+                       .range_step = Meters{stepping.step_m},
+                       .terms = terms,
+                       .predicted_error_db =
+                           is_chosen_here && !options.depth_step ? choice.predicted_error_db : std::numeric_limits<double>::quiet_NaN(),
+                       .reference_wavenumber_per_m = grid.reference_wavenumber_per_m}};
   const double rows = std::max(1.0, std::floor(max_range.value / stepping.row_m() + 1e-9));
   field.pressure.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(receiver_depth_m.size()));
 
@@ -245,9 +255,10 @@ Field solve(const ocean::Section& section, const PointSource& source, const Opti
   Eigen::Index row = 0;
   for (std::size_t step = 1; row < field.pressure.rows(); ++step) {
     march.step();
-    if (step % stepping.steps_per_row != 0) continue;
-    march.read(field, row);
-    row += static_cast<Eigen::Index>(stepping.rows_per_step);
+    if (step % stepping.steps_per_row == 0) {
+      march.read(field, row);
+      row += static_cast<Eigen::Index>(stepping.rows_per_step);
+    }
     if (progress && step % kStepsPerReport == 0) progress(std::min(1.0, static_cast<double>(row) / rows));
   }
   if (progress) progress(1.0);

@@ -12,12 +12,22 @@
 
 namespace earshot::pe {
 
+/// What a march was made on.
+struct MarchGrid {
+  Meters depth_step;
+  Meters range_step;
+  std::size_t terms;
+  double predicted_error_db;          ///< mean |dTL| that choose_grid expects of its choice; NaN where the caller chose otherwise
+  double reference_wavenumber_per_m;  ///< k0
+};
+
 /// Complex pressure of a source of unit amplitude at 1 m, without its common phase factor exp(i k0 r).
 struct Field {
   Meters range_step;  ///< between rows
   std::vector<double> depth_m;
   /// [n_range x n_depth], row i at (i + 1) range_step.
   Eigen::Array<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> pressure;
+  MarchGrid grid;
 };
 
 struct PointSource {

@@ -9,6 +9,7 @@
 #include "firmware/host/file/checksum_text.hpp"
 #include "sim/netcdf/units.hpp"
 #include "sim/ocean/charts/charts.hpp"
+#include "sim/sonar/sonar_field.hpp"
 
 namespace earshot::sonar {
 
@@ -34,12 +35,6 @@ void write_unmeasured(Writer& file, const std::optional<ocean::UnmeasuredWater>&
 void write_scalar(Writer& file, const std::string& name, const std::string& long_name, const std::string& units, double value) {
   file.variable(name, Type::kDouble, {}, {{"long_name", long_name}, {"units", units}});
   file.write(name, std::span(&value, 1));
-}
-
-std::vector<float> rounded_loss_db(std::span<const float> loss_db) {
-  std::vector<float> rounded(loss_db.size());
-  std::transform(loss_db.begin(), loss_db.end(), rounded.begin(), [](float loss) { return std::nearbyint(loss * 256.0F) / 256.0F; });
-  return rounded;
 }
 
 void write_transmission_loss(Writer& file, const std::vector<std::string>& dimensions, const std::string& coordinates,

@@ -22,9 +22,6 @@ void write_unmeasured(netcdf::Writer& file, const std::optional<ocean::Unmeasure
 
 void write_scalar(netcdf::Writer& file, const std::string& name, const std::string& long_name, const std::string& units, double value);
 
-/// To 1/256 dB, as files hold it.
-[[nodiscard]] std::vector<float> rounded_loss_db(std::span<const float> loss_db);
-
 /// Transmission loss [n_range x n_depth] or [n_bearing x n_range x n_depth] as the variable "transmission_loss", rounded to 1/256 dB: the
 /// digits below are the solver's errors, and without them zlib needs half the time and half the bytes. The attribute `comment` says how
 /// SNR is had from variables of the same file (write_scene).

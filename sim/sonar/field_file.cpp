@@ -33,15 +33,12 @@ void write_sea_floor(Writer& file, const SonarField& field) {
 }
 
 void write_snr(Writer& file, const SonarField& field) {
-  std::vector<float> snr_db;
-  for (const float loss_db : rounded_loss_db(field.transmission_loss_db))
-    snr_db.push_back(static_cast<float>(field.source_level.value - static_cast<double>(loss_db) - field.noise_level.value));
   file.variable(
       "snr", Type::kFloat, {"range", "depth"},
       {{"long_name", "signal-to-noise ratio at the hydrophone"}, {"units", netcdf::kDecibels}, {"coordinates", "source_depth bearing"}});
   file.attribute("snr", "_FillValue", std::numeric_limits<double>::quiet_NaN());
   file.compress("snr");
-  file.write("snr", snr_db);
+  file.write("snr", rounded_snr_db(field));
 }
 
 }  // namespace

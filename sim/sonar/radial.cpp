@@ -34,26 +34,33 @@ std::vector<double> wet_depths(const std::vector<double>& depth_m, std::span<con
 
 using Intensities = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Mean of |p|^2 over the band, [n_range x n_wet_depth].
-Intensities mean_intensity(const ocean::Section& section, const RadialPlan& plan, const std::vector<double>& depth_m, Meters max_range,
-                           const pe::Progress& progress) {
+/// What a band sounds like at the receivers in the water.
+struct BandSound {
+  Intensities mean;  ///< of |p|^2 over the band, [n_range x n_wet_depth]
+  pe::Field last;    ///< of its highest frequency
+};
+
+BandSound sound_of_band(const ocean::Section& section, const RadialPlan& plan, const std::vector<double>& depth_m, Meters max_range,
+                        const pe::Progress& progress) {
   pe::Options options = plan.options;
   options.output_step = plan.range_step;
   const std::vector<double> frequency_hz = frequencies_hz(plan.band);
-  Intensities mean;
+  BandSound sound;
+  Intensities& mean = sound.mean;
   const auto count = static_cast<double>(frequency_hz.size());
   for (std::size_t i = 0; i < frequency_hz.size(); ++i) {
     const auto report = [&](double fraction) {
       if (progress) progress((static_cast<double>(i) + fraction) / count);
     };
-    const pe::Field field = pe::solve(section, {Hertz{frequency_hz[i]}, plan.source_depth}, options, depth_m, max_range, report);
+    sound.last = {};  // two fields at once would take twice the memory
+    sound.last = pe::solve(section, {Hertz{frequency_hz[i]}, plan.source_depth}, options, depth_m, max_range, report);
     if (i == 0)
-      mean = field.pressure.abs2();
+      mean = sound.last.pressure.abs2();
     else
-      mean += field.pressure.abs2();
+      mean += sound.last.pressure.abs2();
   }
   if (count > 1.0) mean /= count;
-  return mean;
+  return sound;
 }
 
 /// NaN in a field means that there is no water; a march that went wrong must not look like that.
@@ -90,10 +97,11 @@ std::optional<Meters> shore_before(const ocean::Section& section, Meters range) 
   return section.shore && *section.shore < range ? section.shore : std::nullopt;
 }
 
-void compute_radial(const ocean::Section& section, const std::string& name, const RadialPlan& plan, const RadialLoss& loss,
-                    const pe::Progress& progress) {
+std::optional<pe::MarchGrid> compute_radial(const ocean::Section& section, const std::string& name, const RadialPlan& plan,
+                                            const RadialLoss& loss, const pe::Progress& progress) {
   const std::size_t depths = plan.depth_m.size();
   assert(loss.transmission_loss_db.size() == plan.ranges * depths && loss.sea_floor_depth_m.size() == plan.ranges);
+  assert(loss.pressure.empty() || (loss.pressure.size() == plan.ranges * depths && !(plan.band.high > plan.band.low)));
   const Meters max_range = plan.max_range();
   const Meters end = section.shore ? std::min(*section.shore, max_range) : max_range;
 
@@ -102,21 +110,26 @@ void compute_radial(const ocean::Section& section, const std::string& name, cons
     loss.sea_floor_depth_m[i] = static_cast<float>(ocean::sea_floor_depth(section, range).value);  // 0 from the shore on
   }
   std::fill(loss.transmission_loss_db.begin(), loss.transmission_loss_db.end(), kNowhere);
+  std::fill(loss.pressure.begin(), loss.pressure.end(), std::complex<double>(kNowhere, kNowhere));
   const std::vector<double> wet_m = wet_depths(plan.depth_m, loss.sea_floor_depth_m);
-  if (wet_m.empty() || end < plan.range_step) return;
+  if (wet_m.empty() || end < plan.range_step) return std::nullopt;
 
-  const Intensities intensity = mean_intensity(section, plan, wet_m, end, progress);
+  const BandSound sound = sound_of_band(section, plan, wet_m, end, progress);
+  const Intensities& intensity = sound.mean;
   for (Eigen::Index i = 0; i < std::min(intensity.rows(), static_cast<Eigen::Index>(plan.ranges)); ++i) {
     const auto row = static_cast<std::size_t>(i);
     Eigen::Index column = 0;
     for (std::size_t j = 0; j < depths && column < intensity.cols(); ++j) {
       if (plan.depth_m[j] != wet_m[static_cast<std::size_t>(column)]) continue;
-      const double value = intensity(i, column++);
+      const double value = intensity(i, column);
+      const std::complex<double> pressure = sound.last.pressure(i, column++);
       if (!std::isfinite(value)) throw_no_number(name, (static_cast<double>(i) + 1.0) * plan.range_step, plan.depth_m[j]);
-      if (in_water(plan.depth_m[j], loss.sea_floor_depth_m[row]))
-        loss.transmission_loss_db[row * depths + j] = static_cast<float>(transmission_loss(value).value);
+      if (!in_water(plan.depth_m[j], loss.sea_floor_depth_m[row])) continue;
+      loss.transmission_loss_db[row * depths + j] = static_cast<float>(transmission_loss(value).value);
+      if (!loss.pressure.empty()) loss.pressure[row * depths + j] = pressure;
     }
   }
+  return sound.last.grid;
 }
 
 }  // namespace earshot::sonar

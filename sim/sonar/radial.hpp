@@ -1,5 +1,6 @@
 #pragma once
 
+#include <complex>
 #include <cstddef>
 #include <numbers>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "sim/ocean/environment.hpp"
 #include "sim/ocean/section.hpp"
 #include "sim/pe/options.hpp"
+#include "sim/pe/solver.hpp"
 
 namespace earshot::sonar {
 
@@ -43,6 +45,8 @@ struct RadialPlan {
 struct RadialLoss {
   std::span<float> transmission_loss_db;  ///< [n_range x n_depth]
   std::span<float> sea_floor_depth_m;     ///< [n_range]; 0 from the shore outward
+  /// Empty, or of the one frequency of a band without width: pe::Field's pressure, NaN where the loss is.  [n_range x n_depth]
+  std::span<std::complex<double>> pressure = {};
 };
 
 /// Whether sections of an environment differ from bearing to bearing or from one source position to another.
@@ -63,9 +67,10 @@ struct RadialLoss {
 ///
 /// @param section  of the radial, as far as the plan goes: ocean::section_along
 /// @param name     of the ocean, for the exception
+/// @return the grid of the march, of the band's highest frequency; nothing where there was nothing to march through
 /// Throws std::invalid_argument where the solver cannot serve, std::runtime_error where its sound is not a finite number.
 /// Oracle: Radial.*
-void compute_radial(const ocean::Section& section, const std::string& name, const RadialPlan& plan, const RadialLoss& loss,
-                    const pe::Progress& progress = {});
+std::optional<pe::MarchGrid> compute_radial(const ocean::Section& section, const std::string& name, const RadialPlan& plan,
+                                            const RadialLoss& loss, const pe::Progress& progress = {});
 
 }  // namespace earshot::sonar

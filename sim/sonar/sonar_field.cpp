@@ -23,8 +23,21 @@ float SonarField::snr_db(std::size_t range, std::size_t depth) const {
   return static_cast<float>(signal_to_noise(source_level, Decibels{static_cast<double>(loss_db)}, noise_level).value);
 }
 
+std::vector<float> rounded_loss_db(std::span<const float> loss_db) {
+  std::vector<float> rounded(loss_db.size());
+  std::transform(loss_db.begin(), loss_db.end(), rounded.begin(), [](float loss) { return std::nearbyint(loss * 256.0F) / 256.0F; });
+  return rounded;
+}
+
+std::vector<float> rounded_snr_db(const SonarField& field) {
+  std::vector<float> snr_db;
+  for (const float loss_db : rounded_loss_db(field.transmission_loss_db))
+    snr_db.push_back(static_cast<float>(field.source_level.value - static_cast<double>(loss_db) - field.noise_level.value));
+  return snr_db;
+}
+
 SonarField compute_sonar_field(const ocean::Environment& environment, const ocean::Section& section, const RadialPlan& plan,
-                               const pe::Progress& progress) {
+                               const pe::Progress& progress, Pressure pressure) {
   SonarField result{.range_m = {},
                     .depth_m = plan.depth_m,
                     .source_level = environment.source.level,
@@ -33,8 +46,11 @@ SonarField compute_sonar_field(const ocean::Environment& environment, const ocea
                     .sea_floor_depth_m = std::vector<float>(plan.ranges),
                     .unmeasured = section.unmeasured};
   for (std::size_t i = 0; i < plan.ranges; ++i) result.range_m.push_back(static_cast<double>(i + 1) * plan.range_step.value);
-  compute_radial(section, environment.name, plan,
-                 {.transmission_loss_db = result.transmission_loss_db, .sea_floor_depth_m = result.sea_floor_depth_m}, progress);
+  if (pressure == Pressure::kKept) result.pressure.resize(result.transmission_loss_db.size());
+  result.grid = compute_radial(
+      section, environment.name, plan,
+      {.transmission_loss_db = result.transmission_loss_db, .sea_floor_depth_m = result.sea_floor_depth_m, .pressure = result.pressure},
+      progress);
   return result;
 }
 

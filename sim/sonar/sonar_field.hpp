@@ -1,13 +1,16 @@
 #pragma once
 
+#include <complex>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "firmware/core/units.hpp"
 #include "sim/ocean/environment.hpp"
 #include "sim/ocean/section.hpp"
 #include "sim/pe/options.hpp"
+#include "sim/pe/solver.hpp"
 #include "sim/sonar/radial.hpp"
 #include "sim/sonar/snr_curve.hpp"
 
@@ -28,15 +31,27 @@ struct SonarField {
   std::vector<float> sea_floor_depth_m = {};              ///< [n_range]; 0 on land
   std::optional<ocean::UnmeasuredWater> unmeasured = {};  ///< what of the radial's water was not measured but extended, if any
 
+  std::vector<std::complex<double>> pressure = {};  ///< empty, or [n_range x n_depth] as of RadialLoss
+  std::optional<pe::MarchGrid> grid = {};           ///< nothing where there was nothing to march through
+
   [[nodiscard]] float at(std::size_t range, std::size_t depth) const { return transmission_loss_db[range * depth_m.size() + depth]; }
   /// SL - TL - N at one range and depth; NaN where there is no water.
   [[nodiscard]] float snr_db(std::size_t range, std::size_t depth) const;
 };
 
+/// To 1/256 dB, as files hold it.
+[[nodiscard]] std::vector<float> rounded_loss_db(std::span<const float> loss_db);
+
+/// SL - TL - N of the rounded loss, as files hold it. [n_range x n_depth], NaN where there is no water
+[[nodiscard]] std::vector<float> rounded_snr_db(const SonarField& field);
+
+enum class Pressure : bool { kLeftOut, kKept };
+
 /// A radial from the environment's source. Throws as compute_radial does.
-/// @param section  of the radial, as far as the plan goes
+/// @param section   of the radial, as far as the plan goes
+/// @param pressure  is kept of a band without width alone
 [[nodiscard]] SonarField compute_sonar_field(const ocean::Environment& environment, const ocean::Section& section, const RadialPlan& plan,
-                                             const pe::Progress& progress = {});
+                                             const pe::Progress& progress = {}, Pressure pressure = Pressure::kLeftOut);
 
 /// SNR at one receiver depth every 10 m of range up to `max_range`. Range 0 gets the value at 10 m; where there is no water the loss is
 /// `kMaxTransmissionLoss`.

@@ -1,16 +1,12 @@
 #include "sim/apps/field/arguments.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <filesystem>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "firmware/host/file/distinct_files.hpp"
 #include "sim/plot/gnuplot.hpp"
-#include "sim/sonar/fan.hpp"
 
 namespace earshot::field {
 namespace {
@@ -92,36 +88,6 @@ ocean::Band band_of(const FieldArguments& arguments, const ocean::Environment& e
   return {Hertz{arguments.band_hz[0]}, Hertz{arguments.band_hz[1]}, arguments.frequencies};
 }
 
-/// 10 m; in water so shallow that it would have less than a hundred depths 5, 2, 1, 0.5, 0.2 or 0.1 m.
-double default_depth_spacing_m(Meters sea_floor) {
-  constexpr std::array<double, 6> kFiner_m{5.0, 2.0, 1.0, 0.5, 0.2, 0.1};
-  double spacing_m = 10.0;
-  for (const double finer_m : kFiner_m) {
-    if (100.0 * spacing_m > sea_floor.value) spacing_m = finer_m;
-  }
-  return spacing_m;
-}
-
-std::vector<double> receiver_depths(const FieldArguments& arguments, Meters sea_floor) {
-  std::vector<double> depths = arguments.depth_m;
-  if (!depths.empty() && depths.front() == 0.0)
-    throw std::invalid_argument(
-        "--depth = 0: at the surface there is no sound, its pressure is released; a hydrophone hangs below it, at 1 m for example");
-  for (const double depth : depths) {
-    if (depth <= sea_floor.value) continue;
-    std::ostringstream text;
-    text << "--depth = " << depth << ": must be from 0 m to the sea floor, at its deepest " << sea_floor.value << " m";
-    throw std::invalid_argument(text.str());
-  }
-  if (!depths.empty()) return depths;
-  const double spacing_m = arguments.depth_spacing_m.value_or(default_depth_spacing_m(sea_floor));
-  // Multiples, less one that falls on the sea floor but for rounding: a sum of tenths of a metre would miss it by a nanometre.
-  const double spacings = std::max(1.0, std::ceil(sea_floor.value / spacing_m - 1e-6));
-  for (std::size_t i = 1; i < static_cast<std::size_t>(spacings); ++i) depths.push_back(static_cast<double>(i) * spacing_m);
-  depths.push_back(sea_floor.value);
-  return depths;
-}
-
 }  // namespace
 
 void describe(program::CommandLine& line, FieldArguments& a) {
@@ -173,32 +139,33 @@ void require_writable(const FieldArguments& arguments, const ocean::Environment&
   host::require_writable(std::move(read), outputs, host::replaced_by(arguments.force));
 }
 
-sonar::RadialPlan plan_radial(const FieldArguments& arguments, const ocean::Environment& environment, double default_step_wavelengths) {
-  sonar::RadialPlan plan{
-      .source_depth = environment.source.depth, .depth_m = {}, .range_step = {}, .ranges = 1, .band = band_of(arguments, environment)};
-  constexpr double kSoundSpeed_mps = 1500.0;
-  const double automatic_m = default_step_wavelengths * kSoundSpeed_mps / plan.band.high.value;
-  plan.range_step = Meters{arguments.output_step_m.value_or(arguments.range_step_m.value_or(automatic_m))};
-  plan.ranges = std::max<std::size_t>(1, static_cast<std::size_t>(1000.0 * arguments.max_range_km / plan.range_step.value + 1e-9));
-  plan.options.terms = arguments.terms;
-  plan.options.absorber_wavelengths = arguments.absorber_wavelengths;
-  plan.options.starter = arguments.starter == "gaussian" ? pe::Starter::kGaussian : pe::Starter::kSelf;
-  plan.options.accuracy = Decibels{arguments.accuracy_db};
-  if (arguments.range_step_m) plan.options.range_step = Meters{*arguments.range_step_m};
-  if (arguments.depth_step_m) plan.options.depth_step = Meters{*arguments.depth_step_m};
-  return plan;
+sonar::RadialRequest request_of(const FieldArguments& arguments, const ocean::Environment& environment, double default_step_wavelengths) {
+  const auto metres = [](std::optional<double> value) { return value ? std::optional(Meters{*value}) : std::nullopt; };
+  sonar::RadialRequest request{.max_range = Meters{1000.0 * arguments.max_range_km},
+                               .depth_m = arguments.depth_m,
+                               .depth_spacing = metres(arguments.depth_spacing_m),
+                               .output_step = metres(arguments.output_step_m),
+                               .default_step_wavelengths = default_step_wavelengths,
+                               .band = band_of(arguments, environment)};
+  request.options.terms = arguments.terms;
+  request.options.absorber_wavelengths = arguments.absorber_wavelengths;
+  request.options.starter = arguments.starter == "gaussian" ? pe::Starter::kGaussian : pe::Starter::kSelf;
+  request.options.accuracy = Decibels{arguments.accuracy_db};
+  request.options.range_step = metres(arguments.range_step_m);
+  request.options.depth_step = metres(arguments.depth_step_m);
+  return request;
 }
 
-void plan_depths(const FieldArguments& arguments, Meters deepest_sea_floor, sonar::RadialPlan& plan) {
-  plan.depth_m = receiver_depths(arguments, deepest_sea_floor);
-  const double values = static_cast<double>(std::max<std::size_t>(1, arguments.radials)) * static_cast<double>(plan.ranges) *
-                        static_cast<double>(plan.depth_m.size());
-  if (values > sonar::kMostFanValues) {
-    std::ostringstream text;
-    text << "--output-step-m = " << plan.range_step.value << ": radials x ranges x depths are " << values << " values, must not exceed "
-         << sonar::kMostFanValues << "; take a longer step, fewer depths or a shorter range";
-    throw std::invalid_argument(text.str());
+std::string option_of(sonar::BadRequest::What what) {
+  switch (what) {
+    case sonar::BadRequest::What::kDepth:
+      return "--depth";
+    case sonar::BadRequest::What::kOutputStep:
+      return "--output-step-m";
+    case sonar::BadRequest::What::kBearing:
+      return "--bearing-deg";
   }
+  return "";
 }
 
 sonar::Detector detector_of(const FieldArguments& arguments, const ocean::Environment& environment) {

@@ -9,7 +9,7 @@
 #include "firmware/host/program/command_line.hpp"
 #include "sim/ocean/environment.hpp"
 #include "sim/sonar/detection.hpp"
-#include "sim/sonar/radial.hpp"
+#include "sim/sonar/radial_request.hpp"
 
 namespace earshot::field {
 
@@ -53,13 +53,12 @@ void require_consistent(const program::CommandLine& line, const FieldArguments& 
 /// @param environment  as it was read from its file
 void require_writable(const FieldArguments& arguments, const ocean::Environment& environment);
 
-/// All of a plan but its depths, for which the sea floor must be known.
 /// @param default_step_wavelengths  between ranges written where the command line names none
-[[nodiscard]] sonar::RadialPlan plan_radial(const FieldArguments& arguments, const ocean::Environment& environment,
-                                            double default_step_wavelengths);
+[[nodiscard]] sonar::RadialRequest request_of(const FieldArguments& arguments, const ocean::Environment& environment,
+                                              double default_step_wavelengths);
 
-/// Throws std::invalid_argument naming a depth that no radial has water at, and for more values than kMostFanValues.
-void plan_depths(const FieldArguments& arguments, Meters deepest_sea_floor, sonar::RadialPlan& plan);
+/// The option that says what is wrong with a request.
+[[nodiscard]] std::string option_of(sonar::BadRequest::What what);
 
 [[nodiscard]] sonar::Detector detector_of(const FieldArguments& arguments, const ocean::Environment& environment);
 

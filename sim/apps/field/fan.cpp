@@ -115,8 +115,10 @@ void write_fan(const FieldArguments& arguments) {
   const auto environment = environment_in(arguments.environment);
   require_writable(arguments, environment);
   const NorthEast source = environment.source.position;
-  sonar::FanPlan plan{.bearings = arguments.radials, .radial = plan_radial(arguments, environment, 1.0 / 3.0)};
-  plan_depths(arguments, sonar::deepest_sea_floor(environment, source, plan.bearings, plan.radial.max_range()), plan.radial);
+  const sonar::RadialRequest request = request_of(arguments, environment, 1.0 / 3.0);
+  sonar::FanPlan plan{.bearings = arguments.radials, .radial = sonar::plan_ranges(request, environment.source.depth)};
+  sonar::plan_depths(request, plan.bearings, sonar::deepest_sea_floor(environment, source, plan.bearings, plan.radial.max_range()),
+                     plan.radial);
   require_water(environment, plan);
 
   const sonar::Fan fan = [&] {

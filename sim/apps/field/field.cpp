@@ -11,6 +11,7 @@ namespace {
 
 using earshot::field::BadStart;
 using earshot::field::FieldArguments;
+using earshot::field::option_of;
 using earshot::parallel::RankSession;
 using earshot::program::CommandLine;
 
@@ -34,6 +35,9 @@ int run_in_session(const FieldArguments& arguments) {
   try {
     run(arguments, session);
     return 0;
+  } catch (const earshot::sonar::BadRequest& bad) {
+    std::cerr << "earshot field: " << bad.called(option_of(bad.what_is_wrong())) << '\n';
+    return 2;
   } catch (const BadStart& e) {
     return session.ranks().rank() == 0 ? report(e) : 2;
   } catch (const std::exception& e) {

@@ -3,16 +3,15 @@
 #include <numbers>
 #include <ostream>
 #include <sstream>
-#include <stdexcept>
 
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "sim/apps/field/modes.hpp"
-#include "sim/ocean/section_along.hpp"
 #include "sim/plot/field_plot.hpp"
 #include "sim/search/scenario/scenario_file.hpp"
 #include "sim/sonar/field_file.hpp"
 #include "sim/sonar/grid_check.hpp"
+#include "sim/sonar/radial_request.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
 namespace earshot::field {
@@ -27,15 +26,6 @@ void print_check(const ocean::Section& section, const std::string& name, const s
                    << " m halved at " << plan.band.high.value << " Hz: loss changes by " << check.mean_db << " dB in the mean, "
                    << check.max_db << " dB at most (range " << check.range_of_max.value / 1000.0 << " km, depth "
                    << check.depth_of_max.value << " m)\n";
-}
-
-void require_water(const ocean::Section& section, Radians bearing, Meters first_range) {
-  const auto shore = sonar::shore_before(section, first_range);
-  if (!shore) return;
-  std::ostringstream text;
-  text << "--bearing-deg = " << bearing.value * 180.0 / std::numbers::pi << ": meets land " << shore->value
-       << " m from the source, nearer than the first range of the field, " << first_range.value << " m: there is nothing to compute";
-  throw std::invalid_argument(text.str());
 }
 
 /// Beyond a shore there is no field: what the numbers that are missing mean.
@@ -88,10 +78,9 @@ void write_radial(const FieldArguments& arguments) {
   const auto environment = environment_in(arguments.environment);
   require_writable(arguments, environment);
   const Radians bearing{arguments.bearing_deg * std::numbers::pi / 180.0};
-  sonar::RadialPlan plan = plan_radial(arguments, environment, 1.0 / 6.0);
-  const ocean::Section section = ocean::section_along(environment, environment.source.position, bearing, plan.max_range());
-  plan_depths(arguments, sonar::deepest_sea_floor(section, plan.max_range()), plan);
-  require_water(section, bearing, plan.range_step);
+  const sonar::PlannedRadial radial = sonar::plan_radial(environment, bearing, request_of(arguments, environment, 1.0 / 6.0));
+  const ocean::Section& section = radial.section;
+  const sonar::RadialPlan& plan = radial.plan;
 
   const auto field = [&] {
     program::ProgressBar bar("field");

@@ -51,8 +51,13 @@ void take_water(Environment& environment, Charts& charts, const EnvironmentKeys&
 void take_sea_floor(Environment& environment, Charts& charts, const EnvironmentKeys& keys, std::uint32_t& crc) {
   if (!keys.bathymetry) return;
   const BathymetryKeys& from = *keys.bathymetry;
+  if (from.layout == BathymetryLayout::kSection) {
+    environment.sea_floor_stations = from.section;
+    return;
+  }
   environment.files.push_back(from.file);
   switch (from.layout) {
+    case BathymetryLayout::kSection:  // above
     case BathymetryLayout::kSectionCsv:
       environment.sea_floor_stations = read_section_csv(from.file);
       crc = host::crc32_of_file(from.file, crc);
@@ -98,12 +103,12 @@ void check_against_data(const std::filesystem::path& path, const Environment& en
   for (const WaterStation& station : environment.water_stations) check(station.profile);
 }
 
-}  // namespace
-
-Environment environment_of(const std::filesystem::path& path, const EnvironmentKeys& keys) {
-  std::uint32_t crc = host::crc32_of_file(path);
+/// @param crc    of the text that the keys were read from
+/// @param files  that it stands in
+Environment environment_of(const std::filesystem::path& path, const EnvironmentKeys& keys, std::uint32_t crc,
+                           std::vector<std::filesystem::path> files) {
   Environment environment = keys.environment;
-  environment.files = {path};
+  environment.files = std::move(files);
   auto charts = std::make_shared<Charts>(Charts{.grid = {keys.origin.value_or(GeoPosition{})}, .bathymetry = {}, .climatology = {}});
   take_water(environment, *charts, keys, crc);
   take_sea_floor(environment, *charts, keys, crc);
@@ -115,6 +120,17 @@ Environment environment_of(const std::filesystem::path& path, const EnvironmentK
   environment.seabed.depth = at_source.sea_floor.front().depth;
   check_against_data(path, environment, *charts);
   return environment;
+}
+
+}  // namespace
+
+Environment environment_of(const std::filesystem::path& path, const EnvironmentKeys& keys) {
+  return environment_of(path, keys, host::crc32_of_file(path), {path});
+}
+
+Environment environment_of_text(const std::string& name, const std::string& text) {
+  const std::uint32_t crc = crc32({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, 0);
+  return environment_of(name, read_environment_keys(host::TomlFile(name, text)), crc, {});
 }
 
 Environment load_environment(const std::filesystem::path& path) {

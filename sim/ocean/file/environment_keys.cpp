@@ -1,9 +1,14 @@
 #include "sim/ocean/file/environment_keys.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <string>
 #include <variant>
+#include <vector>
 
+#include "sim/ocean/charts/bathymetry.hpp"
 #include "sim/ocean/file/environment_noise.hpp"
+#include "sim/ocean/with_source.hpp"
 
 namespace earshot::ocean {
 namespace {
@@ -27,10 +32,41 @@ GeoPosition read_origin(TableReader table) {
           .longitude_deg = table.number("longitude_deg", Range::between(-180.0, 180.0))};
 }
 
+constexpr SeaFloorStation kHarmless{.range = Meters{}, .depth = Meters{1.0}};  // what is read after a problem must not mislead
+
+std::vector<SeaFloorStation> read_section(TableReader& table) {
+  const std::vector<double> range_m = table.numbers("range_m", Range::between(0.0, 1e8));
+  const std::vector<double> depth_m = table.numbers("depth_m", Range::between(0.0, kDeepestSeaFloor_m));
+  if (table.is_noted("range_m") || table.is_noted("depth_m")) return {kHarmless};
+  if (range_m.empty() || range_m.size() != depth_m.size()) {
+    table.problem("range_m", "must hold one range or more, one for each of depth_m");
+    return {kHarmless};
+  }
+  std::vector<SeaFloorStation> stations;
+  for (std::size_t i = 0; i < range_m.size(); ++i) {
+    const std::string number = "value number " + std::to_string(i + 1);
+    if (i > 0 && !(range_m[i] > range_m[i - 1])) {
+      table.problem("range_m", "must increase: " + number + " does not");
+      return {kHarmless};
+    }
+    if (depth_m[i] == 0.0 && (i == 0 || i + 1 < range_m.size())) {
+      table.problem("depth_m", "must be above 0 everywhere but in the last of two or more, which may be the shore: " + number + " is not");
+      return {kHarmless};
+    }
+    stations.push_back({.range = Meters{range_m[i]}, .depth = Meters{depth_m[i]}});
+  }
+  return stations;
+}
+
 BathymetryKeys read_bathymetry(const host::TomlFile& file, TableReader table) {
-  BathymetryKeys keys{.layout = static_cast<BathymetryLayout>(table.choice("layout", {"section_csv", "grid_csv", "gebco"})),
-                      .file = file.resolve(table.text("file")),
+  BathymetryKeys keys{.layout = static_cast<BathymetryLayout>(table.choice("layout", {"section_csv", "grid_csv", "gebco", "section"})),
+                      .file = {},
                       .reach = {}};
+  if (keys.layout == BathymetryLayout::kSection) {
+    keys.section = read_section(table);
+    return keys;
+  }
+  keys.file = file.resolve(table.text("file"));
   if (keys.layout == BathymetryLayout::kGebco) {
     keys.reach = Meters{1000.0 * table.number_or("reach_km", 150.0, Range::above_up_to(0.0, 5000.0))};
   }
@@ -63,12 +99,14 @@ EnvironmentKeys read_environment_keys(const host::TomlFile& file, const FurtherT
   keys.water = read_water(file, water, environment);
   if (const auto origin = root.optional_table("origin")) keys.origin = read_origin(*origin);
   if (const auto absorption = root.optional_table("absorption")) {
-    environment.absorption_db_per_km = read_absorption(*absorption, environment.source.frequency);
+    environment.absorbing = read_absorption(*absorption);
+    environment = with_source(environment, environment.source.frequency, environment.source.depth);
   }
   if (const auto bathymetry = root.optional_table("bathymetry")) keys.bathymetry = read_bathymetry(file, *bathymetry);
   read_seabed(root.table("seabed"), keys.bathymetry ? SeaFloorDepth::kGivenByBathymetry : SeaFloorDepth::kGivenHere, environment);
   if (further) further(file, root, keys);
-  const bool chart = keys.bathymetry && keys.bathymetry->layout != BathymetryLayout::kSectionCsv;
+  const bool chart =
+      keys.bathymetry && (keys.bathymetry->layout == BathymetryLayout::kGridCsv || keys.bathymetry->layout == BathymetryLayout::kGebco);
   if (!keys.origin && (chart || std::holds_alternative<WaterAtlas>(keys.water))) {
     root.problem("origin", "must be there, with latitude_deg and longitude_deg: where north_m = 0, east_m = 0 lies on the charts");
   }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "firmware/host/toml/table_reader.hpp"
 #include "sim/ocean/charts/geography.hpp"
@@ -14,12 +15,13 @@
 
 namespace earshot::ocean {
 
-enum class BathymetryLayout : std::uint8_t { kSectionCsv, kGridCsv, kGebco };
+enum class BathymetryLayout : std::uint8_t { kSectionCsv, kGridCsv, kGebco, kSection };
 
 struct BathymetryKeys {
   BathymetryLayout layout;
   std::filesystem::path file;
   Meters reach;
+  std::vector<SeaFloorStation> section = {};  ///< kSection, which has no file
 };
 
 /// What an environment file says, before the data files it names are read.

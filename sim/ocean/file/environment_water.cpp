@@ -89,11 +89,11 @@ WaterData read_water(const host::TomlFile& file, TableReader table, Environment&
   }
 }
 
-double read_absorption(TableReader table, Hertz frequency) {
+AbsorbingWater read_absorption(TableReader table) {
   const SeaWater water{.temperature_c = table.number("temperature_c", Range::between(-2.0, 40.0)),
                        .salinity_psu = table.number("salinity_psu", Range::between(0.0, 50.0)),
                        .acidity_ph_nbs = table.number_or("acidity_ph_nbs", 8.0, Range::between(7.0, 9.0))};
-  return absorption_db_per_km(water, Meters{table.number("depth_m", Range::between(0.0, kMaxDepth_m))}, frequency);
+  return {.water = water, .depth = Meters{table.number("depth_m", Range::between(0.0, kMaxDepth_m))}};
 }
 
 }  // namespace earshot::ocean

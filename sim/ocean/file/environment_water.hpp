@@ -27,7 +27,7 @@ using WaterData = std::variant<std::monostate, WaterCsv, WaterAtlas>;
 /// The table [water] of an environment file: what stands there of the water goes into `environment`.
 [[nodiscard]] WaterData read_water(const host::TomlFile& file, host::TableReader table, Environment& environment);
 
-/// Sound absorption after the table [absorption], dB/km.
-[[nodiscard]] double read_absorption(host::TableReader table, Hertz frequency);
+/// The table [absorption] of an environment file.
+[[nodiscard]] AbsorbingWater read_absorption(host::TableReader table);
 
 }  // namespace earshot::ocean

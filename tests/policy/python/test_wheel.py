@@ -87,6 +87,13 @@ class Wheel(unittest.TestCase):
         )
         self.assertEqual((read.returncode, read.stdout), (0, "2\n"), read.stderr)
 
+    def test_computes_a_field(self):
+        computed = self.python(
+            "import earshot as e; env = e.Environment(sound_speed=1500.0, bathymetry=100.0, sediment=e.Layer(1600.0))\n"
+            "print(e.field(env, frequency=50.0, source_depth=30.0, max_range=500.0).transmission_loss.shape)"
+        )
+        self.assertEqual((computed.returncode, computed.stdout), (0, "(100, 100)\n"), computed.stderr)
+
     def test_says_what_to_install_where_there_is_no_netcdf(self):
         for name in ("libnetcdf.so.19", "libnetcdf.so.22"):
             (self.folder / name).touch()  # the linker finds it before the computer's own, and cannot load it
@@ -99,7 +106,7 @@ class Wheel(unittest.TestCase):
 
     def test_refuses_a_processor_that_it_was_not_built_for(self):
         program = (
-            "from pathlib import Path; from earshot_gym.processor import require; "
+            "from pathlib import Path; from earshot.processor import require; "
             "require(Path('built_for'), Path('cpuinfo'))"
         )
         (self.folder / "built_for").write_text("avx2 fma\n")

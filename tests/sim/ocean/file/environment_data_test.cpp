@@ -75,6 +75,44 @@ TEST_F(EnvironmentData, TakesTheAsaWedgeFromASectionCsv) {
   EXPECT_EQ(sea_floor_depth(section_along(wedge, {}, Radians{}, Meters{4000.0}), Meters{3000.0}), Meters{50.0});
 }
 
+TEST_F(EnvironmentData, TakesTheAsaWedgeFromTheFileItself) {
+  source.replace(source.find("depth_m = 30.0"), 14, "depth_m = 100.0");
+  seabed = kHalfSpace;
+  bathymetry = "[bathymetry]\nlayout = \"section\"\nrange_m = [0, 4000]\ndepth_m = [200, 0]\n";
+  const Environment wedge = load();
+  EXPECT_EQ(wedge.seabed.depth, Meters{200.0});
+  EXPECT_EQ(sea_floor_depth(section_along(wedge, {}, Radians{}, Meters{4000.0}), Meters{3000.0}), Meters{50.0});
+  EXPECT_EQ(wedge.files.size(), 1U);
+}
+
+TEST_F(EnvironmentData, RefusesASectionThatIsNone) {
+  seabed = kHalfSpace;
+  const auto complaint_of_section = [this](const std::string& range_m, const std::string& depth_m) {
+    bathymetry = "[bathymetry]\nlayout = \"section\"\nrange_m = " + range_m + "\ndepth_m = " + depth_m + "\n";
+    return complaint();
+  };
+  const auto expect = [&](const std::string& range_m, const std::string& depth_m, const std::string& said) {
+    EXPECT_NE(complaint_of_section(range_m, depth_m).find(said), std::string::npos) << complaint_of_section(range_m, depth_m);
+  };
+  expect("[]", "[]", "bathymetry.range_m: must hold one range or more");
+  expect("[0, 1]", "[100]", "one for each of depth_m");
+  expect("[0, 5, 5]", "[100, 90, 80]", "must increase: value number 3 does not");
+  expect("[0, 1, 2]", "[100, 0, 100]", "value number 2 is not");
+  expect("[0]", "[0]", "value number 1 is not");
+  expect("[0, 1]", "[100, nan]", "must be a finite number");
+}
+
+TEST_F(EnvironmentData, ReadsAsTextWhatItReadsAsAFile) {
+  const std::string text = "name = \"e\"\n" + source + noise + water + seabed;
+  const Environment from_text = environment_of_text("text", text);
+  const Environment from_file = load();
+  EXPECT_EQ(from_text.name, "e");
+  EXPECT_EQ(from_text.file_crc32, from_file.file_crc32);
+  EXPECT_TRUE(from_text.files.empty());
+  EXPECT_EQ(from_text.seabed.depth, from_file.seabed.depth);
+  EXPECT_EQ(from_text.source.level, from_file.source.level);
+}
+
 TEST_F(EnvironmentData, TakesSeaFloorAndWaterFromCharts) {
   origin = kOrigin;
   seabed = kHalfSpace;

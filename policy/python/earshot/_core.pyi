@@ -1,6 +1,12 @@
-"""The search in C++. Positions are (north, east), metres from the south-west corner of the search domain."""
+"""The C++ module: the search, and the ocean.
+
+Positions are (north, east), metres from the south-west corner of the search domain.
+
+What is not as it must be raises earshot.errors.BadInput.
+"""
 
 import os
+from collections.abc import Callable
 from typing import Any, SupportsIndex
 
 import numpy as np
@@ -11,9 +17,6 @@ Place = tuple[float, float]
 # snr_db (as heard; where it was too faint to measure, the least that could have been), too_faint, position_m, source_m;
 # at the end of an episode also found and detections. A plain dict, as Gymnasium wants it.
 Info = dict[str, Any]
-
-class BadInput(ValueError):
-    """An argument or a file is not as it must be; the message names it and says what is allowed."""
 
 def environment_crc32(environment: os.PathLike[str] | str) -> int:
     """CRC-32 of an environment file and of all that it names: data files, charts, other oceans, field library."""
@@ -120,3 +123,69 @@ class FrozenPolicy:
     @property
     def provenance(self) -> str:
         """Lines "name = value"."""
+
+class Ocean:
+    """What an environment file says of the ocean, the source and the noise."""
+
+    @staticmethod
+    def from_file(path: os.PathLike[str] | str) -> Ocean: ...
+    @staticmethod
+    def from_text(name: str, text: str) -> Ocean:
+        """Of the text of such a file; `name` stands for the file in what is wrong with it."""
+    @property
+    def name(self) -> str: ...
+    @property
+    def frequency(self) -> float:
+        """Hz"""
+    @property
+    def source_depth(self) -> float:
+        """m"""
+    @property
+    def source_level(self) -> float:
+        """dB re 1 uPa at 1 m"""
+    @property
+    def noise_level(self) -> float:
+        """dB re 1 uPa"""
+    @property
+    def sea_floor_depth(self) -> float:
+        """m, at the source"""
+    @property
+    def crc32(self) -> int: ...
+
+def radial(
+    ocean: Ocean,
+    *,
+    frequency: float,
+    source_depth: float,
+    bearing: float,
+    max_range: float,
+    receiver_depth: list[float],
+    depth_spacing: float | None,
+    output_step: float | None,
+    accuracy_db: float,
+    band: tuple[float, float] | None,
+    band_parts: int,
+    starter: str,
+    range_step: float | None,
+    depth_step: float | None,
+    terms: int,
+    absorber_wavelengths: float | None,
+    pressure: bool,
+    progress: Callable[[float], object] | None,
+) -> dict[str, Any]:
+    """One march, as `earshot.field` describes it. An empty `receiver_depth` stands for every `depth_spacing`.
+
+    transmission_loss, snr [n_range x n_depth] float32 dB; pressure [n_range x n_depth] complex128 or None; range,
+    depth [n] float64 m; sea_floor_depth [n_range] float32 m; unmeasured_water, a text or None; grid, None or
+    (depth step m, range step m, terms, predicted error dB, reference wavenumber 1/m).
+    """
+
+def journal_records(path: os.PathLike[str] | str) -> dict[str, Any]:
+    """A journal, a flight's folder, or a log that lcm-logger wrote.
+
+    records: topic -> list of (number, time in us of the mission's clock, fields as JSON); is_bus_log, is_dated, is_cut;
+    missing_records, damaged_bytes, how many.
+    """
+
+def journal_fields() -> dict[str, dict[str, tuple[str, str]]]:
+    """Topic -> field -> (unit of its type or "", meaning or ""), as the dictionary of messages has them."""

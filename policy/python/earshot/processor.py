@@ -16,6 +16,6 @@ def require(built_for: Path, processor: Path = Path("/proc/cpuinfo")) -> None:
     missing = [feature for feature in needed if feature not in line.split()]
     if missing:
         raise ImportError(
-            f"this earshot_gym was built for a processor with {', '.join(missing)}, which this one lacks: "
+            f"this earshot was built for a processor with {', '.join(missing)}, which this one lacks: "
             "build it on this computer (pip install ./policy/python)"
         )

@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from earshot_gym._core import Episodes, World
+from earshot.core import Episodes, World
 
 _PIXELS = 256  # of the picture's longer side
 _QUIET, _LOUD = np.array([28, 40, 64]), np.array([86, 132, 190])  # not detected, detected

@@ -1,0 +1,60 @@
+"""Arguments as people give them, made into what the C++ module takes; what cannot be made so is refused by its name."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from earshot.errors import BadInput, BadType
+
+__all__ = ["Numbers", "axis", "is_labelled", "number", "whole_number"]
+
+Numbers = Union[float, Sequence[float], NDArray[Any]]
+
+
+def is_labelled(value: Any) -> bool:
+    """Whether it is an array of xarray, which need not be installed for those who have none."""
+    return hasattr(value, "dims") and hasattr(value, "coords")
+
+
+def _floats(name: str, value: Any) -> NDArray[np.float64]:
+    try:
+        given = np.asarray(value)
+    except (TypeError, ValueError) as wrong:
+        raise BadType(
+            f"{name}: must be numbers, all rows as long as the first: {wrong}", key=name, value=value
+        ) from None
+    if given.dtype.kind not in "iuf":
+        raise BadType(f"{name}: must be numbers, not {given.dtype}", key=name, value=value)
+    return np.ascontiguousarray(given, dtype=np.float64).reshape(given.shape)
+
+
+def number(name: str, value: Any) -> float:
+    """One number, finite or not. BadType for what is none, also for a truth value."""
+    found = _floats(name, value)
+    if found.ndim != 0:
+        raise BadType(f"{name}: must be one number, has the shape {found.shape}", key=name, value=value)
+    return float(found)
+
+
+def whole_number(name: str, value: Any) -> int:
+    """One whole number, 0 or more."""
+    found = number(name, value)
+    if not (0.0 <= found < 2**53 and found.is_integer()):
+        raise BadInput(f"{name} = {value}: must be a whole number, 0 or more", key=name, value=value)
+    return int(found)
+
+
+def axis(name: str, value: Any, dimensions: int = 1) -> NDArray[np.float64]:
+    """Numbers with `dimensions` axes, at least one number; float64, contiguous, a copy where it has to be."""
+    found = _floats(name, value)
+    if found.ndim != dimensions:
+        raise BadType(
+            f"{name}: must be an array of rank {dimensions}, has the shape {found.shape}", key=name, value=value
+        )
+    if found.size == 0:
+        raise BadInput(f"{name}: must hold one number or more", key=name, value=value)
+    return found

@@ -1,0 +1,38 @@
+"""The compiled part, once the processor is known to do: all else of the package takes it from here."""
+
+from pathlib import Path as _Path
+
+from earshot import processor as _processor
+from earshot.errors import BadInput
+
+_processor.require(_Path(__file__).with_name("built_for.txt"))
+try:
+    from earshot._core import (
+        Episodes,
+        FrozenPolicy,
+        Ocean,
+        World,
+        environment_crc32,
+        journal_fields,
+        journal_records,
+        radial,
+    )
+except ModuleNotFoundError as missing:
+    if missing.name != "earshot._core":
+        raise
+    raise ImportError(
+        f"{_Path(__file__).parent} is the package's source, without its compiled part: pip install ./policy/python "
+        "from the root of the repository"
+    ) from None
+
+__all__ = [
+    "BadInput",
+    "Episodes",
+    "FrozenPolicy",
+    "Ocean",
+    "World",
+    "environment_crc32",
+    "journal_fields",
+    "journal_records",
+    "radial",
+]

@@ -1,0 +1,98 @@
+#include "sim/sonar/radial_request.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <sstream>
+
+#include "sim/ocean/section_along.hpp"
+#include "sim/sonar/fan.hpp"
+
+namespace earshot::sonar {
+namespace {
+
+/// 10 m; in water so shallow that it would have less than a hundred depths 5, 2, 1, 0.5, 0.2 or 0.1 m.
+double default_depth_spacing_m(Meters sea_floor) {
+  constexpr std::array<double, 6> kFiner_m{5.0, 2.0, 1.0, 0.5, 0.2, 0.1};
+  double spacing_m = 10.0;
+  for (const double finer_m : kFiner_m) {
+    if (100.0 * spacing_m > sea_floor.value) spacing_m = finer_m;
+  }
+  return spacing_m;
+}
+
+std::vector<double> receiver_depths(const RadialRequest& request, Meters sea_floor) {
+  std::vector<double> depths = request.depth_m;
+  if (!depths.empty() && depths.front() == 0.0)
+    throw BadRequest(BadRequest::What::kDepth, 0.0,
+                     "at the surface there is no sound, its pressure is released; a hydrophone hangs below it, at 1 m for example");
+  for (const double depth : depths) {
+    if (depth <= sea_floor.value) continue;
+    std::ostringstream text;
+    text << "must be from 0 m to the sea floor, at its deepest " << sea_floor.value << " m";
+    throw BadRequest(BadRequest::What::kDepth, depth, text.str());
+  }
+  if (!depths.empty()) return depths;
+  const double spacing_m = request.depth_spacing ? request.depth_spacing->value : default_depth_spacing_m(sea_floor);
+  // Multiples, less one that falls on the sea floor but for rounding: a sum of tenths of a metre would miss it by a nanometre.
+  const double spacings = std::max(1.0, std::ceil(sea_floor.value / spacing_m - 1e-6));
+  for (std::size_t i = 1; i < static_cast<std::size_t>(spacings); ++i) depths.push_back(static_cast<double>(i) * spacing_m);
+  depths.push_back(sea_floor.value);
+  return depths;
+}
+
+void require_water(const ocean::Section& section, Radians bearing, Meters first_range) {
+  const auto shore = shore_before(section, first_range);
+  if (!shore) return;
+  std::ostringstream text;
+  text << "meets land " << shore->value << " m from the source, nearer than the first range of the field, " << first_range.value
+       << " m: there is nothing to compute";
+  throw BadRequest(BadRequest::What::kBearing, bearing.value * 180.0 / std::numbers::pi, text.str());
+}
+
+std::string text_of(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+}  // namespace
+
+BadRequest::BadRequest(What what, double value, const std::string& complaint)
+    : std::invalid_argument(text_of(value) + ": " + complaint), what_(what), value_(value), complaint_(complaint) {}
+
+std::string BadRequest::called(const std::string& name) const {
+  return name + " = " + text_of(value_) + ": " + complaint_;
+}
+
+RadialPlan plan_ranges(const RadialRequest& request, Meters source_depth) {
+  RadialPlan plan{
+      .source_depth = source_depth, .depth_m = {}, .range_step = {}, .ranges = 1, .band = request.band, .options = request.options};
+  constexpr double kSoundSpeed_mps = 1500.0;
+  const Meters automatic{request.default_step_wavelengths * kSoundSpeed_mps / plan.band.high.value};
+  plan.range_step = request.output_step.value_or(request.options.range_step.value_or(automatic));
+  plan.ranges = std::max<std::size_t>(1, static_cast<std::size_t>(request.max_range.value / plan.range_step.value + 1e-9));
+  return plan;
+}
+
+void plan_depths(const RadialRequest& request, std::size_t radials, Meters deepest_sea_floor, RadialPlan& plan) {
+  plan.depth_m = receiver_depths(request, deepest_sea_floor);
+  const double values = static_cast<double>(radials) * static_cast<double>(plan.ranges) * static_cast<double>(plan.depth_m.size());
+  if (values <= kMostFanValues) return;
+  std::ostringstream text;
+  text << "radials x ranges x depths are " << values << " values, must not exceed " << kMostFanValues
+       << "; take a longer step, fewer depths or a shorter range";
+  throw BadRequest(BadRequest::What::kOutputStep, plan.range_step.value, text.str());
+}
+
+PlannedRadial plan_radial(const ocean::Environment& environment, Radians bearing, const RadialRequest& request) {
+  PlannedRadial radial{.section = {}, .plan = plan_ranges(request, environment.source.depth)};
+  radial.section = ocean::section_along(environment, environment.source.position, bearing, radial.plan.max_range());
+  plan_depths(request, 1, deepest_sea_floor(radial.section, radial.plan.max_range()), radial.plan);
+  require_water(radial.section, bearing, radial.plan.range_step);
+  return radial;
+}
+
+}  // namespace earshot::sonar
