@@ -87,6 +87,8 @@ CommandOutcome Runtime::take_order(const Orders::Arrival& arrival) {
 CommandOutcome Runtime::tighten(const messages::OperatorLimits& limits) {
   if (!progress_.is_armed()) return CommandOutcome::kNotConfigured;
   if (progress_.state() != MissionState::kStandby && progress_.state() != MissionState::kSearch) return CommandOutcome::kNotInThisState;
+  shadow_.compare(mission_);  // what is copied now is believed from now on
+  if (!shadow_.is_trusted()) return CommandOutcome::kNotInThisState;
   if (authority::tighten(mission_, limits) != Status::kOk) return CommandOutcome::kNotTighter;
   shadow_.copy(mission_);
   progress_.tighten(mission_);
@@ -110,7 +112,7 @@ Outputs Runtime::step(Time now) {
 void Runtime::turn(Time now, Outputs& outputs) {
   progress_.begin_turn();
   Search search(mission_, agent_, progress_);
-  if (progress_.may_begin_search(mission_, now)) search.begin(now);
+  if (progress_.may_begin_search(mission_, now) && search.begin(now) != Status::kOk) return shadow_.distrust();
   if (progress_.state() == MissionState::kSearch) {
     if (search.turn(now, outputs) != Status::kOk) shadow_.distrust();
   } else if (progress_.is_engaged()) {

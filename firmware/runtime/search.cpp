@@ -11,10 +11,12 @@ using messages::MissionState;
 
 }  // namespace
 
-void Search::begin(Time now) {
+Status Search::begin(Time now) {
+  if (!agent_.is_intact()) return Status::kCorrupt;
   progress_.begin_search(now);
   agent_.start(mission_, progress_.intake.fix().position, progress_.intake.reception(mission_.listening, now));
   progress_.is_refining = agent_.has_belief();
+  return Status::kOk;
 }
 
 Status Search::refine() {

@@ -16,8 +16,9 @@ class Search {
  public:
   Search(const config::Mission& mission, SearchAgent& agent, Progress& progress) : mission_(mission), agent_(agent), progress_(progress) {}
 
+  /// kCorrupt: the agent's memory was found damaged, and no search has begun.
   /// @pre progress.may_begin_search()
-  void begin(Time now);
+  [[nodiscard]] Status begin(Time now);
   /// kCorrupt: the agent's memory was found damaged, and nothing was done with it.
   /// @pre a search is under way
   [[nodiscard]] Status turn(Time now, Outputs& outputs);

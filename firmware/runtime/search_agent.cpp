@@ -28,6 +28,7 @@ Status SearchAgent::judge(const config::Mission& mission, const policy::FrozenPo
 void SearchAgent::keep_checksums() {
   policy_checksum_ = checksum_of(policy_);
   tables_checksum_ = checksum_of(tables_);
+  memory_checksum_ = checksum_of(memory_);
 }
 
 Status SearchAgent::load(const config::Mission& mission, const policy::FrozenPolicy& policy, const policy::OceanTables& tables) {

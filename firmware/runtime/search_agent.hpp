@@ -18,7 +18,7 @@
 namespace earshot::runtime {
 
 /// What observes, believes and chooses in a search. Owns the frozen policy, the ocean tables and the memory of the search, each with a
-/// CRC-32: they are too large to be kept twice. Whoever lets it decide or refine asks first whether it is_intact().
+/// CRC-32: they are too large to be kept twice. Whoever lets it start, decide or refine asks first whether it is_intact().
 ///
 /// Places are in the mission's plane. Every call is given a mission of the same operating area as load().
 /// Oracle: SearchAgent.*

@@ -15,9 +15,11 @@ namespace {
 /// a simulation can give such a number, and no ocean of any table explains it: the belief would look for the source beyond the area.
 constexpr Decibels kLeastMeasurable{-30.0};
 
-Reception measurable(Reception reception) {
-  if (reception.snr >= kLeastMeasurable) return reception;
-  reception.snr = kLeastMeasurable;
+/// @param threshold  a detection is a measurement, however faint
+Reception measurable(Reception reception, Decibels threshold) {
+  const Decibels least = std::min(kLeastMeasurable, threshold);
+  if (reception.snr >= least) return reception;
+  reception.snr = least;
   reception.too_faint = true;
   return reception;
 }
@@ -51,7 +53,7 @@ void OceanBelief::start(const BeliefModel& model, const OceanTables& tables) {
 void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, NorthEast position, Reception reception) {
   while (refine(model, tables)) {
   }
-  reception = measurable(reception);
+  reception = measurable(reception, model.detection_threshold);
   const Assumptions assumed{model, tables};
   silence_.take_in(model, position, reception, assessment_.expected_detection(model, position));
   const Measurement measurement = measurement_of(position, reception);

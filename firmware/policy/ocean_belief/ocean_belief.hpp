@@ -39,7 +39,7 @@ class OceanBelief {
   void start(const BeliefModel& model, const OceanTables& tables);
   /// Takes in what was heard at `position` (relative to the area's south-west corner), and judges whether the source is found there. If it
   /// is, all else that is said afterwards is of a search that goes on nevertheless: that the source is not within step_length.
-  /// @param reception  an SNR below -30 dB, or a bound that is lower, counts as one that is too faint for -30 dB
+  /// @param reception  an SNR or a bound below -30 dB, or below the detection threshold if that is less, counts as too faint for that
   void update(const BeliefModel& model, const OceanTables& tables, NorthEast position, Reception reception);
 
   /// Weighs others for a slice of time (README.md), as a vehicle does between two decisions whenever it can. What is left of it the next

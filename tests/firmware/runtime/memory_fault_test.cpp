@@ -153,6 +153,28 @@ TEST(MemoryFault, BeforeASearchSaysNothingToTheAutopilot) {
   EXPECT_FALSE(rig.outputs.setpoint);
 }
 
+TEST(MemoryFault, InALimitIsNoticedBeforeAnOperatorTightensAnother) {
+  Rig rig = under_way(mission_with_marks());
+  flip(*rig.runtime, 8 * place_of(*rig.runtime, 321.125));  // a depth that is possible, and not the mission's
+  messages::OperatorCommand command = command_of(Order::kTighten, rig.now, ++rig.commands);
+  command.limits.max_speed = MetersPerSecond{1};
+  rig.take(command);
+  rig.sail();
+  EXPECT_EQ(rig.end_reason(), EndReason::kMemoryFault);
+}
+
+TEST(MemoryFault, InThePolicyIsNoticedBeforeASearchTakesTheVehicle) {
+  auto policy = policy_that_goes(kNorthward);
+  policy->network.first.bias[3] = 0.123456F;
+  Rig rig(*policy, mission_with_marks());
+  rig.sail();
+  flip(*rig.runtime, 8 * place_of(*rig.runtime, 0.123456F) + 12);
+  rig.sail(Order::kStart);
+  EXPECT_EQ(rig.state(), MissionState::kAbort);
+  EXPECT_EQ(rig.end_reason(), EndReason::kMemoryFault);
+  EXPECT_FALSE(rig.outputs.setpoint);
+}
+
 TEST(MemoryFault, InThePolicyIsNoticedByTheNextDecision) {
   auto policy = policy_that_goes(kNorthward);
   policy->network.first.bias[3] = 0.123456F;

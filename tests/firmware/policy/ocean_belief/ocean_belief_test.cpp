@@ -280,6 +280,8 @@ TEST_F(OceanBeliefTest, TakesAnSnrThatNoHydrophoneMeasuresForOneThatIsTooFaint) 
   EXPECT_EQ(fingerprint_after({.snr = Decibels{-85.0}}), too_faint);
   EXPECT_EQ(fingerprint_after({.snr = Decibels{-60.0}, .too_faint = true}), too_faint);
   EXPECT_NE(fingerprint_after({.snr = Decibels{-30.0}}), too_faint) << "this one can be a measurement";
+  model.detection_threshold = Decibels{-40.0};
+  EXPECT_NE(fingerprint_after({.snr = Decibels{-35.0}}), fingerprint_after({.snr = Decibels{-30.0}, .too_faint = true})) << "a detection";
 }
 
 TEST_F(OceanBeliefTest, TakesABearingAsOneMoreLikelihood) {
