@@ -104,8 +104,7 @@ void add_options(program::CommandLine& line, Options& o) {
   line.option("--paths", &o.paths, "also write there where every search went, step by step (CSV)");
   line.flag("--declared", &o.declared,
             "as at sea, nobody reports to a searcher that the source is found: a search of one that declares it itself (ocean_search) ends "
-            "when it "
-            "does so within a step length of a source");
+            "when it does so within a step length of a source");
   line.flag("--timing", &o.timing, "write the time per decision into the files too, whose bytes then differ from run to run");
   line.flag("--force", &o.force, command_line::kForceHelp);
   line.footer(
@@ -278,7 +277,7 @@ std::string what_is_searched(const command_line::ScenarioOptions& given, const T
     text << "; starts " << *task.options.start_margin_m << " m or more from every edge";
   else
     text << (search::start_placement_named(*task.options.start) == search::StartPlacement::kDomain ? "; starts all over the area"
-                                                                                                   : "; starts inside the border");
+                                                                                                   : "; starts clear of the border");
   text << unless(given.start || given.start_margin_m) << "; border " << settings.border_width.value << " m; at most " << settings.max_steps
        << " steps\nhours to find: of all searches, - where too few found; in the mean, one that did not find counts as "
        << settings.max_steps << " steps\n";
@@ -364,7 +363,8 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
     for (const evaluate::Candidate& c : candidates) print_details(c);
     program::detail() << environment_file.string() << ": " << environment.name << "; the vehicle " << task.depth.value << " m deep\n"
                       << host::counted(ranks.size(), "process", "processes") << "\n";
-    program::print() << program::wrapped_lines((mission ? evaluate::to_string(*mission) : "") + what_is_searched(o.search, task));
+    program::print() << program::wrapped_lines((mission ? evaluate::to_string(*mission) : "") + what_is_searched(o.search, task) +
+                                               evaluate::given_oceans(candidates, environment_file, o.worlds.empty() && !o.suite));
   }
   std::optional<policy::ActionDraw> draw;
   if (o.draw) draw = description::draw_named(*o.draw);

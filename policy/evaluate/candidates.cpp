@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/printable.hpp"
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/policy/unverified_policy.hpp"
 #include "policy/baselines/catalogue.hpp"
@@ -95,6 +96,17 @@ void check_same_listening(std::span<const Candidate> candidates) {
       throw BadInput(c.name + ": listens over another window than " + first->name +
                      ": evaluate them one by one, or give both the same window (--listening)");
   }
+}
+
+std::string given_oceans(std::span<const Candidate> candidates, const std::filesystem::path& environment, bool is_true) {
+  std::string names;
+  for (const Candidate& candidate : candidates) {
+    if (candidate.learned == nullptr && candidate.name.starts_with("bayes")) names += (names.empty() ? "" : ", ") + candidate.name;
+  }
+  if (names.empty()) return "";
+  return names + (is_true
+                      ? ": given the true ocean, which a vehicle does not know\n"
+                      : ": given the ocean of " + host::printable(environment.filename().string()) + ", in whichever world they search\n");
 }
 
 }  // namespace earshot::evaluate

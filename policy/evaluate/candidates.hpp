@@ -33,4 +33,8 @@ struct Candidate {
 /// is given to all.
 void check_same_listening(std::span<const Candidate> candidates);
 
+/// A line about the baselines that are given an ocean which a vehicle would have to find out; empty where there are none.
+/// @param is_true  the ocean of the environment is the one that is searched in
+[[nodiscard]] std::string given_oceans(std::span<const Candidate> candidates, const std::filesystem::path& environment, bool is_true);
+
 }  // namespace earshot::evaluate

@@ -95,6 +95,7 @@ DecisionAccount account_with(const Circumstances& c, const RecordedDecision& dec
   note_worths(c, decision, account.actions);
   account.likeliest_action =
       static_cast<std::size_t>(std::ranges::max_element(account.actions, {}, &ActionAccount::probability) - account.actions.begin());
+  account.most_regret_steps = static_cast<double>(c.belief.costs.most_regret);
   account.draw = c.policy.draw;
   account.baseline = c.baseline;
   attribute(c, account);

@@ -66,6 +66,7 @@ struct DecisionAccount {
   std::vector<HypothesisAccount> hypotheses;  ///< of 1 % and more, the likeliest first
   std::vector<ActionAccount> actions;
   std::size_t likeliest_action = 0;
+  double most_regret_steps = 0.0;                         ///< no regret counts for more
   policy::ActionDraw draw = policy::ActionDraw::kArgmax;  ///< whether the policy takes its likeliest action, or draws by its probabilities
   Baseline baseline = Baseline::kCentre;
   Attribution attribution;

@@ -39,8 +39,9 @@ std::string notes(const DecisionReport& report) {
 }
 
 std::string choice_markdown(const explain::DecisionAccount& a) {
-  std::string text = "\n" + actions_markdown(a) + "\n" + std::string(kPartsMean) +
-                     "\n\n| observation | seen | baseline | part | chance |\n|---|---|---|---|---|\n";
+  std::string text = "\n" + actions_markdown(a);
+  if (!has_network(a)) return text;
+  text += "\n" + std::string(kPartsMean) + "\n\n| observation | seen | baseline | part | chance |\n|---|---|---|---|---|\n";
   for (const explain::ObservedAccount& o : explain::weightiest(a, kRows))
     text += "| " + o.name + " | " + o.value + " | " + o.baseline + " | " + fixed(o.part, 3) + " | " + factor_to_string(o.part) + " |\n";
   return text + "\nCompared with " + to_string(a.baseline) + ": " + completeness_to_string(a.attribution) + ".\n";
@@ -69,8 +70,9 @@ std::string as_html(const DecisionReport& report) {
   text += "</ul>\n<h2>Where the source is believed to be</h2>\n<div class=\"chart cells\">" +
           belief_svgs({{.account = a, .measurements = report.measurements(), .source = report.flight.source}}).front() + "</div>\n";
   if (!a.decision.sweeping)  // the policy chose nothing there
-    text += "<h2>What it could do</h2>\n" + actions_table(a) + "<h2>What moved the choice</h2>\n<p>" + std::string(kPartsMean) + "</p>\n" +
-            attribution_tables(a, kRows);
+    text += "<h2>What it could do</h2>\n" + actions_table(a);
+  if (!a.decision.sweeping && has_network(a))
+    text += "<h2>What moved the choice</h2>\n<p>" + std::string(kPartsMean) + "</p>\n" + attribution_tables(a, kRows);
   text += "<h2>What it measured</h2>\n" + measurements_table(report.measurements());
   text += "<h2>All numbers that the policy received</h2>\n<details><summary>" + std::to_string(a.observed.size()) + " numbers</summary>\n" +
           observation_table(a) + "</details>\n";

@@ -1,11 +1,10 @@
 #include "policy/report/explanation.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <numbers>
-#include <string_view>
 #include <utility>
 
 #include "firmware/core/math.hpp"
@@ -95,10 +94,10 @@ std::string safety_sentence(const DecisionAccount& a) {
          place_to_string(a.decision.waypoint) + ".";
 }
 
-/// What one direction promises beside another, in physical words, and by how much it promises more: a probability, or a part of a step.
+/// What one of two directions promises more than the other, in physical words, and by how much: a probability, or a part of a step.
 struct Reason {
   std::string text;
-  double advantage = 0.0;
+  double advantage = 0.0;  ///< of the direction taken
 };
 
 /// "0.90 km nearer", "0.11 km further off"
@@ -106,11 +105,14 @@ std::string approach_to_string(Meters approach) {
   return fixed(std::abs(approach.value) / 1e3, 2) + (approach.value < 0.0 ? " km further off" : " km nearer");
 }
 
-/// Those in which the two differ as they are printed. The strongest for the direction taken is first, the strongest against it last.
+/// Those in which the two differ as they are printed. The strongest for the direction taken is first, the strongest for the other last.
 std::vector<Reason> reasons_for(const explain::ActionAccount& taken, const explain::ActionAccount& next, Meters step_length) {
   std::vector<Reason> reasons;
   const auto add = [&](const std::string& text, const std::string& of_taken, const std::string& of_next, double advantage) {
-    if (of_taken != of_next) reasons.push_back({text + of_taken + " (" + next.name + " " + of_next + ")", advantage});
+    if (of_taken == of_next) return;
+    reasons.push_back(
+        {text + (advantage < 0.0 ? of_next + " (" + taken.name + " " + of_taken + ")" : of_taken + " (" + next.name + " " + of_next + ")"),
+         advantage});
   };
   add("it finds the source within three steps with ", percent(taken.found_soon), percent(next.found_soon),
       taken.found_soon - next.found_soon);
@@ -137,62 +139,70 @@ const explain::ActionAccount* next_best(const DecisionAccount& a) {
   return best;
 }
 
-/// What the policy made of the direction and of the next best: the costs that its belief expects, or else its probabilities.
+/// What the policy made of the direction and of the next best: the costs that its belief expects, or else its scores. That they are nearly
+/// equal comes first, for then the reasons weigh little.
 std::string rating(const explain::ActionAccount& taken, const explain::ActionAccount& next) {
   constexpr double kSmallCost = 0.1;
   constexpr double kSmallShare = 0.05;
-  constexpr const char* kSmall = ", a small difference";
+  const auto nearly = [](bool is_small) { return std::string(is_small ? "the two are nearly equal, but " : ""); };
   if (!taken.worth || !next.worth)
-    return "the policy gave " + taken.name + " " + percent(taken.probability) + " and " + next.name + " " + percent(next.probability) +
-           (std::abs(taken.probability - next.probability) < kSmallShare ? kSmall : "");
+    return nearly(std::abs(taken.probability - next.probability) < kSmallShare) + "the policy gave " + taken.name + " " +
+           percent(taken.probability) + " and " + next.name + " " + percent(next.probability);
   const double more = *next.regret_steps() - *taken.regret_steps();
   const std::string& best = more >= 0.0 ? taken.name : next.name;
   const std::string& other = more >= 0.0 ? next.name : taken.name;
-  return "the rest of the search is expected to cost least after " + best + "; " + other + " costs " + fixed(std::abs(more), 2) +
-         " steps without a detection more" + (std::abs(more) < kSmallCost ? kSmall : "");
+  return nearly(std::abs(more) < kSmallCost) + "the rest of the search is expected to cost least after " + best + "; " + other +
+         " is expected to cost " + fixed(std::abs(more), 2) + " more (1 = one step without a detection)";
 }
 
 /// A column of the table of directions: its name with the unit, what it means, and what it says of a direction.
 struct ActionColumn {
-  std::string_view name;
-  std::string_view meaning;
+  std::string name;
+  std::string meaning;
   std::string (*value)(const explain::ActionAccount& action);
 };
 
-constexpr std::string_view kChosenWith = "chosen with (%)";
+ActionColumn regret_column(const DecisionAccount& a) {
+  const std::string most = fixed(a.most_regret_steps, 0);
+  return {"regret (steps)",
+          "how much more the rest of the search is expected to cost after this direction than after the best one, in steps without a "
+          "detection, if the place of the source became known after the step. The policy ranks the directions by it: the best has 0; " +
+              most + " or more is shown as " + most + ".",
+          [](const explain::ActionAccount& action) { return action.regret_steps() ? fixed(*action.regret_steps(), 2) : std::string("-"); }};
+}
 
-constexpr ActionColumn kRegret{
-    "regret (steps)",
-    "how much more the rest of the search is expected to cost after this direction than after the best one, in steps without a detection, "
-    "if "
-    "the place of the source became known after the step. The policy ranks the directions by it: the best has 0.",
-    [](const explain::ActionAccount& action) { return action.regret_steps() ? fixed(*action.regret_steps(), 2) : std::string("-"); }};
+std::vector<ActionColumn> promises() {
+  return {{"expected SNR (dB)", "at the end of the step, and how far it may be off",
+           [](const explain::ActionAccount& action) {
+             return fixed(action.hear.snr.value, 1) + " \u00B1 " + fixed(action.hear.spread.value, 1);
+           }},
+          {"detects (%)", "probability of a detection at the end of the step",
+           [](const explain::ActionAccount& action) { return fixed(100.0 * action.detected, 0); }},
+          {"finds (%)", "probability that the source lies within a step length of there",
+           [](const explain::ActionAccount& action) { return fixed(100.0 * action.found, 1); }},
+          {"finds within 3 steps (%)", "probability that the source is found within three steps of which this is one",
+           [](const explain::ActionAccount& action) { return fixed(100.0 * action.found_soon, 1); }},
+          {"nearer by (km)", "how much nearer to the source the step is expected to end",
+           [](const explain::ActionAccount& action) { return fixed(action.approach.value / 1e3, 2); }},
+          {"border", "how deep the step ends in the border strip of the area: - clear of the strip, 1 at the area's edge, more beyond it",
+           [](const explain::ActionAccount& action) { return action.border > 0.0 ? fixed(action.border, 2) : std::string("-"); }}};
+}
 
-constexpr std::array<ActionColumn, 6> kPromises{
-    {{"expected SNR (dB)", "at the end of the step, and how far it may be off",
-      [](const explain::ActionAccount& action) {
-        return fixed(action.hear.snr.value, 1) + " \u00B1 " + fixed(action.hear.spread.value, 1);
-      }},
-     {"detects (%)", "probability of a detection at the end of the step",
-      [](const explain::ActionAccount& action) { return fixed(100.0 * action.detected, 0); }},
-     {"finds (%)", "probability that the source lies within a step length of there",
-      [](const explain::ActionAccount& action) { return fixed(100.0 * action.found, 1); }},
-     {"finds within 3 steps (%)", "probability that the source is found within three steps of which this is one",
-      [](const explain::ActionAccount& action) { return fixed(100.0 * action.found_soon, 1); }},
-     {"nearer by (km)", "how much nearer to the source the step is expected to end",
-      [](const explain::ActionAccount& action) { return fixed(action.approach.value / 1e3, 2); }},
-     {"border", "how deep the step ends in the border of the area: - inside the border, 1 at the area's edge, more beyond it",
-      [](const explain::ActionAccount& action) { return action.border > 0.0 ? fixed(action.border, 2) : std::string("-"); }}}};
+/// How likely a policy that draws lots made the direction; of one that takes the best, how high it rated it.
+ActionColumn choice_column(const DecisionAccount& a) {
+  const std::string made = has_network(a) ? "" : ", made from the regret";
+  const bool draws = a.draw != policy::ActionDraw::kArgmax;
+  return {draws ? "chosen with (%)" : "score (%)",
+          draws ? "probability with which the policy draws the direction" + made + "."
+                : "what the policy made of the direction" + made + ". It takes the direction with the highest score.",
+          [](const explain::ActionAccount& action) { return fixed(100.0 * action.probability, 0); }};
+}
 
-/// The cost stands in it where the policy ranks by the cost.
+/// The regret stands in it where the policy ranks by the regret.
 std::vector<ActionColumn> columns_of(const DecisionAccount& a) {
-  const bool has_costs = std::ranges::any_of(a.actions, [](const explain::ActionAccount& action) { return action.worth.has_value(); });
-  const char* const chosen = has_costs ? "probability that the policy gave the direction, made of the regret"
-                                       : "probability that the policy gave the direction. It ranks the directions by it.";
-  std::vector<ActionColumn> columns{
-      {kChosenWith, chosen, [](const explain::ActionAccount& action) { return fixed(100.0 * action.probability, 0); }}};
-  if (has_costs) columns.push_back(kRegret);
-  columns.insert(columns.end(), kPromises.begin(), kPromises.end());
+  std::vector<ActionColumn> columns{choice_column(a)};
+  if (!has_network(a)) columns.push_back(regret_column(a));
+  std::ranges::move(promises(), std::back_inserter(columns));
   return columns;
 }
 
@@ -207,6 +217,11 @@ std::string observed_row(const explain::ObservedAccount& o, double largest) {
          part_cells(o.part, largest) + "</tr>\n";
 }
 
+std::string seen_row(const explain::ObservedAccount& o) {
+  return "<tr><td class=\"left\">" + escaped(o.name) + "</td><td>" + o.value + "</td></tr>\n";
+}
+
+constexpr const char* kSeenHead = "<div class=\"table\"><table>\n<tr><th class=\"left\">observation</th><th>seen</th></tr>\n";
 constexpr const char* kObservedHead =
     "<div class=\"table\"><table>\n<tr><th "
     "class=\"left\">observation</th><th>seen</th><th>baseline</th><th>part</th><th>against, for</th><th>chance</th></tr>\n";
@@ -219,6 +234,10 @@ double largest_part(const std::vector<explain::ObservedAccount>& observed) {
 
 }  // namespace
 
+bool has_network(const DecisionAccount& a) {
+  return std::ranges::none_of(a.actions, [](const explain::ActionAccount& action) { return action.worth.has_value(); });
+}
+
 std::string why_this_direction(const DecisionAccount& a) {
   const explain::ActionAccount& taken = a.actions[a.decision.action];
   const explain::ActionAccount* const next = next_best(a);
@@ -230,10 +249,10 @@ std::string why_this_direction(const DecisionAccount& a) {
                            (a.belief_is_the_policys ? " The" : " To an observer who knows the ocean the") + " likeliest place is " +
                            likeliest_place(a) + ".";
   if (reasons.empty()) return text + " Both promise the same.";
-  const std::string nothing = " Nothing in the next steps speaks for " + taken.name +
-                              (taken.worth ? ": the cost counts all steps of the search that follow." : ".");
-  return text + (against == reasons.begin() ? nothing : listed("For " + taken.name, {reasons.begin(), against})) +
-         listed("Against " + taken.name, {against, reasons.end()});
+  const std::string no_more = " In the next steps " + taken.name + " promises no more than " + next->name +
+                              (taken.worth ? "; the cost counts all steps of the search that follow." : ".");
+  return text + (against == reasons.begin() ? no_more : listed("For " + taken.name, {reasons.begin(), against})) +
+         listed("For " + next->name, {against, reasons.end()});
 }
 
 std::string choice_sentence(const DecisionAccount& a) {
@@ -243,7 +262,7 @@ std::string choice_sentence(const DecisionAccount& a) {
   if (a.draw == policy::ActionDraw::kArgmax && taken.worth)
     return chose + ": this policy always takes the direction after which the search is expected to cost least.";
   if (a.draw == policy::ActionDraw::kArgmax)
-    return chose + ": this policy always takes the direction with the highest probability, here " + percent(taken.probability) + ".";
+    return chose + ": this policy always takes the direction with the highest score, here " + percent(taken.probability) + ".";
   const std::string drew = chose + ", which had " + percent(taken.probability) + ": this policy draws lots by its probabilities";
   return drew + (a.decision.action == a.likeliest_action
                      ? "."
@@ -268,7 +287,7 @@ std::vector<std::string> sentences(const DecisionAccount& a) {
     return all;  // what the policy would have done, nobody did
   }
   all.push_back(why_this_direction(a));
-  if (!a.actions[a.decision.action].worth) all.push_back(what_weighed_most(a));
+  if (has_network(a)) all.push_back(what_weighed_most(a));
   for (std::string sentence : {choice_sentence(a), expectation_sentence(a), safety_sentence(a)}) all.push_back(std::move(sentence));
   return all;
 }
@@ -312,7 +331,7 @@ std::string measurements_table(std::span<const explain::RecordedDecision> measur
 std::string actions_table(const DecisionAccount& a) {
   const std::vector<ActionColumn> columns = columns_of(a);
   std::string text = "<div class=\"table\"><table class=\"actions\">\n<thead><tr><th class=\"left\">direction</th>";
-  for (const ActionColumn& column : columns) text += "<th>" + std::string(column.name) + "</th>";
+  for (const ActionColumn& column : columns) text += "<th>" + column.name + "</th>";
   text += "</tr></thead>\n<tbody>\n";
   for (std::size_t i = 0; i < a.actions.size(); ++i) {
     const explain::ActionAccount& action = a.actions[i];
@@ -320,15 +339,13 @@ std::string actions_table(const DecisionAccount& a) {
     text += "<tr" + std::string(is_taken ? " class=\"taken\"" : "") + "><td class=\"left\">" +
             (is_taken ? "<b>" + action.name + "</b> taken" : action.name) + "</td>";
     for (const ActionColumn& column : columns) {
-      const std::string value = escaped(column.value(action));
-      text += column.name == kChosenWith ? percent_cell(column.name, action.probability, is_taken)
-                                         : "<td data-name=\"" + std::string(column.name) + "\">" + value + "</td>";
+      text += &column == &columns.front() ? percent_cell(column.name, action.probability, is_taken)
+                                          : "<td data-name=\"" + column.name + "\">" + escaped(column.value(action)) + "</td>";
     }
     text += "</tr>\n";
   }
   text += "</tbody></table></div>\n<ul class=\"columns\">\n";
-  for (const ActionColumn& column : columns)
-    text += "<li><b>" + std::string(column.name) + "</b>: " + std::string(column.meaning) + "</li>\n";
+  for (const ActionColumn& column : columns) text += "<li><b>" + column.name + "</b>: " + column.meaning + "</li>\n";
   return text + "</ul>\n";
 }
 
@@ -338,9 +355,9 @@ std::string actions_markdown(const DecisionAccount& a) {
   std::string rule = "|---|";
   std::string meanings;
   for (const ActionColumn& column : columns) {
-    text += " " + std::string(column.name) + " |";
+    text += " " + column.name + " |";
     rule += "---|";
-    meanings += "- " + std::string(column.name) + ": " + std::string(column.meaning) + "\n";
+    meanings += "- " + column.name + ": " + column.meaning + "\n";
   }
   text += "\n" + rule + "\n";
   for (const explain::ActionAccount& action : a.actions) {
@@ -374,9 +391,9 @@ std::string attribution_tables(const DecisionAccount& a, std::size_t rows) {
 }
 
 std::string observation_table(const DecisionAccount& a) {
-  std::string text = kObservedHead;
+  std::string text = has_network(a) ? kObservedHead : kSeenHead;
   const double largest = largest_part(a.observed);
-  for (const explain::ObservedAccount& o : a.observed) text += observed_row(o, largest);
+  for (const explain::ObservedAccount& o : a.observed) text += has_network(a) ? observed_row(o, largest) : seen_row(o);
   return text + "</table></div>\n";
 }
 

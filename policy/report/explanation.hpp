@@ -10,17 +10,20 @@ namespace earshot::report {
 
 // One decision in words and tables: what a report and a row of a flight's page have in common.
 
+/// Whether a network chose: only then is there something that moved its choice.
+[[nodiscard]] bool has_network(const explain::DecisionAccount& account);
+
 /// Sentences that a watch officer reads first: measured, believed, why this direction, chosen, expected, safety; of a sweep why it sweeps.
 [[nodiscard]] std::vector<std::string> sentences(const explain::DecisionAccount& account);
 
-/// One of them: why this direction and not the next best. First what the policy made of both, and whether the difference is small; then
-/// where the source is believed to be, what speaks for the direction, the strongest first, and what against it.
+/// One of them: why this direction and not the next best. First whether both are nearly equal, and what the policy made of them; then
+/// where the source is believed to be, what speaks for the direction, the strongest first, and what for the other.
 [[nodiscard]] std::string why_this_direction(const explain::DecisionAccount& account);
 
 /// Another, of a trained policy: which of its observations weighed most.
 [[nodiscard]] std::string what_weighed_most(const explain::DecisionAccount& account);
 
-/// Whether the policy takes its likeliest direction or draws lots, and how probable it made the one taken.
+/// Whether the policy takes its likeliest direction or draws lots, and how high it rated the one taken.
 [[nodiscard]] std::string choice_sentence(const explain::DecisionAccount& account);
 
 /// What a table of observations shows, in one sentence that stands above it.
@@ -41,13 +44,14 @@ inline constexpr const char* kPartsMean =
 
 /// The last measurements of the source, newest first.
 [[nodiscard]] std::string measurements_table(std::span<const explain::RecordedDecision> measurements);
-/// Every action: how likely, what the policy ranked it by, what it would be expected to bring, and what each column means.
+/// Every direction: its score or how likely it was, what the policy ranked it by, what it would be expected to bring, and what each column
+/// means.
 [[nodiscard]] std::string actions_table(const explain::DecisionAccount& account);
 /// The same as a table of Markdown.
 [[nodiscard]] std::string actions_markdown(const explain::DecisionAccount& account);
-/// What moved the choice: the weightiest elements as bars, sums by subject, completeness.
+/// What moved the choice of a network: the weightiest elements as bars, sums by subject, completeness.
 [[nodiscard]] std::string attribution_tables(const explain::DecisionAccount& account, std::size_t rows);
-/// Every element of the observation.
+/// Every element of the observation; of a network also how much it moved the choice.
 [[nodiscard]] std::string observation_table(const explain::DecisionAccount& account);
 
 }  // namespace earshot::report

@@ -1,5 +1,6 @@
 #include "policy/report/page.hpp"
 
+#include <algorithm>
 #include <span>
 
 #include "firmware/host/file/printable.hpp"
@@ -146,9 +147,19 @@ std::string reasons(const explain::DecisionAccount& account, const std::string& 
   for (const std::string& sentence : sentences(account)) text += "<li>" + escaped(sentence) + "</li>\n";
   text += "</ul>\n<div class=\"chart cells\">" + chart + "</div>\n";
   if (!account.decision.sweeping)  // the policy chose nothing there
-    text += actions_table(account) + "<h3>What moved the choice</h3>\n<p>" + kPartsMean + "</p>\n" +
-            attribution_tables(account, kRowsOfAttribution);
+    text += actions_table(account);
+  if (!account.decision.sweeping && has_network(account))
+    text += std::string("<h3>What moved the choice</h3>\n<p>") + kPartsMean + "</p>\n" + attribution_tables(account, kRowsOfAttribution);
   return text + "</details></td></tr>\n";
+}
+
+/// Only a policy that is there can be asked how it chooses.
+std::string percents_mean(const FlightExplanation& explanation) {
+  if (explanation.accounts.empty()) return "what the policy made of each direction";
+  const explain::DecisionAccount& account = explanation.accounts.front();
+  if (account.draw != policy::ActionDraw::kArgmax) return "how probable the policy made each direction";
+  return std::string("the score of each direction") + (has_network(account) ? "" : ", made from its regret") +
+         ", of which the policy takes the highest";
 }
 
 std::string decisions(const Flight& flight, const FlightExplanation& explanation) {
@@ -156,9 +167,10 @@ std::string decisions(const Flight& flight, const FlightExplanation& explanation
   if (taken.empty()) return "<p>The policy took no decision.</p>\n";
   std::string text =
       "<p>A row is the decision that begins a step, the first that of step 0. Its SNR was measured before it. What was measured at the end "
-      "of the last step has no row, but counts among the detections and in the reward. Percent: how probable the policy made each "
-      "direction; bold: the one taken; &#9679;: a detection. A step of a sweep is marked: its direction follows parallel tracks over the "
-      "area, and not the policy.</p>\n";
+      "of the last step has no row, but counts among the detections and in the reward. Percent: " +
+      percents_mean(explanation) + "; bold: the one taken; &#9679;: a detection" +
+      (std::ranges::any_of(taken, &explain::RecordedDecision::too_faint) ? "; &lt;: too faint to measure, the SNR lies below this" : "") +
+      ". A step of a sweep is marked: its direction follows parallel tracks over the area, and not the policy.</p>\n";
   if (!explanation.why_not.empty()) text += "<p>Not explained: " + escaped(explanation.why_not) + "</p>\n";
   text +=
       "<div class=\"table\"><table class=\"decisions\">\n<thead><tr><th>step</th><th>at</th><th>north (km)</th><th>east (km)</th><th>SNR "

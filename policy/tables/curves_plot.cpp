@@ -6,6 +6,7 @@
 #include <string>
 
 #include "firmware/host/file/printable.hpp"
+#include "policy/tables/description.hpp"
 #include "sim/plot/gnuplot.hpp"
 
 namespace earshot::tables {
@@ -72,7 +73,8 @@ std::string curves_of(const policy::OceanTables& tables) {
 
 void plot_curves(const std::filesystem::path& path, const policy::OceanTables& tables) {
   std::ostringstream title;
-  title << tables.tables.size() << " ocean tables, " << tables.frequency.value << " Hz at " << tables.receiver_depth.value << " m";
+  title << tables.tables.size() << " ocean tables: SNR of " << tables.frequency.value << " Hz, vehicle at " << tables.receiver_depth.value
+        << " m, sources at " << from_to(tables.source_depth);
   std::ostringstream text;
   text << "set title " << plot::quoted(title.str()) << " noenhanced\n"
        << "set xlabel 'range (km)'\nset ylabel 'SNR (dB)'\nset yrange [-20:64]\nset xrange [0:"

@@ -43,11 +43,16 @@ policy::DepthRange range_of(const std::vector<OceanCurve>& curves, Meters OceanC
 }  // namespace
 
 std::string short_name(const OceanCurve& curve) {
+  constexpr std::size_t kLongestVariant = config::kMaxTableName / 2;
   const std::string& name = curve.name;
-  std::size_t size = std::min(name.size(), config::kMaxTableName - std::min(curve.detail.size(), config::kMaxTableName));
+  const std::size_t colon = name.rfind(": ");
+  const bool is_variant = name.size() + curve.detail.size() > config::kMaxTableName && colon != std::string::npos &&
+                          name.size() - colon + curve.detail.size() <= kLongestVariant;
+  const std::string detail = (is_variant ? name.substr(colon) : "") + curve.detail;
+  std::size_t size = std::min(is_variant ? colon : name.size(), config::kMaxTableName - std::min(detail.size(), config::kMaxTableName));
   const auto goes_on = [&name](std::size_t at) { return at < name.size() && (static_cast<unsigned char>(name[at]) & 0xC0U) == 0x80U; };
   while (size > 0 && goes_on(size)) --size;
-  const std::string shortened = name.substr(0, size) + curve.detail;
+  const std::string shortened = name.substr(0, size) + detail;
   return shortened.empty() ? "unnamed" : shortened;
 }
 

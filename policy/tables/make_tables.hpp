@@ -13,7 +13,8 @@
 
 namespace earshot::tables {
 
-/// A name that fits a table: the curve's, of which so much is cut off, between two characters, that its detail has room.
+/// A name that fits a table: the curve's, of which so much is cut off, between two characters, that its detail has room. Where what
+/// stands behind its last ": " is short, it tells variants apart: what is cut then stands before that.
 [[nodiscard]] std::string short_name(const OceanCurve& curve);
 
 /// The tables that fly, of curves that are few enough: priors that add up to one, SNRs in half decibels, sea floors to the metre.

@@ -131,7 +131,8 @@ std::string curve(const std::string& points, const Labels& labels) {
 
 void plot_operating_curve(const std::filesystem::path& path, const std::vector<annotation::OperatingPoint>& points,
                           const std::string& title, const std::string& subtitle) {
-  const std::string head = "set title " + quoted(title) + ".\"\\n\"." + quoted(subtitle) + " noenhanced\n";
+  const std::string head =
+      "set title " + quoted(title) + ".\"\\n\"." + quoted(subtitle) + ".\"\\n\"." + quoted("labels: thresholds in dB") + " noenhanced\n";
   std::ostringstream text;
   const std::vector<Spot> found = recalls(points);
   const std::vector<Spot> missed = misses(points);
@@ -141,7 +142,8 @@ void plot_operating_curve(const std::filesystem::path& path, const std::vector<a
   text << block("$recalls", found) << of_found.data << block("$misses", missed) << of_missed.data << kStyle << "set multiplot layout 1,2\n"
        << head << "set ylabel 'recall'\nset yrange [0:1.02]\nset xrange [0:*]\n"
        << curve("$recalls", of_found)
-       << "set title 'Misses against false alarms (none is drawn as half of one)'\nset ylabel 'share missed'\nset logscale xy\n"
+       << "set title 'Misses against false alarms (0 is drawn as 0.5 of a false alarm or call)'\nset ylabel 'share missed'\nset logscale "
+          "xy\n"
           "set xrange [*:*]\nset yrange [*:1]\n"
        << curve("$misses", of_missed) << "unset multiplot\n";
   draw(path, {.title = title, .size = "1300,560", .commands = text.str()});

@@ -59,13 +59,14 @@ void judge_outputs(const ReplayCommand& c, const std::optional<host::MissionFile
 /// What is asked about in place of what was flown.
 struct Question {
   Plan plan;
-  std::string words;  ///< "with the policy other.policy and the journal's mission"
+  std::string words;     ///< "the policy at/sea/other.policy and the journal's mission"
+  std::string replaced;  ///< in place of what was flown, by its files' names: "policy other.policy"
 };
 
 /// @throws host::BadInput as earshotd would refuse to fly it.
 std::optional<Question> question_of(const ReplayCommand& c, const std::optional<host::MissionFile>& mission) {
   if (!c.policy && !c.tables && !c.mission) return std::nullopt;
-  Question question{.plan = plan_of(c.journal), .words = {}};
+  Question question{.plan = plan_of(c.journal), .words = {}, .replaced = {}};
   Plan& plan = question.plan;
   if (mission) {
     // Another draw of a policy's dice would be another flight: only what is asked about shall differ.
@@ -83,6 +84,10 @@ std::optional<Question> question_of(const ReplayCommand& c, const std::optional<
   question.words = (c.policy ? "the policy " + shown(*c.policy) : "the journal's policy") +
                    (c.tables ? ", the ocean tables " + shown(*c.tables) : "") + " and " +
                    (c.mission ? "the mission " + shown(*c.mission) : "the journal's mission");
+  for (const auto& [kind, file] :
+       {std::pair("policy ", &c.policy), std::pair("ocean tables ", &c.tables), std::pair("mission ", &c.mission)}) {
+    if (*file) question.replaced += (question.replaced.empty() ? "" : ", ") + (kind + shown((*file)->filename()));
+  }
   return question;
 }
 
@@ -125,7 +130,7 @@ Json report_what_if(const ReplayCommand& c, const Question& question) {
                    << decision_table(pairs, c.from_step, counterfactual.began) << "\n"
                    << program::wrapped_lines(what_it_means(counterfactual, pairs));
   if (c.map) {
-    const std::string title = shown(c.journal.filename()) + ": decided then, and now";
+    const std::string title = shown(c.journal.filename()) + ": decided then, and now with " + question.replaced;
     host::write_whole(*c.map, parting_map(counterfactual, pairs, c.from_step, question.plan.mission.operating_area, title));
   }
   Json json{{"policy", c.policy ? Json(c.policy->string()) : Json()},

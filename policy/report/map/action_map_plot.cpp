@@ -131,7 +131,7 @@ void draw_arrows(const std::filesystem::path& path, const MapOcean& ocean, const
 void draw_paths(const std::filesystem::path& path, const MapOcean& ocean, std::span<const FlownPath> paths) {
   const auto longest = std::ranges::max_element(paths, {}, &FlownPath::steps);
   std::ostringstream text;
-  text << panel(0.555, 0.905, "where it goes: searches without noise, the likeliest action at every step")
+  text << panel(0.555, 0.905, "where it goes without random fluctuation of the SNR, by its best direction at every step")
        << "set cblabel 'steps of the path'\n"
        << "set cbrange [0:" << longest->steps() << "]\nset cbtics autofreq\n"
        << "set palette defined (0 '#1d5c8a', 0.5 '#8a5aa8', 1 '#d1495b')\n"

@@ -42,10 +42,13 @@ std::string meters(Meters depth) {
   return host::significant(depth.value, 4);
 }
 
-/// "source of 20 Hz, 30 m deep; vehicle 300 m deep"
+/// "source of 20 Hz, 30 m deep; vehicle 300 m deep"; of tables for several depths "source of 20 Hz (the tables hold sources 10 to 50 m
+/// deep); vehicle 300 m deep"
 std::string conditions_of(Hertz frequency, policy::DepthRange source, Meters vehicle) {
-  const std::string depths = source.least == source.most ? meters(source.least) : meters(source.least) + " to " + meters(source.most);
-  return "source of " + host::significant(frequency.value, 4) + " Hz, " + depths + " m deep; vehicle " + meters(vehicle) + " m deep";
+  const std::string depths = source.least == source.most
+                                 ? ", " + meters(source.least) + " m deep"
+                                 : " (the tables hold sources " + meters(source.least) + " to " + meters(source.most) + " m deep)";
+  return "source of " + host::significant(frequency.value, 4) + " Hz" + depths + "; vehicle " + meters(vehicle) + " m deep";
 }
 
 /// In the likeliest ocean of its tables, where nobody says otherwise.

@@ -35,7 +35,7 @@ TEST_F(Programs, TablesAreMadeSignedAndShown) {
   ASSERT_EQ(run("tables --show a.tables"), 0) << content(folder / "err");
   const std::string shown = content(folder / "out");
   for (const std::string part : {"20 Hz heard at 300 m from sources at 30 m; sea floors at 500 to 3000 m; 355 ranges, every 100 m",
-                                 "0.500          16.1   Munk profile over a flat floor", "500 m of water over mud"}) {
+                                 "0.500               16.1   Munk profile over a flat floor", "500 m of water over mud"}) {
     EXPECT_NE(made.find(part), std::string::npos) << made;
     EXPECT_NE(shown.find(part), std::string::npos) << shown;
   }

@@ -49,6 +49,18 @@ TEST(Candidates, FlyOnceUnderWhateverNamesTheyAreGiven) {
                                             "/policy/frozen/../frozen/fixed_source.policy: is fixed_source, flies once"}));
 }
 
+TEST(Candidates, ThatAreGivenAnOceanAreNamedWithIt) {
+  std::vector<Candidate> candidates;
+  for (const char* name : {"bayes", "oracle", "bayes_least_regret"}) candidates.push_back(candidate_named(name));
+  EXPECT_EQ(given_oceans(candidates, "a/munk.toml", true),
+            "bayes, bayes_least_regret: given the true ocean, which a vehicle does not know\n");
+  EXPECT_EQ(given_oceans(candidates, "a/munk.toml", false),
+            "bayes, bayes_least_regret: given the ocean of munk.toml, in whichever world they search\n");
+  candidates.clear();
+  candidates.push_back(candidate_named("oracle"));
+  EXPECT_EQ(given_oceans(candidates, "a/munk.toml", true), "");
+}
+
 TEST(Candidates, MustHaveBeenTrainedForOneSearch) {
   EXPECT_EQ(settings_of(both(learned("a", ""), learned("b", ""))).step_length, Meters{1'000.0});
   Candidate other = learned("b", "");

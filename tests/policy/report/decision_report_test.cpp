@@ -101,5 +101,17 @@ TEST_F(DecisionReportTest, SaysThatTheVehicleDeclaredTheSourceFound) {
   EXPECT_TRUE(support::has_line(as_html(report), {"declared", "found", "93 %", "within a step"}));
 }
 
+TEST_F(DecisionReportTest, ShowsWhatMovedTheChoiceOfANetworkAlone) {
+  const RecordedFlight flight = open_recording(folder_, {});
+  DecisionReport report = make_decision_report(flight, 2, explain::Baseline::kCentre);
+  EXPECT_EQ(count(as_html(report), "What moved the choice"), 1U);
+  EXPECT_EQ(count(as_markdown(report), "integrated gradients"), 1U);
+  for (explain::ActionAccount& action : report.account.actions) action.worth = 1.0;
+  EXPECT_EQ(count(as_html(report), "What moved the choice"), 0U);
+  EXPECT_EQ(count(as_html(report), "integrated gradients"), 0U);
+  EXPECT_EQ(count(as_markdown(report), "integrated gradients"), 0U);
+  EXPECT_EQ(count(as_markdown(report), "| direction |"), 1U);
+}
+
 }  // namespace
 }  // namespace earshot::report

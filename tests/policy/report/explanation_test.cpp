@@ -12,6 +12,7 @@ namespace {
 explain::DecisionAccount account_of_three() {
   constexpr NorthEast kEnd{Meters{600.0}, Meters{800.0}};
   explain::DecisionAccount account;
+  account.most_regret_steps = 10.0;
   account.place.likeliest = {Meters{2'263.0}, Meters{2'263.0}};
   account.actions = {{.name = "E", .end = kEnd, .hear = {}, .detected = 0.75, .found_soon = 0.12, .approach = Meters{500.0}, .worth = 0.76},
                      {.name = "NE", .end = kEnd, .hear = {}, .detected = 0.8, .found_soon = 0.41, .approach = Meters{900.0}, .worth = 1.0},
@@ -22,7 +23,8 @@ explain::DecisionAccount account_of_three() {
 
 /// 1 / 0.76 - 1 = 0.316, 1 / 0.95 - 1 = 0.053: what the ratings 0.76 and 0.95 mean in steps without a detection.
 constexpr const char* kRated =
-    "Why NE and not E: the rest of the search is expected to cost least after NE; E costs 0.32 steps without a detection more. ";
+    "Why NE and not E: the rest of the search is expected to cost least after NE; E is expected to cost 0.32 more (1 = one step without a "
+    "detection). ";
 
 /// Of a step of 1 km 0.4 km are 0.4; the probabilities differ by 0.29 and 0.05.
 TEST(Explanation, GivesTheRatingFirstAndThenInPhysicalWordsWhatSpeaksForTheDirectionTheStrongestFirst) {
@@ -32,28 +34,29 @@ TEST(Explanation, GivesTheRatingFirstAndThenInPhysicalWordsWhatSpeaksForTheDirec
                 "steps with 41 % (E 12 %); it detects the source with 80 % (E 75 %).");
 }
 
-TEST(Explanation, NamesWhatSpeaksAgainstTheDirectionLastTheStrongestFirstAndLeavesOutWhatIsAlike) {
+TEST(Explanation, NamesWhatSpeaksForTheOtherDirectionLastTheStrongestFirstAndLeavesOutWhatIsAlike) {
   explain::DecisionAccount account = account_of_three();
   account.actions[0].found_soon = 0.408;  // as it is printed the same as 41 %
   account.actions[0].approach = Meters{1'000.0};
   account.actions[1].approach = Meters{-110.0};
   EXPECT_EQ(why_this_direction(account), std::string(kRated) +
-                                             "The likeliest place is 3.2 km NE. For NE: it detects the source with 80 % (E 75 %). Against "
-                                             "NE: it ends 0.11 km further off (E 1.00 km nearer).");
+                                             "The likeliest place is 3.2 km NE. For NE: it detects the source with 80 % (E 75 %). For "
+                                             "E: it ends 1.00 km nearer (NE 0.11 km further off).");
   account.actions[0].found_soon = 0.5;
   EXPECT_TRUE(why_this_direction(account).ends_with(
-      " Against NE: it ends 0.11 km further off (E 1.00 km nearer); it finds the source within three steps with 41 % (E 50 %)."))
+      " For E: it ends 1.00 km nearer (NE 0.11 km further off); it finds the source within three steps with 50 % (NE 41 %)."))
       << why_this_direction(account);
 }
 
-TEST(Explanation, SaysThatNothingInTheNextStepsSpeaksForADirectionThatIsCheapestAllTheSame) {
+TEST(Explanation, SaysThatADirectionThatIsCheapestPromisesNoMoreInTheNextSteps) {
   explain::DecisionAccount account = account_of_three();
   account.actions[1].found_soon = account.actions[0].found_soon;
   account.actions[1].approach = account.actions[0].approach;
   account.actions[1].detected = 0.7;
-  EXPECT_EQ(why_this_direction(account), std::string(kRated) +
-                                             "The likeliest place is 3.2 km NE. Nothing in the next steps speaks for NE: the cost counts "
-                                             "all steps of the search that follow. Against NE: it detects the source with 70 % (E 75 %).");
+  EXPECT_EQ(why_this_direction(account),
+            std::string(kRated) +
+                "The likeliest place is 3.2 km NE. In the next steps NE promises no more than E; the cost "
+                "counts all steps of the search that follow. For E: it detects the source with 75 % (NE 70 %).");
 }
 
 TEST(Explanation, SaysThatBothDirectionsPromiseTheSame) {
@@ -76,12 +79,13 @@ TEST(Explanation, CallsWhatAPolicyDoesNotKnowAnObserversWords) {
   EXPECT_EQ(count(text, "it expects"), 0U);
 }
 
-TEST(Explanation, StatesThatTheDifferenceToTheNextBestIsSmall) {
+TEST(Explanation, StatesFirstThatTheNextBestIsNearlyEqual) {
   explain::DecisionAccount account = account_of_three();
   account.actions[0].worth = 0.95;
-  EXPECT_TRUE(why_this_direction(account).starts_with(
-      "Why NE and not E: the rest of the search is expected to cost least after NE; E costs 0.05 steps without a detection more, a small "
-      "difference. The likeliest place"))
+  EXPECT_TRUE(
+      why_this_direction(account).starts_with("Why NE and not E: the two are nearly equal, but the rest of the search is expected to cost "
+                                              "least after NE; E is expected to cost 0.05 "
+                                              "more (1 = one step without a detection). The likeliest place"))
       << why_this_direction(account);
 }
 
@@ -89,11 +93,12 @@ TEST(Explanation, DoesNotCallADirectionCheapestThatWasDrawnAgainstTheRating) {
   explain::DecisionAccount account = account_of_three();
   account.decision.action = 0;
   EXPECT_TRUE(why_this_direction(account).starts_with(
-      "Why E and not NE: the rest of the search is expected to cost least after NE; E costs 0.32 steps without a detection more. "))
+      "Why E and not NE: the rest of the search is expected to cost least after NE; E is expected to cost 0.32 more (1 = one step without "
+      "a detection). "))
       << why_this_direction(account);
 }
 
-TEST(Explanation, RatesTheDirectionsOfATrainedPolicyByItsProbabilities) {
+TEST(Explanation, RatesTheDirectionsOfATrainedPolicyByItsScores) {
   explain::DecisionAccount account = account_of_three();
   for (explain::ActionAccount& action : account.actions) action.worth = std::nullopt;
   account.actions[0].probability = 0.31;
@@ -101,7 +106,8 @@ TEST(Explanation, RatesTheDirectionsOfATrainedPolicyByItsProbabilities) {
   EXPECT_TRUE(why_this_direction(account).starts_with("Why NE and not E: the policy gave NE 51 % and E 31 %. The likeliest place"))
       << why_this_direction(account);
   account.actions[0].probability = 0.48;
-  EXPECT_TRUE(why_this_direction(account).starts_with("Why NE and not E: the policy gave NE 51 % and E 48 %, a small difference. "))
+  EXPECT_TRUE(
+      why_this_direction(account).starts_with("Why NE and not E: the two are nearly equal, but the policy gave NE 51 % and E 48 %. "))
       << why_this_direction(account);
 }
 
@@ -110,19 +116,35 @@ TEST(Explanation, ShowsTheCostByWhichThePolicyRanksTheDirectionsAndExplainsItBel
   for (const char* cost : {"0.32", "0.00", "1.00"})  // 1 / 0.76 - 1, 1 / 1 - 1, 1 / 0.5 - 1
     EXPECT_EQ(count(table, std::string("<td data-name=\"regret (steps)\">") + cost + "</td>"), 1U) << cost;
   EXPECT_TRUE(support::has_line(table, {"<li><b>regret (steps)</b>", "rest of the search", "ranks the directions"}));
+  EXPECT_TRUE(support::has_line(table, {"the best has 0; 10 or more is shown as 10."}));
   EXPECT_TRUE(support::has_line(actions_markdown(account_of_three()), {"| E |", "| 0.32 |"}));
 }
 
-TEST(Explanation, StatesThatATrainedPolicyRanksTheDirectionsByItsProbabilities) {
+TEST(Explanation, GivesScoresOfAPolicyThatTakesTheBestDirectionAndProbabilitiesOfOneThatDrawsLots) {
   explain::DecisionAccount account = account_of_three();
+  EXPECT_TRUE(
+      support::has_line(actions_table(account), {"<li><b>score (%)</b>", "made from the regret", "takes the direction with the highest"}));
+  EXPECT_EQ(count(actions_table(account), "probability with which"), 0U);
   for (explain::ActionAccount& action : account.actions) action.worth = std::nullopt;
-  EXPECT_EQ(count(actions_table(account), "regret (steps)"), 0U);
-  EXPECT_TRUE(support::has_line(actions_table(account), {"<li><b>chosen with (%)</b>", "ranks the directions by it"}));
+  EXPECT_EQ(count(actions_table(account), "regret"), 0U);
+  EXPECT_TRUE(support::has_line(actions_table(account), {"<li><b>score (%)</b>", "takes the direction with the highest"}));
+  account.draw = policy::ActionDraw::kSampled;
+  EXPECT_EQ(count(actions_table(account), "score"), 0U);
+  EXPECT_TRUE(support::has_line(actions_table(account), {"<li><b>chosen with (%)</b>", "probability with which the policy draws"}));
+}
+
+TEST(Explanation, ShowsHowMuchANumberMovedTheChoiceOfANetworkAlone) {
+  explain::DecisionAccount account = account_of_three();
+  account.observed = {{.name = "SNR", .value = "9 dB", .baseline = "0 dB", .part = 0.5}};
+  EXPECT_EQ(count(observation_table(account), "0.50"), 0U);
+  EXPECT_EQ(count(observation_table(account), "<td>9 dB</td>"), 1U);
+  for (explain::ActionAccount& action : account.actions) action.worth = std::nullopt;
+  EXPECT_EQ(count(observation_table(account), "0.50"), 1U);
 }
 
 TEST(Explanation, NamesEveryCellOfADirectionForANarrowScreenAndExplainsEveryColumn) {
   const std::string table = actions_table(account_of_three());
-  for (const char* name : {"chosen with (%)", "regret (steps)", "expected SNR (dB)", "detects (%)", "finds (%)", "finds within 3 steps (%)",
+  for (const char* name : {"score (%)", "regret (steps)", "expected SNR (dB)", "detects (%)", "finds (%)", "finds within 3 steps (%)",
                            "nearer by (km)", "border"}) {
     EXPECT_EQ(count(table, std::string("<td data-name=\"") + name + "\""), 3U) << name;
     EXPECT_EQ(count(table, std::string("<th>") + name + "</th>"), 1U) << name;
@@ -139,7 +161,7 @@ TEST(Explanation, StatesWhetherThePolicyTakesItsLikeliestDirectionOrDrawsLots) {
   EXPECT_EQ(choice_sentence(account),
             "It chose NE: this policy always takes the direction after which the search is expected to cost least.");
   for (explain::ActionAccount& action : account.actions) action.worth = std::nullopt;
-  EXPECT_EQ(choice_sentence(account), "It chose NE: this policy always takes the direction with the highest probability, here 51 %.");
+  EXPECT_EQ(choice_sentence(account), "It chose NE: this policy always takes the direction with the highest score, here 51 %.");
   account.draw = policy::ActionDraw::kSampled;
   EXPECT_EQ(choice_sentence(account), "It chose NE, which had 51 %: this policy draws lots by its probabilities.");
   account.decision.action = 0;

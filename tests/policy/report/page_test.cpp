@@ -45,6 +45,29 @@ TEST_F(PageTest, UnfoldsTheReasonsOfEveryDecision) {
   EXPECT_EQ(count(text, "The safety layer moved the way-point"), 1U);
 }
 
+TEST_F(PageTest, ShowsTheScoresOfAPolicyWithoutANetworkAndNothingThatMovedItsChoice) {
+  FlightExplanation explanation = explain_flight(folder_);
+  explanation.accounts[0].draw = policy::ActionDraw::kSampled;
+  EXPECT_EQ(count(page(read_flight(folder_), {}, explanation), "Percent: how probable the policy made each direction; bold"), 1U);
+  for (explain::DecisionAccount& account : explanation.accounts) {
+    account.draw = policy::ActionDraw::kArgmax;
+    for (explain::ActionAccount& action : account.actions) action.worth = 1.0;
+  }
+  const std::string text = page(read_flight(folder_), {}, explanation);
+  EXPECT_EQ(count(text, "Percent: the score of each direction, made from its regret, of which the policy takes the highest; bold"), 1U);
+  EXPECT_EQ(count(text, "What moved the choice"), 0U);
+}
+
+TEST_F(PageTest, ExplainsTheMarkOfAnSnrThatWasTooFaintWhereThereIsOne) {
+  Flight flight = read_flight(folder_);
+  for (explain::RecordedDecision& decision : flight.journal.decisions) decision.too_faint = false;
+  EXPECT_EQ(count(page(flight, {}, {}), "&lt;"), 0U);
+  flight.journal.decisions[1].too_faint = true;
+  const std::string text = page(flight, {}, {});
+  EXPECT_EQ(count(text, "&lt;: too faint to measure, the SNR lies below this"), 1U);
+  EXPECT_EQ(count(text, "&lt;"), 2U) << "the legend and the one row";
+}
+
 TEST_F(PageTest, NamesEveryCellOfADecisionForANarrowScreen) {
   const std::string text = page(read_flight(folder_), {}, explain_flight(folder_));
   for (const char* name : {"step", "at", "north (km)", "east (km)", "SNR (dB)", "N", "NE", "E", "SE", "S", "SW", "W", "NW"})

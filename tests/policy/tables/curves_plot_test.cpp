@@ -17,7 +17,8 @@ std::string drawn(const policy::OceanTables& tables) {
 
 TEST(CurvesPlot, NamesEveryOceanWhereTheyAreFew) {
   const std::string picture = drawn(policy::made_up_tables());
-  for (const char* name : {"2 ocean tables, 20 Hz at 300 m", "deep", "shelf", "detection threshold", "range (km)"})
+  for (const char* name :
+       {"2 ocean tables: SNR of 20 Hz, vehicle at 300 m, sources at 10 to 50 m", "deep", "shelf", "detection threshold", "range (km)"})
     EXPECT_NE(picture.find(name), std::string::npos) << name;
 }
 

@@ -27,10 +27,20 @@ TEST(TablesDescription, HasALineForEachTable) {
   std::ostringstream out;
   describe(out, tables);
   EXPECT_TRUE(support::lines_tell(out.str(), {{"20 Hz", "heard", "300 m", "10 to 50 m", "200 to 4000 m", "3 ranges", "1000 m"},
-                                              {"floor", "prior", "10 dB"},
+                                              {"floor", "prior", "detected to (km)"},
                                               {"3000", "0.750", "0.0"},
                                               {"200", "0.250"},
-                                              {"4000", "1.000", "2.0"}}));
+                                              {"4000", "1.000", "2.0"},
+                                              {"detected: an SNR of 10 dB or more"}}));
+  EXPECT_FALSE(support::has_line(out.str(), {"bytes of a name"}));
+}
+
+TEST(TablesDescription, StatesThatAFileHoldsTheBeginningOfALongNameAlone) {
+  policy::OceanTables tables = policy::made_up_tables();
+  tables.tables[0] = policy::made_up_table("Munk profile over a flat floor: ", 0.75F, 3000.0F, {40, 19, 20});  // 32 bytes
+  std::ostringstream out;
+  describe(out, tables);
+  EXPECT_TRUE(support::has_line(out.str(), {"holds 32 bytes of a name"})) << out.str();
 }
 
 }  // namespace

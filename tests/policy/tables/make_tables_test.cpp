@@ -80,6 +80,18 @@ TEST(ShortName, LeavesRoomForWhatTellsItFromOthersAndCutsBetweenCharacters) {
   EXPECT_EQ(short_name(c), "unnamed");
 }
 
+TEST(ShortName, KeepsTheShortEndThatTellsVariantsOfAnOceanApart) {
+  OceanCurve c = curve("Munk profile over a flat floor: sand", 1.0, 100.0, {});
+  EXPECT_EQ(short_name(c), "Munk profile over a flat f: sand");
+  c.detail = " 2 90 deg";  // 9 bytes and ": sand" are 15
+  EXPECT_EQ(short_name(c), "Munk profile over: sand 2 90 deg");
+  c.name = "bank_005: 337 m of winter water over";  // what stands behind the colon is most of it
+  c.detail = "";
+  EXPECT_EQ(short_name(c), "bank_005: 337 m of winter water ");
+  c.name = "twenty: letters";
+  EXPECT_EQ(short_name(c), "twenty: letters") << "nothing is cut";
+}
+
 TEST(SignTables, MakesBytesThatAVehicleReadsAndThatTheKeySigned) {
   const host::SecretKey key = host::make_key();
   const std::vector<std::uint8_t> bytes = sign(*make_tables(kTwo, kTwo, kPlan, Hertz{40.0}, {{"a", "b"}}), key);

@@ -30,7 +30,8 @@ TEST(OperatingCurvePlot, IsDrawnWhereNothingWasMissedAndNoAlarmWasFalse) {
   const support::TemporaryFolder folder;
   const annotation::Score perfect{.truths = 3, .detections = 3, .hits = 3, .hours = 0.5};
   plot_operating_curve(folder / "roc.svg", {{5.0, perfect}, {6.0, perfect}}, "song.wav", "fin");
-  EXPECT_NE(content_of(folder / "roc.svg").find(">5 to 6 dB<"), std::string::npos);
+  for (const char* part : {">5 to 6 dB<", "labels: thresholds in dB", "0 is drawn as 0.5 of a false alarm or call"})
+    EXPECT_NE(content_of(folder / "roc.svg").find(part), std::string::npos) << part;
 }
 
 std::size_t occurrences(const std::string& text, const std::string& word) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include "firmware/core/geometry.hpp"
 #include "firmware/host/file/printable.hpp"
@@ -35,6 +36,14 @@ std::string bytes_to_string(const DamagedBytes& damage) {
          (damage.part.empty() ? "" : " of " + damage.part);
 }
 
+/// "software 0.2.0, commit 5442074c"; what another program calls itself stays in one piece.
+std::string build_to_string(std::string_view build) {
+  const std::size_t space = build.find(' ');
+  const std::string version(build.substr(0, space));
+  const std::string commit(space == std::string_view::npos ? "" : build.substr(space + 1));
+  return "software " + host::printable(version) + (commit.empty() ? "" : ", commit " + host::printable(commit));
+}
+
 }  // namespace
 
 std::string to_string(const messages::MissionRecord& record) {
@@ -44,8 +53,8 @@ std::string to_string(const messages::MissionRecord& record) {
   return "mission begins: area of " + host::decimals(size.north.value / kMetersPerKilometer, 1) + " km x " +
          host::decimals(size.east.value / kMetersPerKilometer, 1) + " km, at " + host::decimals(m.search_depth.value, 0) + " m depth and " +
          host::decimals(m.search_speed.value, 1) + " m/s, up to " + host::counted(m.max_steps, "step") + " of " +
-         host::decimals(m.step_length.value, 0) + " m in " + host::decimals(m.max_time.to_seconds(), 0) + " s; heard from " +
-         host::decimals(m.detection_threshold.value, 1) + " dB; flown by " + host::printable(std::string(messages::text_of(record.build)));
+         host::decimals(m.step_length.value, 0) + " m in " + host::decimals(m.max_time.to_seconds(), 0) + " s; detection threshold " +
+         host::decimals(m.detection_threshold.value, 1) + " dB; " + build_to_string(messages::text_of(record.build));
 }
 
 std::string to_string(const messages::OperatorCommand& command, std::uint8_t port) {

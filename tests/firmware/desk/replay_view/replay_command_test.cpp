@@ -122,6 +122,7 @@ TEST_F(ReplayCommand, SaysWhatAnotherPolicyWouldHaveDecidedAndDrawsIt) {
   EXPECT_NE(output_.find("set-points differ from 2.0 s on: "), std::string::npos) << output_;
   EXPECT_NE(unwrapped().find("no forecast"), std::string::npos) << output_;
   EXPECT_EQ(support::read_text(file("m.svg")).find("<svg "), 0U);
+  EXPECT_NE(support::read_text(file("m.svg")).find("journal.lcmlog: decided then, and now with policy north.policy"), std::string::npos);
   const std::string json = support::read_text(file("r.json"));
   EXPECT_NE(json.find("\"parting_step\": 0"), std::string::npos) << json;
   EXPECT_EQ(replay({"--json", file("r.json")}), 0) << "of its own kind: " << errors_;

@@ -64,7 +64,7 @@ TEST_F(ActionMapPlot, NamesThePolicyAndSaysHowManyPathsFindTheSource) {
   const MapOcean ocean{*policy, "shipped.policy", curve_, source_, "heard in a test", "source of 20 Hz", source_};
   const std::vector<FlownPath> paths{{{{Meters{0.0}, Meters{0.0}}, {Meters{700.0}, Meters{700.0}}}, FlownPath::End::kFound}};
   draw_paths(folder_ / "map.svg", ocean, paths);
-  has({">What shipped.policy does: source of 20 Hz<", "searches without noise, the likeliest action at every step",
+  has({">What shipped.policy does: source of 20 Hz<", "without random fluctuation of the SNR, by its best direction at every step",
        "The source is found from 1 of 1 starts, after 1 to 1 steps (median 1). Dot: a start; cross: one from which it is not found."});
 }
 

@@ -8,16 +8,21 @@ namespace earshot::journal {
 namespace {
 
 TEST(JournalSentence, SaysAMissionInKilometresAndWhoFlewIt) {
-  EXPECT_EQ(
-      to_string(known_mission()),
-      "mission begins: area of 25.0 km x 20.0 km, at 300 m depth and 2.0 m/s, up to 100 steps of 1000 m in 60000 s; heard from 10.0 dB; "
-      "flown by 0.1.0 abc");
+  EXPECT_EQ(to_string(known_mission()),
+            "mission begins: area of 25.0 km x 20.0 km, at 300 m depth and 2.0 m/s, up to 100 steps of 1000 m in 60000 s; detection "
+            "threshold 10.0 dB; software 0.1.0, commit abc");
 }
 
 TEST(JournalSentence, SpellsOutWhatABuildCouldSteerATerminalWith) {
   messages::MissionRecord mission = known_mission();
   mission.build[0] = 0x1B;
-  EXPECT_NE(to_string(mission).find("flown by \\x1b.1.0 abc"), std::string::npos) << to_string(mission);
+  EXPECT_NE(to_string(mission).find("software \\x1b.1.0, commit abc"), std::string::npos) << to_string(mission);
+}
+
+TEST(JournalSentence, LeavesTheNameOfAnotherProgramInOnePiece) {
+  messages::MissionRecord mission = known_mission();
+  mission.build = {'m', 'y', '_', 'c', 'o', 'r', 'e'};
+  EXPECT_TRUE(to_string(mission).ends_with("; software my_core")) << to_string(mission);
 }
 
 TEST(JournalSentence, SaysATightenWithItsLimits) {
