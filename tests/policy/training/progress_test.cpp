@@ -17,6 +17,12 @@ TEST(TrainingProgress, CountsNothingAsTakenThatWasTakenBeforeItBegan) {
       support::lines_tell(progress.line(), {{"50 %", "80 episodes", "4000 steps", "0", "steps/s", "50", "-3.0", "found 75 %", "0 s"}}));
 }
 
+TEST(TrainingProgress, SaysThatNoEpisodeHasEndedRatherThanThatItEarnedNothing) {
+  TrainingProgress progress(1, TrainingProgress::Voice::kSpeaks);
+  progress.begin(0, {.fraction = 1.0, .steps = 2, .episodes = 0, .recent = {}});
+  EXPECT_NE(progress.line().find("median reward -, found - %"), std::string::npos) << progress.line();
+}
+
 TEST(TrainingProgress, PrintsNothingWhereThereIsNoTerminal) {
   testing::internal::CaptureStderr();
   TrainingProgress progress(1, TrainingProgress::Voice::kSpeaks);
