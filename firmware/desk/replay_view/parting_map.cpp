@@ -67,8 +67,7 @@ std::string parting_map(const Counterfactual& counterfactual, std::span<const St
     const messages::Decision& d = parts->then ? *parts->then : *parts->now;
     map.dot(d.position, kParting);
     map.words_at(d.position, host::formatted("they part at step %u", static_cast<unsigned>(parts->step)), kParting.stroke);
-    map.legend(kParting, host::formatted("they part at step %u", static_cast<unsigned>(parts->step)),
-               "after this point nothing is predicted:");
+    map.legend(kParting, host::formatted("they part at step %u", static_cast<unsigned>(parts->step)), "nothing is predicted after it:");
     map.legend_note("fixes and SNRs are those of the");
     map.legend_note("vehicle that followed the journal");
   } else {
