@@ -11,7 +11,6 @@
 namespace earshot::board {
 namespace {
 
-using journal::after;
 using messages::MissionState;
 
 class LostRecord : public testing::Test {
@@ -30,18 +29,18 @@ messages::MissionRecord mission() {
 TEST_F(LostRecord, OfASearchUnderWayIsMadeOfItsJournal) {
   {
     journal::WrittenJournal written(path);
-    written.message(after(0), wire::kMissionChannel, mission());
-    written.bytes(after(0), wire::kPolicyChannel, journal::kPolicy);
-    written.health(after(1000), 1, MissionState::kStandby);
-    written.message(after(2000), wire::kJournalledSetpointChannel, journal::some_setpoint());
-    written.health(after(2000), 2, MissionState::kSearch);
+    written.message(journal::after(0), wire::kMissionChannel, mission());
+    written.bytes(journal::after(0), wire::kPolicyChannel, journal::kPolicy);
+    written.health(journal::after(1000), 1, MissionState::kStandby);
+    written.message(journal::after(2000), wire::kJournalledSetpointChannel, journal::some_setpoint());
+    written.health(journal::after(2000), 2, MissionState::kSearch);
   }
   const std::optional<host::SafetyRecord> record = record_by_journal(path);
   ASSERT_TRUE(record);
   EXPECT_EQ(record->state, MissionState::kSearch);
   EXPECT_TRUE(record->is_engaged);
   EXPECT_FALSE(record->is_released);
-  EXPECT_EQ(record->mission_time, after(2000));
+  EXPECT_EQ(record->mission_time, journal::after(2000));
   EXPECT_EQ(record->deepest, Meters{400});
   EXPECT_EQ(record->ascent_speed, MetersPerSecond{1.5});
 }
@@ -54,8 +53,8 @@ TEST_F(LostRecord, IsNoneOfAJournalThatWasEndedInOrder) {
 TEST_F(LostRecord, IsNoneOfAVehicleThatNobodyCommands) {
   {
     journal::WrittenJournal written(path);
-    written.message(after(0), wire::kMissionChannel, mission());
-    written.health(after(1000), 1, MissionState::kStandby);
+    written.message(journal::after(0), wire::kMissionChannel, mission());
+    written.health(journal::after(1000), 1, MissionState::kStandby);
   }
   EXPECT_FALSE(record_by_journal(path));
 }
