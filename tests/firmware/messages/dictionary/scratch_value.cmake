@@ -4,17 +4,7 @@
 cmake_minimum_required(VERSION 3.25)
 set(source ${ROOT}/firmware/messages/dictionary/complete.cpp)
 
-function(compile RESULT OUTPUT)
-  execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only -I ${FOLDER} -I ${ROOT} ${source} RESULT_VARIABLE result ERROR_VARIABLE output)
-  set(${RESULT} "${result}" PARENT_SCOPE)
-  set(${OUTPUT} "${output}" PARENT_SCOPE)
-endfunction()
-
-file(REMOVE_RECURSE ${FOLDER})
-compile(result output)
-if(NOT result EQUAL 0)
-  message(FATAL_ERROR "the dictionary as it is does not compile:\n${output}")
-endif()
+include(${ROOT}/tests/firmware/scratch_header.cmake)
 
 # ENUM, the header that has it, and its last value.
 foreach(scratch
@@ -32,18 +22,6 @@ foreach(scratch
   list(GET scratch 0 enum)
   list(GET scratch 1 header)
   list(GET scratch 2 last)
-  file(READ ${ROOT}/${header} text)
-  string(REPLACE "${last}" "${last}, kScratch" changed "${text}")
-  if(changed STREQUAL text)
-    message(FATAL_ERROR "${header} has no ${last}: its last value is another by now; say it here")
-  endif()
-  file(REMOVE_RECURSE ${FOLDER})
-  file(WRITE ${FOLDER}/${header} "${changed}")
-  compile(result output)
-  if(result EQUAL 0)
-    message(FATAL_ERROR "a value of ${enum} without words compiles")
-  elseif(NOT output MATCHES "has_all_words<${enum}>")
-    message(FATAL_ERROR "a value of ${enum} without words does not compile, but not for that:\n${output}")
-  endif()
+  expect_refused(${header} "${last}" "${last}, kScratch" "has_all_words<${enum}>")
 endforeach()
 message("no value without words compiles")
