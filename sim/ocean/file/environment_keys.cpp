@@ -8,7 +8,7 @@
 
 #include "sim/ocean/charts/bathymetry.hpp"
 #include "sim/ocean/file/environment_noise.hpp"
-#include "sim/ocean/with_source.hpp"
+#include "sim/ocean/water/sea_water.hpp"
 
 namespace earshot::ocean {
 namespace {
@@ -99,8 +99,8 @@ EnvironmentKeys read_environment_keys(const host::TomlFile& file, const FurtherT
   keys.water = read_water(file, water, environment);
   if (const auto origin = root.optional_table("origin")) keys.origin = read_origin(*origin);
   if (const auto absorption = root.optional_table("absorption")) {
-    environment.absorbing = read_absorption(*absorption);
-    environment = with_source(environment, environment.source.frequency, environment.source.depth);
+    const AbsorbingWater& absorbing = environment.absorbing.emplace(read_absorption(*absorption));
+    environment.absorption_db_per_km = absorption_db_per_km(absorbing.water, absorbing.depth, environment.source.frequency);
   }
   if (const auto bathymetry = root.optional_table("bathymetry")) keys.bathymetry = read_bathymetry(file, *bathymetry);
   read_seabed(root.table("seabed"), keys.bathymetry ? SeaFloorDepth::kGivenByBathymetry : SeaFloorDepth::kGivenHere, environment);
