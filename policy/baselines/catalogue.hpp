@@ -10,7 +10,8 @@ namespace earshot::baselines {
 
 struct Entry {
   std::string_view name;
-  std::string_view what;  ///< in a few words
+  std::string_view what;            ///< in a few words
+  bool is_given_the_ocean = false;  ///< its belief is of one ocean that it is told; a vehicle has to find out which one it is
 };
 
 /// Every searcher that is not learned.

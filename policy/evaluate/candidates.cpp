@@ -30,6 +30,11 @@ const Candidate* first_learned(std::span<const Candidate> candidates) {
   return nullptr;
 }
 
+bool is_given_the_ocean(std::string_view baseline) {
+  const auto entry = std::ranges::find(baselines::catalogue(), baseline, &baselines::Entry::name);
+  return entry != baselines::catalogue().end() && entry->is_given_the_ocean;
+}
+
 bool are_of_one_search(const policy::FrozenPolicy& a, const policy::FrozenPolicy& b) {
   return a.step_length == b.step_length && a.area_size == b.area_size && a.detection_threshold == b.detection_threshold;
 }
@@ -101,7 +106,7 @@ void check_same_listening(std::span<const Candidate> candidates) {
 std::string given_oceans(std::span<const Candidate> candidates, const std::filesystem::path& environment, bool is_true) {
   std::string names;
   for (const Candidate& candidate : candidates) {
-    if (candidate.learned == nullptr && candidate.name.starts_with("bayes")) names += (names.empty() ? "" : ", ") + candidate.name;
+    if (candidate.learned == nullptr && is_given_the_ocean(candidate.name)) names += (names.empty() ? "" : ", ") + candidate.name;
   }
   if (names.empty()) return "";
   return names + (is_true
