@@ -12,8 +12,8 @@ import signal
 import time
 
 import lcm
-from earshot import command_acknowledgement_t, nav_state_t, operator_command_t, setpoint_t
 
+from earshot import command_acknowledgement_t, nav_state_t, operator_command_t, setpoint_t
 from marked_order import Marker, outcome_of
 
 parser = argparse.ArgumentParser(description="A vehicle that follows Earshot's set-points over LCM.")

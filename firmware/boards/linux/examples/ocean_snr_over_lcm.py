@@ -13,6 +13,7 @@ import pathlib
 import signal
 
 import lcm
+
 from earshot import nav_state_t, snr_estimate_t
 
 parser = argparse.ArgumentParser(description="Gives a vehicle of your own the SNR that an ocean has where it is.")

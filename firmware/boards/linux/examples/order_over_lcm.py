@@ -15,8 +15,8 @@ import sys
 import time
 
 import lcm
-from earshot import command_acknowledgement_t, operator_command_t
 
+from earshot import command_acknowledgement_t, operator_command_t
 from marked_order import Marker, outcome_of
 
 WAIT_S = 10.0

@@ -9,6 +9,7 @@ import sys
 import time
 
 import lcm
+
 from earshot import snr_estimate_t
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C ends it without a traceback

@@ -11,6 +11,7 @@ import sys
 import time
 
 import lcm
+
 from earshot import hydrophone_block_t
 
 SAMPLES = 1024  # of each channel in a block

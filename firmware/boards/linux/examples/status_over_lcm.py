@@ -12,6 +12,7 @@ import signal
 import time
 
 import lcm
+
 from earshot import autopilot_status_t, hydrophone_status_t, vehicle_status_t
 
 parser = argparse.ArgumentParser(description="Reports over LCM how a vehicle, its autopilot and its hydrophone are.")
