@@ -24,12 +24,15 @@ namespace {
 using namespace earshot;
 
 /// Reports on standard error what the page lacks. @return the exit status
-int report_missing(const std::filesystem::path& folder, const report::Flight& flight) {
+int report_missing(const std::filesystem::path& folder, const report::Flight& flight, const report::FlightExplanation& explanation) {
   for (const std::string& name : flight.missing)
     std::cerr << host::printable((folder / name).string()) << ": not there; the page is without it\n";
   if (!flight.journal.is_whole())
     std::cerr << host::printable(report::journal_of_flight(folder).string()) << ": " << report::lack_of(flight.journal) << "\n";
-  return flight.is_complete() && flight.journal.is_whole() ? program::kDone : program::kIncomplete;
+  if (explanation.is_incomplete)
+    std::cerr << host::printable(explanation.why_not) << "; the page is without the reasons of its decisions\n";
+  const bool is_whole = flight.is_complete() && flight.journal.is_whole() && !explanation.is_incomplete;
+  return is_whole ? program::kDone : program::kIncomplete;
 }
 
 /// DIR/report.html; of DIR/journal-2.lcmlog DIR/journal-2.html.
@@ -59,12 +62,13 @@ int write_report(const std::filesystem::path& folder, host::Replace replace) try
   read.read("DIR", report::files_of_flight(folder));
   host::require_writable(std::move(read), std::array{host::Output{"the page", page, host::kHtmlOutput}}, replace);
   const report::Pictures pictures = report::pictures_of(flight);
-  host::write_whole(page, report::page(flight, pictures, report::explain_flight(folder)));
+  const report::FlightExplanation explanation = report::explain_flight(folder);
+  host::write_whole(page, report::page(flight, pictures, explanation));
   program::print() << "wrote " << host::printable(page.string()) << ": " << steps_and_decisions(flight) << "\n";
   program::detail() << folder.string() << ": " << flight.journal.decisions.size() << " decisions in " << flight.journal.records
                     << " records of the journal, " << flight.track.size() << " rows of track.csv, " << flight.snr.size() << " of snr.csv\n";
   name_journal(folder);
-  return report_missing(folder, flight);
+  return report_missing(folder, flight, explanation);
 } catch (const nlohmann::json::exception& e) {
   throw host::BadInput((folder / "summary.json").string() + ": " + description::to_string(e));
 }
@@ -77,8 +81,9 @@ int main(int argc, char** argv) {
       "earshot report DIR reads the journal, the policy, track.csv, snr.csv and summary.json that a flight left in DIR and writes\n"
       "DIR/report.html, a page that needs no other file. A flight at sea leaves its journal and policy alone, and its page is of these;\n"
       "of several journals it is of the newest; earshot report DIR/journal-2.lcmlog writes the page of another, DIR/journal-2.html.\n"
-      "Exit status: 0 written, 1 written of what is there: a file is missing, or the journal is cut or damaged, which standard error "
-      "reports,\n"
+      "Exit status: 0 written, 1 written of what is there: a file is missing, the journal is cut or damaged, or its policy cannot be "
+      "read:\n"
+      "standard error reports which,\n"
       "2 something of the flight cannot be read or the page cannot be made.");
   std::filesystem::path folder;
   bool force = false;

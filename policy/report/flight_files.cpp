@@ -23,14 +23,35 @@ namespace {
 
 using host::BadInput;
 
-bool is_number(const nlohmann::json& value) {
-  constexpr double kMost = 1e15;  // a double tells whole numbers apart up to there
-  return value.is_number() && std::abs(value.get<double>()) <= kMost;
+constexpr double kMost = 1e15;  // a double tells whole numbers apart up to there
+
+bool is_number(const nlohmann::json& value, double least = -kMost, double most = kMost) {
+  return value.is_number() && value.get<double>() >= least && value.get<double>() <= most;
 }
 
 bool is_place(const nlohmann::json& value) {
   return value.is_object() && is_number(value.value("north_m", nlohmann::json())) && is_number(value.value("east_m", nlohmann::json()));
 }
+
+/// A number of a summary and what it may be.
+struct SummaryNumber {
+  const char* key;
+  double least;
+  double most;
+  const char* what;
+  bool is_optional = false;
+};
+constexpr SummaryNumber kSummaryNumbers[] = {
+    {"reward", -kMost, kMost, "a number"},
+    {"distance_m", 0.0, kMost, "a number from 0"},
+    {"sim_time_s", 0.0, kMost, "a number from 0"},
+    {"wall_time_s", 0.0, kMost, "a number from 0"},
+    {"detection_threshold_db", -kMost, kMost, "a number"},
+    {"battery_percent", 0.0, 100.0, "a number, 0 to 100", true},
+    {"depth_m", 0.0, kMost, "a number from 0", true},
+    {"speed_mps", 0.0, kMost, "a number from 0", true},
+    {"source_frequency_hz", 0.0, kMost, "a number from 0", true},
+};
 
 /// Refuses a summary whose keys are missing or do not hold what they should.
 void check_summary(const std::filesystem::path& path, const nlohmann::json& summary) {
@@ -43,11 +64,10 @@ void check_summary(const std::filesystem::path& path, const nlohmann::json& summ
   for (const char* key : {"steps", "detections"})
     require(key, value(key).is_number_unsigned() && value(key).get<std::uint64_t>() <= 1'000'000'000, "a whole number, 0 to 1000000000");
   require("seed", value("seed").is_number_unsigned(), "a whole number from 0");
-  for (const char* key : {"reward", "distance_m", "sim_time_s", "wall_time_s", "detection_threshold_db"})
-    require(key, is_number(value(key)), "a number");
-  if (summary.contains("battery_percent")) require("battery_percent", is_number(summary.at("battery_percent")), "a number");
-  for (const char* key : {"depth_m", "speed_mps", "source_frequency_hz"})
-    require(key, !summary.contains(key) || is_number(value(key)), "a number");
+  for (const SummaryNumber& number : kSummaryNumbers) {
+    if (number.is_optional && !summary.contains(number.key)) continue;
+    require(number.key, is_number(value(number.key), number.least, number.most), number.what);
+  }
   require("flown_utc", !summary.contains("flown_utc") || value("flown_utc").is_string(), "a text");
   const nlohmann::json origin = value("origin");
   const bool is_geographic = origin.is_object() && is_number(origin.value("latitude_deg", nlohmann::json())) &&
@@ -89,12 +109,19 @@ std::vector<Row> read_rows(const std::filesystem::path& path, bool (*read)(const
   return rows;
 }
 
+void require_rows(const std::filesystem::path& path, std::size_t rows, std::size_t least) {
+  if (rows < least)
+    throw BadInput(path.string() + ": has " + host::counted(rows, "row") + " below its header; needs at least " + std::to_string(least));
+}
+
 std::vector<TrackRow> read_track(const std::filesystem::path& path) {
-  return read_rows<TrackRow>(path, [](const char* line, TrackRow& row) {
+  std::vector<TrackRow> rows = read_rows<TrackRow>(path, [](const char* line, TrackRow& row) {
     const bool is_row =
         std::sscanf(line, "%lf,%lf,%lf,%*f,%*f,%*f,%lf,%lf", &row.time_s, &row.north_m, &row.east_m, &row.snr_db, &row.range_m) == 5;
     return is_row && std::isfinite(row.time_s + row.north_m + row.east_m + row.snr_db + row.range_m);
   });
+  require_rows(path, rows.size(), 1);
+  return rows;
 }
 
 /// What is wrong with a row of a curve over ranges that rise from 0 by one step; nothing when it is right.
@@ -114,7 +141,7 @@ std::vector<SnrRow> read_snr(const std::filesystem::path& path) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (const char* const fault = fault_in(rows, i)) refuse_row(path, i + 1, fault);
   }
-  if (rows.size() < 2) throw BadInput(path.string() + ": at least two rows are needed");
+  require_rows(path, rows.size(), 2);
   return rows;
 }
 

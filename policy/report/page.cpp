@@ -235,8 +235,10 @@ FlightExplanation explain_flight(const std::filesystem::path& folder_or_journal)
         {.account = account, .measurements = std::span(flight.journal.decisions).first(pictures.size() + 1), .source = flight.source});
   explanation.charts = belief_svgs(pictures);
   return explanation;
-} catch (const host::BadInput& e) {
+} catch (const NothingToExplain& e) {
   return {.why_not = e.what()};
+} catch (const host::BadInput& e) {
+  return {.why_not = e.what(), .is_incomplete = true};
 }
 
 std::string page(const Flight& flight, const Pictures& pictures, const FlightExplanation& explanation) {

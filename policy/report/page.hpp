@@ -14,6 +14,7 @@ struct FlightExplanation {
   std::vector<explain::DecisionAccount> accounts = {};
   std::vector<std::string> charts = {};  ///< SVG text
   std::string why_not = {};              ///< one line when there are no accounts
+  bool is_incomplete = false;            ///< there are none because a file of the flight is missing or cannot be read
 };
 
 /// Explains every decision of the flight in a folder, or of a journal, or says in one line why that cannot be done.

@@ -26,7 +26,7 @@ std::string how_it_ends(const JournalledSearch& journal) {
 void require_decisions(const fs::path& path, const JournalledSearch& journal) {
   if (!journal.is_journal()) throw BadInput(path.string() + ": not a journal: no record where the first should begin");
   if (journal.decisions.empty())
-    throw BadInput(path.string() + ": no decision in it" + (journal.is_whole() ? "" : ": " + lack_of(journal)));
+    throw NothingToExplain(path.string() + ": no decision in it" + (journal.is_whole() ? "" : ": " + lack_of(journal)));
   for (std::size_t i = 0; i < journal.decisions.size(); ++i) {
     if (journal.decisions[i].step != i)
       throw BadInput(path.string() + ": the decision of step " + std::to_string(i) +
@@ -126,7 +126,7 @@ RecordedFlight open_recording(const fs::path& folder_or_journal, const Recording
   if (options.south_west) flight.south_west = *options.south_west;
   if (!has_belief) {
     if (!files || files->snr.empty())
-      throw BadInput(
+      throw NothingToExplain(
           flight.policy_path.string() +
           ": holds no belief, and without the folder of a simulated flight (summary.json, snr.csv) there is no ocean to make one of");
     add_observer(*files, flight);

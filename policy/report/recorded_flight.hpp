@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "firmware/host/file/bad_input.hpp"
 #include "policy/explain/decision_account.hpp"
 #include "policy/report/conditions.hpp"
 #include "policy/report/flight_files.hpp"
@@ -36,8 +37,14 @@ struct RecordingOptions {
   std::optional<NorthEast> south_west = std::nullopt;
 };
 
+/// A flight that there is nothing to explain of, though none of its files is at fault: no decision, or no belief and no ocean to make one
+/// of.
+struct NothingToExplain : host::BadInput {
+  using BadInput::BadInput;
+};
+
 /// Opens the folder of a simulated flight, or a journal alone, and holds every decision against the policy, bit for bit.
-/// @throws host::BadInput, one line: no decision in it, a gap, no policy, another policy, or an ocean that is not known.
+/// @throws NothingToExplain, or host::BadInput, one line: a gap, no policy, another policy.
 [[nodiscard]] RecordedFlight open_recording(const std::filesystem::path& folder_or_journal, const RecordingOptions& options);
 
 /// Index of the decision of a step. @throws host::BadInput when the flight has no such step.

@@ -71,9 +71,12 @@ RadialPlan plan_ranges(const RadialRequest& request, Meters source_depth) {
   RadialPlan plan{
       .source_depth = source_depth, .depth_m = {}, .range_step = {}, .ranges = 1, .band = request.band, .options = request.options};
   constexpr double kSoundSpeed_mps = 1500.0;
-  const Meters automatic{request.default_step_wavelengths * kSoundSpeed_mps / plan.band.high.value};
+  const Meters automatic{std::min(request.default_step_wavelengths * kSoundSpeed_mps / plan.band.high.value, request.max_range.value)};
   plan.range_step = request.output_step.value_or(request.options.range_step.value_or(automatic));
-  plan.ranges = std::max<std::size_t>(1, static_cast<std::size_t>(request.max_range.value / plan.range_step.value + 1e-9));
+  plan.ranges = static_cast<std::size_t>(request.max_range.value / plan.range_step.value + 1e-9);
+  if (plan.ranges < 1)
+    throw BadRequest(BadRequest::What::kOutputStep, plan.range_step.value,
+                     "must not be longer than the range of the field, " + text_of(request.max_range.value) + " m");
   return plan;
 }
 

@@ -44,7 +44,7 @@ class BadRequest : public std::invalid_argument {
   std::string complaint_;
 };
 
-/// All of a plan but its depths, for which the sea floor must be known.
+/// All of a plan but its depths, for which the sea floor must be known. @throws BadRequest for a step longer than the range.
 [[nodiscard]] RadialPlan plan_ranges(const RadialRequest& request, Meters source_depth);
 
 /// The receivers' depths. Throws BadRequest naming a depth that no radial has water at, and for more values than kMostFanValues.

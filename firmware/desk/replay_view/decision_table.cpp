@@ -29,7 +29,7 @@ std::string half_row(const std::optional<messages::Decision>& decision, Time beg
   if (!decision) return host::formatted("%41s", "not decided");
   const messages::Decision& d = *decision;
   return host::formatted("%8.1f %s%5.1f %-5s %03d %7.3f %7.3f", seconds_since(began, d.time), d.too_faint ? "<" : " ", d.snr.value,
-                         d.detected ? "heard" : "", degrees_towards(d), d.waypoint.north.value * 1e-3, d.waypoint.east.value * 1e-3);
+                         d.detected ? "det." : "", degrees_towards(d), d.waypoint.north.value * 1e-3, d.waypoint.east.value * 1e-3);
 }
 
 std::string one_way(const std::optional<messages::Decision>& d, Time began) {
@@ -50,8 +50,8 @@ std::string to_string(const Standing& standing, Time began) {
 
 std::string decision_table(std::span<const StepPair> pairs, std::uint32_t from_step, Time began) {
   const std::string head = host::formatted("%8s %6s %-5s %3s %7s %7s", "time (s)", "SNR", "", "deg", "north", "east");
-  std::string text =
-      host::formatted("%5s  %-39s |  %s\n", "", "then (SNR in dB, places in km)", "now") + " step" + head + " |" + head + "\n";
+  std::string text = host::formatted("%5s  %-39s |  %s\n", "", "then (SNR in dB, det.: a detection)", "now (places in km)") + " step" +
+                     head + " |" + head + "\n";
   const StepPair* const parts = parting(pairs);
   for (const StepPair& pair : from(from_step, pairs)) {
     text += host::formatted("%5u", static_cast<unsigned>(pair.step)) + half_row(pair.then, began) + " |" + half_row(pair.now, began);

@@ -54,6 +54,16 @@ TEST_F(ExplainPrograms, SayWhichFileTheyWrote) {
   EXPECT_TRUE(content("out").starts_with("wrote flight/report.html: 4 steps, 4 decisions\n")) << content("out");
 }
 
+TEST_F(ExplainPrograms, ReportSaysThatThePolicyIsMissingOrCutAndEndsWithOne) {
+  const fs::path policy = folder / "flight/journal.policy";
+  fs::resize_file(policy, fs::file_size(policy) / 2);
+  EXPECT_EQ(run("report flight"), 1) << content("err");
+  EXPECT_TRUE(support::has_line(content("err"), {"journal.policy", "the page is without"})) << content("err");
+  fs::remove(policy);
+  EXPECT_EQ(run("report flight --force"), 1) << content("err");
+  EXPECT_TRUE(support::has_line(content("err"), {"journal.policy", "the page is without"})) << content("err");
+}
+
 TEST_F(ExplainPrograms, ExplainReplacesNoFileThatItReads) {
   fs::copy_file(folder / "flight/journal.policy", folder / "read.png");
   refuses("explain map read.png --source 10000,10000 --force -o read.png", {"POLICY read.png, --output read.png: the same file"});

@@ -41,6 +41,34 @@ TEST(ReadFlight, NamesTheKeyOfASummaryThatCannotBe) {
   EXPECT_TRUE(support::tells(complaint("{\"found\": "), {"not JSON", "11", "cut"}));
 }
 
+TEST(ReadFlight, RefusesNumbersOfASummaryThatNoFlightHasAndATrackWithoutRows) {
+  const support::TemporaryFolder folder;
+  const auto policy = explain::belief_policy(1);
+  write_flight(folder, *policy, explain::flown(*policy, 1, {}), {});
+  const auto refusal = [&] {
+    try {
+      (void)read_flight(folder);
+    } catch (const host::BadInput& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal(), "");
+  const auto whole = nlohmann::json::parse(std::ifstream(folder / "summary.json"));
+  const auto with = [&](const char* key, double number) {
+    auto summary = whole;
+    summary[key] = number;
+    std::ofstream(folder / "summary.json") << summary;
+    return refusal();
+  };
+  for (const char* key : {"distance_m", "sim_time_s", "wall_time_s", "depth_m", "speed_mps", "source_frequency_hz"})
+    EXPECT_TRUE(support::tells(with(key, -1.0), {"summary.json", key, "from 0"}));
+  EXPECT_TRUE(support::tells(with("battery_percent", 101.0), {"summary.json", "battery_percent", "0 to 100"}));
+  EXPECT_EQ(with("reward", -1.0), "");
+  std::ofstream(folder / "track.csv") << "time_s,north_m\n";
+  EXPECT_TRUE(support::tells(refusal(), {"track.csv", "0 rows", "at least 1"}));
+}
+
 TEST(PlaceIn, IsNorthAndEast) {
   EXPECT_EQ(place_in(nlohmann::json::parse(R"({"north_m": 12.5, "east_m": -3.0})")), (NorthEast{Meters{12.5}, Meters{-3.0}}));
 }

@@ -228,6 +228,7 @@ TEST_F(PageTest, OfAFlightWithoutItsPolicyStillListsEveryDecisionAndSaysWhatIsMi
   fs::remove(folder_ / "journal.policy");
   const FlightExplanation explanation = explain_flight(folder_);
   EXPECT_TRUE(explanation.accounts.empty());
+  EXPECT_TRUE(explanation.is_incomplete);
   const std::string text = page(read_flight(folder_), {}, explanation);
   EXPECT_EQ(count(text, "<details>"), 0U);
   EXPECT_EQ(count(text, "Not explained: "), 1U);

@@ -179,7 +179,7 @@ TEST_F(RecordedFlightTest, NamesWhatASummaryDoesNotSay) {
   }
   std::ofstream(folder_ / "summary.json") << whole;
   std::ofstream(folder_ / "snr.csv") << "range_m,snr_db\n";
-  expect_output(refusal(folder_), {"snr.csv", "at least two rows"});
+  expect_output(refusal(folder_), {"snr.csv", "0 rows", "at least 2"});
 }
 
 TEST_F(RecordedFlightTest, RefusesAnSnrCurveWhoseRangesDoNotRiseFromZeroByOneStepOrWhoseNumbersAreNone) {

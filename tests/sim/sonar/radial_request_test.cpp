@@ -52,6 +52,19 @@ TEST(RadialRequest, IsRefusedByTheNameOfWhoAsked) {
   }
 }
 
+TEST(RadialRequest, IsRefusedWithAStepLongerThanItsRangeAndEndsThereWithoutOne) {
+  RadialRequest request = request_to(5.0);
+  EXPECT_EQ(plan_ranges(request, Meters{18.0}).max_range().value, 5.0) << "a sixth of a wavelength of 20 Hz is 12.5 m";
+  request.output_step = Meters{6.0};
+  try {
+    (void)plan_ranges(request, Meters{18.0});
+    FAIL() << "a field of 5 m whose first range is 6 m was taken";
+  } catch (const BadRequest& bad) {
+    EXPECT_EQ(bad.what_is_wrong(), BadRequest::What::kOutputStep);
+    EXPECT_EQ(bad.called("--output-step-m"), "--output-step-m = 6: must not be longer than the range of the field, 5 m");
+  }
+}
+
 TEST(RadialRequest, IsRefusedWhereItHasMoreValuesThanAFieldMay) {
   RadialRequest request = request_to(1e6);
   request.output_step = Meters{0.01};

@@ -82,7 +82,7 @@ std::string to_string(const messages::Decision& m) {
   std::string bearing = compass(bearing_of(leg.north.value, leg.east.value), 0);
   bearing.insert(0, bearing.size() < 3 ? 3 - bearing.size() : 0, '0');
   std::string text = "step " + std::to_string(m.step) + ": SNR " + (m.too_faint ? "below " : "") + host::decimals(m.snr.value, 1) + " dB" +
-                     (m.detected ? ", heard" : ", not heard") + (m.bearing ? ", from " + to_string(*m.bearing) : "") + "; from " +
+                     (m.detected ? ", detection" : ", no detection") + (m.bearing ? ", from " + to_string(*m.bearing) : "") + "; from " +
                      to_string(m.position) + " goes " + host::decimals(length_of(leg).value, 0) + " m towards " + bearing + " deg";
   if (m.sweeping) text += ", of a sweep";
   if (m.overridden) text += ", as the safety layer changed it";

@@ -22,7 +22,7 @@ namespace earshot::journal {
 /// "order START, number 1 of issuer 77: obeyed"
 [[nodiscard]] std::string to_string(const messages::CommandAcknowledgement& acknowledgement);
 
-/// "step 3: SNR 12.3 dB, heard; from 100 m north, 200 m east 1000 m towards 090 deg, to ..."
+/// "step 3: SNR 12.3 dB, detection; from 100 m north, 200 m east 1000 m towards 090 deg, to ..."
 /// "47 deg, give or take 10 deg"; "47 deg or 313 deg, give or take 10 deg" where left and right cannot be distinguished.
 [[nodiscard]] std::string to_string(const messages::Bearing& bearing);
 [[nodiscard]] std::string to_string(const messages::Decision& decision);

@@ -56,21 +56,22 @@ TEST_F(TimelineTest, TellsAKnownMissionLineByLine) {
     for (const Event& event : timeline_.take(*entry)) text += to_line(event, timeline_.began()) + "\n";
   EXPECT_TRUE(timeline_.finish(source.torn_end()).empty());
   EXPECT_TRUE(support::lines_tell(
-      text, {{"2026-11-22 15:04:00 UTC", "0.0 s", "begins", "25.0 km", "20.0 km", "300 m", "2.0 m/s", "up", "100 steps", "1000 m",
-              "60000 s", "heard", "10.0 dB", "0.1.0 abc"},
-             {"2026-11-22 15:04:00 UTC", "0.0 s", "policy", "3 bytes", "CRC-32", "55bc801d"},
-             {"2026-11-22 15:04:01 UTC", "1.0 s", "STANDBY"},
-             {"2026-11-22 15:04:01 UTC", "1.5 s", "START", "number 1", "issuer 77", "port 2"},
-             {"2026-11-22 15:04:02 UTC", "2.0 s", "step 0", "SNR", "12.2 dB", "heard", "1000 m north", "2000 m east", "1000 m", "270 deg"},
-             {"2026-11-22 15:04:02 UTC", "2.0 s", "START", "number 1", "issuer 77", "obeyed"},
-             {"2026-11-22 15:04:02 UTC", "2.0 s", "SEARCH"},
-             {"2026-11-22 15:04:02 UTC", "2.9 s", "port 2", "down"},
-             {"2026-11-22 15:04:03 UTC", "3.9 s", "port 2", "up"},
-             {"2026-11-22 15:04:03 UTC", "3.9 s", "port 2", "2", "lost", "0 malformed", "0", "not"},
-             {"2026-11-22 15:04:04 UTC", "4.0 s", "rule 11", "battery_percent", "14.9", "below 15.0", "abort"},
-             {"2026-11-22 15:04:04 UTC", "4.0 s", "ABORT", messages::to_string(messages::EndReason::kSafetyRule), "after 1 step"},
-             {"2026-11-22 15:04:04 UTC", "4.0 s", "end", "ABORT", messages::to_string(messages::EndReason::kSafetyRule), "after 1 step",
-              "no", "lost"}}));
+      text,
+      {{"2026-11-22 15:04:00 UTC", "0.0 s", "begins", "25.0 km", "20.0 km", "300 m", "2.0 m/s", "up", "100 steps", "1000 m", "60000 s",
+        "heard", "10.0 dB", "0.1.0 abc"},
+       {"2026-11-22 15:04:00 UTC", "0.0 s", "policy", "3 bytes", "CRC-32", "55bc801d"},
+       {"2026-11-22 15:04:01 UTC", "1.0 s", "STANDBY"},
+       {"2026-11-22 15:04:01 UTC", "1.5 s", "START", "number 1", "issuer 77", "port 2"},
+       {"2026-11-22 15:04:02 UTC", "2.0 s", "step 0", "SNR", "12.2 dB", "detection", "1000 m north", "2000 m east", "1000 m", "270 deg"},
+       {"2026-11-22 15:04:02 UTC", "2.0 s", "START", "number 1", "issuer 77", "obeyed"},
+       {"2026-11-22 15:04:02 UTC", "2.0 s", "SEARCH"},
+       {"2026-11-22 15:04:02 UTC", "2.9 s", "port 2", "down"},
+       {"2026-11-22 15:04:03 UTC", "3.9 s", "port 2", "up"},
+       {"2026-11-22 15:04:03 UTC", "3.9 s", "port 2", "2", "lost", "0 malformed", "0", "not"},
+       {"2026-11-22 15:04:04 UTC", "4.0 s", "rule 11", "battery_percent", "14.9", "below 15.0", "abort"},
+       {"2026-11-22 15:04:04 UTC", "4.0 s", "ABORT", messages::to_string(messages::EndReason::kSafetyRule), "after 1 step"},
+       {"2026-11-22 15:04:04 UTC", "4.0 s", "end", "ABORT", messages::to_string(messages::EndReason::kSafetyRule), "after 1 step", "no",
+        "lost"}}));
 }
 
 TEST(TimelineLine, HasNoDateOnASimulatorsClock) {

@@ -57,8 +57,8 @@ messages::Decision step_towards(double north_m, double east_m) {
 
 // 600 and 800 are the sides of a right triangle of 1000; its angle from north is atan(800/600) = 53.13 degrees.
 TEST(JournalSentence, SaysWhereADecisionGoes) {
-  EXPECT_EQ(to_string(step_towards(600, 800)), "step 0: SNR -3.2 dB, not heard; from 0 m north, 0 m east goes 1000 m towards 053 deg");
-  EXPECT_EQ(to_string(step_towards(-1000, 0)), "step 0: SNR -3.2 dB, not heard; from 0 m north, 0 m east goes 1000 m towards 180 deg");
+  EXPECT_EQ(to_string(step_towards(600, 800)), "step 0: SNR -3.2 dB, no detection; from 0 m north, 0 m east goes 1000 m towards 053 deg");
+  EXPECT_EQ(to_string(step_towards(-1000, 0)), "step 0: SNR -3.2 dB, no detection; from 0 m north, 0 m east goes 1000 m towards 180 deg");
   // 0.06 degrees west of north: 359.94, and no compass has 360.
   EXPECT_NE(to_string(step_towards(1000, -1)).find("towards 000 deg"), std::string::npos);
 }
@@ -68,19 +68,20 @@ TEST(JournalSentence, SaysThatASignalWasTooFaintAndWhatIsBelieved) {
   m.too_faint = true;
   m.overridden = true;
   m.belief = messages::BeliefSummary{.likeliest = at(12'345.6, 6'000.0), .mean = at(9'000.0, 0.0), .spread = Meters{890}};
-  EXPECT_EQ(to_string(m),
-            "step 0: SNR below -3.2 dB, not heard; from 0 m north, 0 m east goes 1000 m towards 000 deg, as the safety layer changed it; "
-            "the source is likeliest at 12346 m north, 6000 m east, the belief spread over 890 m");
+  EXPECT_EQ(
+      to_string(m),
+      "step 0: SNR below -3.2 dB, no detection; from 0 m north, 0 m east goes 1000 m towards 000 deg, as the safety layer changed it; "
+      "the source is likeliest at 12346 m north, 6000 m east, the belief spread over 890 m");
 }
 
 TEST(JournalSentence, SaysFromWhereTheSourceWasHeardAndWhatItsMirrorImageIs) {
   messages::Decision m = step_towards(1000, 0);
   m.bearing = messages::Bearing{.direction = Radians{0.8203}, .deviation = Radians{0.1745}};  // 47 and 10 degrees
   EXPECT_EQ(to_string(m),
-            "step 0: SNR -3.2 dB, not heard, from 47 deg, give or take 10 deg; from 0 m north, 0 m east goes 1000 m towards 000 deg");
+            "step 0: SNR -3.2 dB, no detection, from 47 deg, give or take 10 deg; from 0 m north, 0 m east goes 1000 m towards 000 deg");
   m.bearing->mirror_axis = Radians{0.3491};  // 20 degrees: 2 x 20 - 47 = -7
   EXPECT_EQ(to_string(m),
-            "step 0: SNR -3.2 dB, not heard, from 47 deg or 353 deg, give or take 10 deg; from 0 m north, 0 m east goes 1000 m towards "
+            "step 0: SNR -3.2 dB, no detection, from 47 deg or 353 deg, give or take 10 deg; from 0 m north, 0 m east goes 1000 m towards "
             "000 deg");
 }
 
