@@ -251,7 +251,9 @@ Field solve(const ocean::Section& section, const PointSource& source, const Opti
   const double rows = std::max(1.0, std::floor(max_range.value / stepping.row_m() + 1e-9));
   field.pressure.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(receiver_depth_m.size()));
 
-  constexpr std::size_t kStepsPerReport = 64;
+  constexpr std::size_t kWorkPerReport = 1'000'000;  // poles x depths: some hundredths of a second
+  const std::size_t work_per_step = terms * grid.intervals;
+  std::size_t unreported = 0;
   Eigen::Index row = 0;
   for (std::size_t step = 1; row < field.pressure.rows(); ++step) {
     march.step();
@@ -259,7 +261,11 @@ Field solve(const ocean::Section& section, const PointSource& source, const Opti
       march.read(field, row);
       row += static_cast<Eigen::Index>(stepping.rows_per_step);
     }
-    if (progress && step % kStepsPerReport == 0) progress(std::min(1.0, static_cast<double>(row) / rows));
+    unreported += work_per_step;
+    if (progress && unreported >= kWorkPerReport) {
+      unreported = 0;
+      progress(std::min(1.0, static_cast<double>(row) / rows));
+    }
   }
   if (progress) progress(1.0);
   return field;

@@ -21,6 +21,8 @@ def is_labelled(value: Any) -> bool:
 
 
 def _floats(name: str, value: Any) -> NDArray[np.float64]:
+    if np.ma.is_masked(value):
+        raise BadInput(f"{name}: must hold no masked numbers", key=name, value=value)
     try:
         given = np.asarray(value)
     except (TypeError, ValueError) as wrong:

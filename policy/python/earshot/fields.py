@@ -96,8 +96,8 @@ def field(
     and in its attributes predicted_error_db (the largest; NaN where you chose the grid), and depth_step_m, range_step_m
     and terms of the solver (the finest).
 
-    Raises BadInput with the argument as `key`, BadType for what is of another kind, KeyboardInterrupt within 0.1 s.
-    Other threads of Python run meanwhile.
+    Raises BadInput with the argument as `key`, BadType for what is of another kind, KeyboardInterrupt within some
+    tenths of a second. Other threads of Python run meanwhile.
     """
     import xarray
 

@@ -8,7 +8,7 @@ import warnings
 from typing import TYPE_CHECKING, Any
 
 from earshot.core import journal_fields, journal_records
-from earshot.errors import BadType
+from earshot.errors import BadInput, BadType
 
 if TYPE_CHECKING:
     import pandas
@@ -72,6 +72,8 @@ def read_journal(path: str | os.PathLike[str]) -> dict[str, pandas.DataFrame]:
 
     if not isinstance(path, (str, os.PathLike)):
         raise BadType("path: must be a text or a path", key="path", value=path)
+    if "\0" in os.fsdecode(path):
+        raise BadInput("path: must hold no zero character", key="path", value=path)
     journal = journal_records(path)
     lacks = [
         f"{journal[name]} {what}"
@@ -79,16 +81,17 @@ def read_journal(path: str | os.PathLike[str]) -> dict[str, pandas.DataFrame]:
         if journal[name]
     ]
     lacks += ["its end is torn"] if journal["is_cut"] else []
-    if lacks:
-        warnings.warn(f"{os.fspath(path)}: {', '.join(lacks)}", JournalWarning, stacklevel=2)
     described = journal_fields()
     frames = {}
+    undated = 0
     for topic, records in journal["records"].items():
         numbers, times, texts = zip(*records)
         frame = pandas.DataFrame([{"record_number": n, **_flat(json.loads(text))} for n, text in zip(numbers, texts)])
         unknown = [column for column in frame if frame[column].isna().all()]
         frame[unknown] = frame[unknown].astype(float)
-        frame.index = pandas.DatetimeIndex(pandas.to_datetime(list(times), unit="us", utc=True), name="time")
+        index = pandas.DatetimeIndex(pandas.to_datetime(list(times), unit="us", utc=True, errors="coerce"), name="time")
+        undated += int(index.isna().sum())
+        frame.index = index
         fields = described.get(topic, {})
         units = {column: _unit(str(column), fields.get(column, ("", ""))[0]) for column in frame}
         frame.attrs.update(
@@ -98,4 +101,7 @@ def read_journal(path: str | os.PathLike[str]) -> dict[str, pandas.DataFrame]:
             is_bus_log=journal["is_bus_log"],
         )
         frames[topic] = frame
+    lacks += [f"{undated} times lie outside of the years 1678 to 2261 and are NaT"] if undated else []
+    if lacks:
+        warnings.warn(f"{os.fsdecode(path)}: {', '.join(lacks)}", JournalWarning, stacklevel=2)
     return frames

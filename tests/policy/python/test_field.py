@@ -332,6 +332,7 @@ class Arguments(unittest.TestCase):
 
     def test_of_another_type_are_also_type_errors(self):
         self.assertRaises(TypeError, sound, frequency="x")
+        self.assertRaises(earshot.BadInput, sound, frequency=np.ma.array([50.0, 60.0], mask=[False, True]))
         self.assertRaises(TypeError, earshot.Environment.from_toml, 3)
         self.assertRaises(earshot.BadInput, earshot.Environment.from_toml, "/nowhere/ocean.toml")
 

@@ -154,14 +154,21 @@ class BusLogs(unittest.TestCase):
             from earshot import nav_state_t
 
             log, noon_us = Path(folder) / "bus.log", 1_795_953_600_000_000  # 2026-11-29 12:00 UTC: date -d @1795953600
+            times_us = [
+                noon_us,
+                noon_us + 1_000_000,
+                noon_us + 2_000_000,
+                32_503_680_000_000_000,
+            ]  # the last: the year 3000
             with log.open("wb") as file:
-                for i in range(3):
+                for i, time_us in enumerate(times_us):
                     fix = nav_state_t()
                     fix.utime, fix.depth_m = noon_us + i, 100.5 + i
                     data, channel = fix.encode(), b"EARSHOT_NAV_STATE"
-                    file.write(_EVENT.pack(_MARK, i, noon_us + i * 1_000_000, len(channel), len(data)) + channel + data)
-            frame = earshot.read_journal(log)["navigation"]
-        self.assertEqual(list(frame["depth_m"]), [100.5, 101.5, 102.5])
+                    file.write(_EVENT.pack(_MARK, i, time_us, len(channel), len(data)) + channel + data)
+            with self.assertWarnsRegex(earshot.JournalWarning, "bus.log: 1 times .* NaT"):
+                frame = earshot.read_journal(log)["navigation"]
+        self.assertEqual(list(frame["depth_m"]), [100.5, 101.5, 102.5, 103.5])
         self.assertEqual(str(frame.index[2]), "2026-11-29 12:00:02+00:00")
         self.assertEqual((frame.attrs["is_bus_log"], frame.attrs["is_dated"]), (True, True))
 
@@ -194,6 +201,7 @@ class Refused(unittest.TestCase):
             self.assertRaises(earshot.BadInput, earshot.read_journal, folder)
         self.assertRaises(earshot.BadInput, earshot.read_journal, "/nowhere/journal.lcmlog")
         self.assertRaises(TypeError, earshot.read_journal, 3)
+        self.assertRaises(earshot.BadInput, earshot.read_journal, "journal\0.lcmlog")
 
 
 if __name__ == "__main__":
