@@ -29,6 +29,11 @@ Example: earshot field x
 DBC = """BO_ 2314277411 VesselHeading: 8 Vehicle
  SG_ Reference : 56|2@1+ (1,0) [0|2] "" Earshot
 
+BO_ 2381315875 EarshotCommand: 53 Vehicle
+ SG_ Kind M : 16|8@1+ (1,0) [0|252] "" Earshot
+ SG_ Order m1 : 24|8@1+ (1,0) [0|252] "" Earshot
+ SG_ AbortIssuer m3 : 24|16@1+ (1,0) [0|65535] "" Earshot
+
 CM_ BO_ 2314277411 "PGN 127250; stale after 10000 ms";
 VAL_ 2314277411 Reference 0 "True" 1 "Magnetic" 3 "not available" ;
 """
@@ -123,6 +128,12 @@ class Messages(unittest.TestCase):
         self.assertIn("## VesselHeading (PGN 127250)", page)
         self.assertIn("Identifier 0x09F11223, 8 bytes, sent by a device of the vehicle.", page)
         self.assertIn("| `Reference` | 56 | 2 | 1 | 0 to 2 |  | 0 True, 1 Magnetic |", page)
+
+    def test_of_can_say_which_signals_share_their_bits_and_when_each_is_there(self):
+        page = message_pages.can_page(DBC)
+        self.assertIn("| `Kind` | 16 | 8 |", page)
+        self.assertIn("| `Order`, if Kind is 1 | 24 | 8 |", page)
+        self.assertIn("| `AbortIssuer`, if Kind is 3 | 24 | 16 |", page)
 
     def test_of_lcm_have_the_comments_of_their_fields(self):
         with tempfile.TemporaryDirectory() as folder:

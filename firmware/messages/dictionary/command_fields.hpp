@@ -63,8 +63,8 @@ struct Described<OperatorCommand> {
                                              .is_in_files = false,
                                              .bus_words = bus_words(296, "Mark0", "Mark1", "Mark2", "Mark3")}),
       MarkWorth{{"verified",
-                 {.meaning = "of the journal: what Earshot found (2: a mark that lacks the challenge); a sender's is not "
-                             "looked at"}}},
+                 {.meaning = "of the journal: what Earshot found (2: not verified, its mark lacks the challenge; "
+                             "lcm-gen's Python reads that as True); a sender's is not looked at"}}},
   };
 };
 

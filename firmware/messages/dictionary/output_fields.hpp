@@ -146,11 +146,12 @@ struct Described<Health> {
           "end_reason",
           {.meaning = "why the mission ended", .values = FieldFormat::Values::kPrefixed, .bus = on_bus::number("EndReason", 88, 8)}),
       field<&Health::steps_taken>("steps_taken", {.bus = on_bus::any_number("StepsTaken", 96)}),
-      field<&Health::mismatch_bits>("surprise_bits",
-                                    {.meaning = "how unlikely what was heard is under all that is believed possible; 0 without a belief",
-                                     .bus = on_bus::number("ModelMismatch", 472, 16, on_bus::kUnsigned, on_bus::kHundredth, "bit"),
-                                     .is_later_on_bus = true,
-                                     .saturates_on_bus = true}),
+      field<&Health::mismatch_bits>(
+          "surprise_bits", {.meaning = "how unlikely what was heard is under all that is believed possible; below 0 where it is likely, on "
+                                       "CAN 0 then; 0 without a belief",
+                            .bus = on_bus::number("ModelMismatch", 472, 16, on_bus::kUnsigned, on_bus::kHundredth, "bit"),
+                            .is_later_on_bus = true,
+                            .saturates_on_bus = true}),
       field<&Health::is_sweeping>(
           "sweeping", {.meaning = "for that it sweeps the area", .bus = on_bus::number("Sweeping", 414, 2), .is_later_on_bus = true}),
       field<&Health::is_found>("found", {.meaning = "with its last SNR measurement the vehicle declared the source found",

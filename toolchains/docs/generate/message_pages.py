@@ -70,21 +70,26 @@ class CanMessage:
 
 
 _MESSAGE = re.compile(r"^BO_ (\d+) (\w+): (\d+) (\w+)")
-_SIGNAL = re.compile(r'^ SG_ (\w+)[^:]*: (\d+)\|(\d+)@1([+-]) \(([^,]+),([^)]+)\) \[([^|]*)\|([^\]]*)\] "([^"]*)"')
+_SIGNAL = re.compile(
+    r'^ SG_ (\w+)(?: (m\d+|M))? : (\d+)\|(\d+)@1([+-]) \(([^,]+),([^)]+)\) \[([^|]*)\|([^\]]*)\] "([^"]*)"'
+)
 
 
 def can_page(dbc: str) -> str:
     messages: dict[str, CanMessage] = {}
     words: dict[tuple[str, str], str] = {}
-    current = ""
+    current = chooser = ""
     for line in dbc.splitlines():
         if found := _MESSAGE.match(line):
             current = found.group(1)
             messages[current] = CanMessage(found.group(2), found.group(3), found.group(4))
         elif (signal := _SIGNAL.match(line)) and current:
-            name, begin, size, _sign, factor, offset, low, high, unit = signal.groups()
+            name, chosen, begin, size, _sign, factor, offset, low, high, unit = signal.groups()
+            if chosen == "M":
+                chooser = name
+            when = f", if {chooser} is {chosen[1:]}" if chosen and chosen != "M" else ""
             scale = factor + (f", from {offset}" if float(offset) else "")
-            row = f"| `{name}` | {begin} | {size} | {scale} | {low} to {high} | {plain(unit)} |"
+            row = f"| `{name}`{when} | {begin} | {size} | {scale} | {low} to {high} | {plain(unit)} |"
             messages[current].signals.append((name, row))
         elif found := re.match(r'^CM_ BO_ (\d+) "(.*)";$', line):
             messages[found.group(1)].comment = found.group(2)

@@ -81,14 +81,8 @@ void EventLog::log(Time now, std::uint8_t port, const messages::SoundDetection& 
   ++sound.detections;
   if (now < sound.detection_due) return;
   TextLine line;
-  line << "heard for ";
-  line.decimal(detection.duration.to_seconds(), 1) << " s from ";
   std::array<char, 32> date{};
-  line << written(detection.begin, date);
-  line << ": level ";
-  line.decimal(detection.level.value, 1) << " dB re 1 uPa, SNR ";
-  line.decimal(detection.snr.value, 1) << " dB";
-  if (detection.is_clipped) line << ", clipped";
+  journal::write_detection(line, detection, written(detection.begin, date));
   if (sound.detections > 1) line << "; " << sound.detections << " detections since it was last reported";
   write({.severity = Severity::kInfo, .event = "heard", .time = now, .port = port, .message = line.text()});
   sound.detections = 0;

@@ -31,7 +31,7 @@ void note(const journal::Record& record, Standing& standing) {
                        },
                        Unheeded<journal::Unreadable, journal::PolicyBytes, journal::TablesBytes, messages::Input, messages::Decision,
                                 messages::SafetyEvent, messages::CommandAcknowledgement, messages::ClosingRecord, messages::JournalResumed,
-                                messages::ControllerTrouble>{}},
+                                messages::ControllerTrouble, messages::SoundDetection, messages::PublishedChallenge>{}},
              record.content);
 }
 

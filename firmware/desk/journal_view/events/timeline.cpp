@@ -211,6 +211,12 @@ void Timeline::note_content(const messages::ControllerTrouble& trouble, const Re
   add(trouble.is_there ? Severity::kWarning : Severity::kInformation, to_string(trouble));
 }
 
+void Timeline::note_content(const messages::SoundDetection& detection, const Record& /*record*/) {
+  inform(line_of([&](host::TextInto& line) { write_detection(line, detection, utc(detection.begin)); }));
+}
+
+void Timeline::note_content(const messages::PublishedChallenge& /*challenge*/, const Record& /*record*/) {}  // every turn, and the same
+
 void Timeline::note_input(const messages::PortReport& report, std::uint8_t /*port*/) {
   if (report.port >= ports_.size()) return;
   Port& port = ports_.at(report.port);

@@ -97,6 +97,8 @@ class Timeline {
   void note_content(const messages::ClosingRecord& closing, const Record& record);
   void note_content(const messages::JournalResumed& resumed, const Record& record);
   void note_content(const messages::ControllerTrouble& trouble, const Record& record);
+  void note_content(const messages::SoundDetection& detection, const Record& record);
+  void note_content(const messages::PublishedChallenge& challenge, const Record& record);
 
   void note_input(const messages::PortReport& report, std::uint8_t port);
   void note_input(const messages::UnsentSetpoints& unsent, std::uint8_t port);

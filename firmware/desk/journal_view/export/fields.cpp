@@ -79,6 +79,14 @@ Json json_in(const messages::OptionalNumber<Place>& /*line*/, const auto& messag
   return value != nullptr && value->has_value() ? json_of(**value) : Json(kUnknown);
 }
 
+/// Two hexadecimal digits a byte.
+template <class Place>
+Json json_in(const messages::Bytes<Place>& /*line*/, const auto& message) {
+  std::string digits;
+  for (const std::uint8_t byte : *Place::in(message)) digits += host::formatted("%02x", unsigned{byte});
+  return digits;
+}
+
 template <class Place>
 Json json_in(const messages::Text<Place>& /*line*/, const auto& message) {
   return messages::text_of(*Place::in(message));
@@ -171,10 +179,47 @@ Json fields(const messages::Input& input) {
   return json;
 }
 
+// What a record may say.
+
+/// Hears a one in place of every number: what may be missing is there then, and each list holds an element.
+struct Ones {
+  template <class Number>
+  Number number() {
+    return static_cast<Number>(1);
+  }
+  template <messages::IsDescribed Message>
+  void message(Message& message) {
+    messages::for_each_line_type<Message>([&]<class Line>() {
+      if constexpr (!std::is_same_v<Line, messages::SentTime>) Line::hear(*this, message);
+    });
+  }
+  template <messages::IsDescribed Message>
+  void pass_over() {}
+};
+
+template <class Value>
+Json all_fields(const Value& value) {
+  if constexpr (std::is_same_v<Value, messages::Input>) {
+    messages::Input full = value;
+    std::visit([](auto& of_full) { Ones{}.message(of_full = {}); }, full.value);
+    return fields(full);
+  } else if constexpr (messages::IsDescribed<Value>) {
+    Value full;
+    Ones{}.message(full);
+    return fields(full);
+  } else {
+    return fields(value);
+  }
+}
+
 }  // namespace
 
 nlohmann::ordered_json fields_of(const Content& content) {
   return std::visit([](const auto& value) { return fields(value); }, content);
+}
+
+nlohmann::ordered_json all_fields_of(const Content& content) {
+  return std::visit([](const auto& value) { return all_fields(value); }, content);
 }
 
 const char* topic_of(const Content& content) {
@@ -183,7 +228,7 @@ const char* topic_of(const Content& content) {
       "unknown",  "mission",     "policy",          "",
       "setpoint", "decision",    "safety_event",    "acknowledgement",
       "health",   "journal_end", "journal_resumed", "controller_trouble",
-      "tables"};
+      "tables",   "detection",   "challenge"};
   static constexpr std::array<const char*, std::variant_size_v<decltype(messages::Input::value)>> kInputTopics{
       "navigation",        "snr",     "order",           "port_report", "vehicle_status", "autopilot_status",
       "hydrophone_status", "bearing", "unsent_setpoints"};

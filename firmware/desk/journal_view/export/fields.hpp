@@ -11,6 +11,9 @@ namespace earshot::journal {
 /// as null. Null for a record that cannot be read.
 [[nodiscard]] nlohmann::ordered_json fields_of(const Content& content);
 
+/// The same of a record of that kind that says all that one may: nothing is missing, and each list holds an element. For a schema.
+[[nodiscard]] nlohmann::ordered_json all_fields_of(const Content& content);
+
 /// A short name of what a record says: "navigation", "health"; "unknown" for one that cannot be read.
 [[nodiscard]] const char* topic_of(const Content& content);
 

@@ -84,10 +84,7 @@ Json schema_of(const Json& example) {
   if (example.is_array()) schema["items"] = schema_of(example.at(0));
   if (!example.is_object()) return schema;
   Json properties = Json::object();
-  for (const auto& [name, value] : example.items()) {
-    // Of what an empty array holds nothing is known.
-    if (!value.is_array() || !value.empty()) properties[name] = schema_of(value);
-  }
+  for (const auto& [name, value] : example.items()) properties[name] = schema_of(value);
   schema["properties"] = std::move(properties);
   return schema;
 }

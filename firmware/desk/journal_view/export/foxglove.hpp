@@ -29,7 +29,7 @@ extern const McapFile::Schema kLogSchema;
 
 [[nodiscard]] nlohmann::ordered_json log_of(const Event& event);
 
-/// The JSON schema of objects such as this one. Nothing is required: what is not known is left out.
+/// The JSON schema of objects such as this one, whose arrays hold an element or more. Nothing is required: what is not known is left out.
 [[nodiscard]] nlohmann::ordered_json schema_of(const nlohmann::ordered_json& example);
 
 }  // namespace earshot::journal

@@ -71,7 +71,9 @@ void McapExport::write_record(const Record& record) {
   const Stamp stamp{.number = record.number, .logged = record.time, .published = sender_date(record)};
   const std::string name = topic_of(record.content);
   const McapFile::Channel channel = channel_of("/" + name, [&](const std::string& topic) {
-    return file_.add_channel(topic, {.name = "earshot." + name, .json = to_line(schema_of(fields))});
+    Json all = all_fields_of(record.content);
+    all.erase("ports");
+    return file_.add_channel(topic, {.name = "earshot." + name, .json = to_line(schema_of(all))});
   });
   write(channel, stamp, without_unknown(fields));
   const auto* const input = std::get_if<messages::Input>(&record.content);

@@ -134,7 +134,7 @@ void put_setpoint(Row& row, const messages::Setpoint& setpoint) {
 TurnTable::TurnTable(const std::filesystem::path& path, const std::optional<n2k::LocalPlane>& plane) : file_(path), plane_(plane) {
   file_.write(std::string(kHeader) + further_columns<messages::Navigation>() + further_columns<messages::SnrMeasurement>() +
               further_columns<messages::Setpoint>() + further_columns<messages::VehicleStatus>() + further_columns<messages::Health>() +
-              "\n");
+              ",vehicle_status_age_s\n");
 }
 
 void TurnTable::take(const Entry& entry, std::span<const Event> /*events*/) {
@@ -159,9 +159,9 @@ void TurnTable::write_row(Time time, const messages::Health& health) {
       .cell(host::decimals(seconds_of(time), kMicroseconds))
       .cell((time - *began_).to_seconds(), kMicroseconds)
       .cell(host::is_dated(time) ? utc(time) : "")
-      .cell(messages::to_string(health.state))
-      .cell(std::to_string(health.steps_taken));
-  row.cell(messages::is_known(health.response) ? messages::key_of(health.response) : std::string_view());
+      .cell(messages::is_known(health.state) ? messages::to_string(health.state) : text_of(health.state))
+      .cell(std::to_string(health.steps_taken))
+      .cell(text_of(health.response));
   if (fix_)
     put_fix(row, time, *fix_, plane_);
   else
@@ -174,13 +174,17 @@ void TurnTable::write_row(Time time, const messages::Health& health) {
     put_setpoint(row, *setpoint_);
   else
     row.empty(5);
-  row.cell(status_.altitude.value, kHundredths).cell(status_.battery_percent, kHundredths);
+  if (status_)
+    row.cell(status_->altitude.value, kHundredths).cell(status_->battery_percent, kHundredths);
+  else
+    row.empty(2);
   row.cell(health.mismatch_bits, kHundredths).cell(health.is_sweeping ? "1" : "0").cell(health.is_found ? "1" : "0");
   put_further(row, fix_);
   put_further(row, snr_);
   put_further(row, setpoint_);
-  put_further(row, std::optional(status_));
+  put_further(row, status_);
   put_further(row, std::optional(health));
+  row.cell(status_ ? host::decimals((time - status_->time).to_seconds(), kMicroseconds) : std::string());
   file_.write(row.text() + "\n");
   setpoint_.reset();
   ++rows_;

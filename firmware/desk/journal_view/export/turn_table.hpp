@@ -33,7 +33,7 @@ class TurnTable final : public Export {
   std::optional<Time> began_;
   std::optional<messages::Navigation> fix_;
   std::optional<messages::SnrMeasurement> snr_;
-  messages::VehicleStatus status_;
+  std::optional<messages::VehicleStatus> status_;
   std::optional<messages::Setpoint> setpoint_;  ///< of this turn
   std::uint64_t rows_ = 0;
 };

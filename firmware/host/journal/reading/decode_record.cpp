@@ -42,6 +42,9 @@ Content decode_record(std::string_view channel, Time time, std::span<const std::
   if (channel == wire::kJournalEndChannel) return closing_in(data);
   if (channel == wire::kJournalResumedChannel) return message_in<messages::JournalResumed>(data);
   if (channel == wire::kControllerTroubleChannel) return message_in<messages::ControllerTrouble>(data);
+  // A vehicle's journal has none of these; what somebody logged of its bus has.
+  if (channel == wire::kDetectionChannel) return message_in<messages::SoundDetection>(data);
+  if (channel == wire::kChallengeChannel) return message_in<messages::PublishedChallenge>(data);
   return Unreadable{};
 }
 

@@ -7,12 +7,14 @@
 
 #include "firmware/core/time.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/messages/challenge.hpp"
 #include "firmware/messages/decision.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/messages/input.hpp"
 #include "firmware/messages/journal_records.hpp"
 #include "firmware/messages/safety_event.hpp"
 #include "firmware/messages/setpoint.hpp"
+#include "firmware/messages/sound_detection.hpp"
 
 namespace earshot::journal {
 
@@ -37,7 +39,8 @@ struct Unreadable {
 
 using Content = std::variant<Unreadable, messages::MissionRecord, PolicyBytes, messages::Input, messages::Setpoint, messages::Decision,
                              messages::SafetyEvent, messages::CommandAcknowledgement, messages::Health, messages::ClosingRecord,
-                             messages::JournalResumed, messages::ControllerTrouble, TablesBytes>;
+                             messages::JournalResumed, messages::ControllerTrouble, TablesBytes, messages::SoundDetection,
+                             messages::PublishedChallenge>;
 
 struct Record {
   std::uint32_t number = 0;  ///< counts all records that the journal was given, from 0

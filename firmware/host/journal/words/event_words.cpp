@@ -30,6 +30,14 @@ void write_bearings_of_others(host::TextInto& line, std::uint64_t count) {
   line << "bearing: " << host::Counted{count, "message"} << " of a second sender not taken so far";
 }
 
+void write_detection(host::TextInto& line, const messages::SoundDetection& detection, std::string_view begin) {
+  line << "heard for ";
+  line.decimal(detection.duration.to_seconds(), 1) << " s from " << begin << ": level ";
+  line.decimal(detection.level.value, 1) << " dB re 1 uPa, SNR ";
+  line.decimal(detection.snr.value, 1) << " dB";
+  if (detection.is_clipped) line << ", clipped";
+}
+
 std::string_view words_of_link(bool is_up) {
   return is_up ? "its link is up again" : "its link is down";
 }

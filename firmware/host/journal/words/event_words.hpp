@@ -6,6 +6,7 @@
 #include "firmware/host/text/text_line.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/messages/journal_records.hpp"
+#include "firmware/messages/sound_detection.hpp"
 
 namespace earshot::journal {
 
@@ -29,6 +30,10 @@ void write_state(host::TextInto& line, const messages::Health& health, std::stri
 void write_refused(host::TextInto& line, std::string_view sensor, std::uint64_t count);
 /// "bearing: 7 messages of a second sender not taken so far"
 void write_bearings_of_others(host::TextInto& line, std::uint64_t count);
+
+/// "heard for 2.5 s from 2026-11-29 12:00:00 UTC: level 101.5 dB re 1 uPa, SNR 12.5 dB, clipped"
+/// @param begin  when it began, as text
+void write_detection(host::TextInto& line, const messages::SoundDetection& detection, std::string_view begin);
 
 /// "its link is down"; "its link is up again"
 [[nodiscard]] std::string_view words_of_link(bool is_up);

@@ -58,7 +58,7 @@ TEST_F(TimelineTest, TellsAKnownMissionLineByLine) {
   EXPECT_TRUE(support::lines_tell(
       text,
       {{"2026-11-22 15:04:00 UTC", "0.0 s", "begins", "25.0 km", "20.0 km", "300 m", "2.0 m/s", "up", "100 steps", "1000 m", "60000 s",
-        "threshold", "10.0 dB", "0.1.0 abc"},
+        "threshold", "10.0 dB", "0.1.0", "abc"},
        {"2026-11-22 15:04:00 UTC", "0.0 s", "policy", "3 bytes", "CRC-32", "55bc801d"},
        {"2026-11-22 15:04:01 UTC", "1.0 s", "STANDBY"},
        {"2026-11-22 15:04:01 UTC", "1.5 s", "START", "number 1", "issuer 77", "port 2"},

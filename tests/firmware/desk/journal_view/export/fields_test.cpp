@@ -104,6 +104,35 @@ TEST(JournalFields, HoldEveryFieldOfADecisionAndOfHealth) {
   for (const std::string& name : of_health) EXPECT_TRUE(fields_of(messages::Health{}).contains(name)) << name;
 }
 
+/// What stays away in a record that lacks it.
+TEST(JournalFields, OfARecordThatLacksNothingHoldEveryKeyAndAnElementOfEachList) {
+  const nlohmann::ordered_json mission = all_fields_of(messages::MissionRecord{});
+  for (const char* key : {"rules", "fence_inside", "fence_save", "fence_halt", "no_surface_zones"})
+    EXPECT_GE(mission.at(key).size(), 1U) << key;
+  EXPECT_TRUE(mission.at("rules").at(0).at("limit").is_number_float());
+  EXPECT_TRUE(mission.at("no_surface_zones").at(0).at(0).at("north_m").is_number_float());
+  const nlohmann::ordered_json decision = all_fields_of(messages::Decision{});
+  EXPECT_EQ(decision.at("observation").size(), 1U);
+  EXPECT_EQ(decision.at("logits").size(), 1U);
+  EXPECT_TRUE(decision.at("found_probability").is_number());
+  EXPECT_EQ(decision.size(), fields_of(messages::Decision{}).size());
+  EXPECT_EQ(all_fields_of(input(known_fix(kBegan))).size(), fields_of(input(known_fix(kBegan))).size());
+}
+
+TEST(JournalFields, TellWhatALogOfABusHasBesidesAJournal) {
+  const messages::SoundDetection sound{
+      .begin = Time{1'500'000}, .duration = Duration{250'000}, .level = Decibels{101.5}, .snr = Decibels{12.5}};
+  EXPECT_STREQ(topic_of(sound), "detection");
+  const nlohmann::ordered_json fields = fields_of(sound);
+  EXPECT_EQ(fields.at("snr_db"), 12.5);
+  EXPECT_EQ(fields.at("duration_s"), 0.25);
+  messages::PublishedChallenge published;
+  published.challenge.vehicle = {'a', 'u', 'v'};
+  EXPECT_STREQ(topic_of(published), "challenge");
+  EXPECT_EQ(fields_of(published).at("vehicle").get<std::string>().substr(0, 8), "61757600") << "ASCII in hexadecimal digits";
+  EXPECT_EQ(fields_of(published).at("nonce").get<std::string>().size(), 32U);
+}
+
 TEST(JournalFields, StateTheMismatchWhetherItSweepsAndWhatItDeclares) {
   messages::Health health;
   health.mismatch_bits = 13.5F;

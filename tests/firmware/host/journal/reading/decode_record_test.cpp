@@ -38,6 +38,16 @@ TEST(DecodeRecord, ReadsASetpointThatWasJournalledAndNoneOfABus) {
   EXPECT_FALSE(std::get<Unreadable>(decoded("EARSHOT_SETPOINT", message)).is_known_channel);
 }
 
+TEST(DecodeRecord, ReadsWhatOnlyALogOfABusHas) {
+  const messages::SoundDetection sound{.begin = Time{5}, .duration = Duration{6}, .level = Decibels{101.5}, .snr = Decibels{12.5}};
+  EXPECT_EQ(std::get<messages::SoundDetection>(decode_record("EARSHOT_DETECTION", kBegan, wire::Encoded(sound).bytes())), sound);
+  messages::PublishedChallenge published;
+  published.time = Time{5};
+  published.challenge.vehicle = {'a', 'u', 'v'};
+  EXPECT_EQ(std::get<messages::PublishedChallenge>(decode_record("EARSHOT_CHALLENGE", kBegan, wire::Encoded(published).bytes())),
+            published);
+}
+
 TEST(DecodeRecord, TellsAMessageOfAnotherVersionFromAnUnknownChannel) {
   constexpr std::array<std::uint8_t, 12> kBytes{1, 2, 3};
   for (const char* channel : {"EARSHOT_NAV_STATE.1", "EARSHOT_HEALTH", "EARSHOT_MISSION", "EARSHOT_DECISION", "EARSHOT_SAFETY_EVENT",
