@@ -71,7 +71,8 @@ void note(const journal::Record& record, const config::Mission& mission, Time be
                          judge(setpoint, since(began, record.time), mission, found.beyond_limits);
                        },
                        Unheeded<journal::Unreadable, journal::PolicyBytes, journal::TablesBytes, messages::MissionRecord, messages::Input,
-                                messages::CommandAcknowledgement, messages::ClosingRecord, messages::JournalResumed>{}},
+                                messages::CommandAcknowledgement, messages::ClosingRecord, messages::JournalResumed,
+                                messages::SoundDetection, messages::PublishedChallenge>{}},
              record.content);
 }
 
