@@ -33,8 +33,9 @@ class ShadowCopy {
   /// Any other number: the memory was found damaged.
   static constexpr std::uint64_t kIntact = 0x5A3C'96E1'0F78'B42DU;
 
-  config::Mission mission_;
+  // In this order: a copy that lies a multiple of 4 KiB behind what it is of costs a desktop processor a tenth of a turn.
   Progress progress_;
+  config::Mission mission_;
   std::uint64_t mark_ = kIntact;
 };
 
