@@ -23,7 +23,7 @@ struct WordsOf<Order> {
 
 template <>
 struct WordsOf<CommandOutcome> {
-  static constexpr std::string_view kUnknown = "of an unknown outcome";
+  static constexpr std::string_view kUnknown = "an unknown outcome";
   static constexpr auto kInRecords = &Word<CommandOutcome>::words;
   static constexpr auto kTable = std::to_array<Word<CommandOutcome>>({
       {CommandOutcome::kObeyed, "obeyed", "obeyed", "obeyed"},

@@ -68,7 +68,7 @@ TEST(DictionaryWords, SayOfAnUnknownValueThatItIsOne) {
   EXPECT_STREQ(to_string(static_cast<EndReason>(static_cast<int>(kHighest<EndReason>) + 1)), "?");
   EXPECT_STREQ(to_string(Order{0}), "an unknown order");
   EXPECT_STREQ(to_string(static_cast<Order>(8)), "an unknown order");
-  EXPECT_EQ(key_of(CommandOutcome{14}), "refused");
+  EXPECT_EQ(key_of(CommandOutcome{14}), "an unknown outcome");
   EXPECT_EQ(name_of(Weather::kGale), "no weather");
 }
 

@@ -45,7 +45,7 @@ TEST(JournalSentence, SaysWhyAnOrderWasRefused) {
   EXPECT_EQ(to_string(m), "order START, number 0 of issuer 4294967295: refused: too old");
   m.order = messages::Order{99};
   m.outcome = messages::CommandOutcome{99};
-  EXPECT_EQ(to_string(m), "order an unknown order, number 0 of issuer 4294967295: of an unknown outcome");
+  EXPECT_EQ(to_string(m), "order an unknown order, number 0 of issuer 4294967295: an unknown outcome");
 }
 
 messages::Decision step_towards(double north_m, double east_m) {
