@@ -85,8 +85,8 @@ std::string decisions_plot(std::string_view x, std::string_view y) {
   const auto those = [&](const char* heard, const char* points) {
     return "'decisions.dat' using " + std::string(x) + ":($3==" + heard + "?$" + std::string(y) + ":1/0) with points " + points;
   };
-  return those("0", "pt 6 ps 0.65 lw 2 lc rgb '#c2127a' title 'decision, nothing heard'") + ", \\\n" +
-         those("1", "pt 7 ps 0.72 lc rgb '#c2127a' title 'decision, source heard'");
+  return those("0", "pt 6 ps 0.65 lw 2 lc rgb '#c2127a' title 'decision, no detection'") + ", \\\n" +
+         those("1", "pt 7 ps 0.72 lc rgb '#c2127a' title 'decision, source detected'");
 }
 
 }  // namespace

@@ -68,8 +68,8 @@ std::string measured_plot(Decibels threshold) {
          " keyentry with points pt 10 ps 0.8 lc rgb '#7f98a9' title 'too faint: below this', \\\n " +
          std::to_string(threshold.value) + " with lines lw 1.6 dt (6,4) lc " + kInk +
          " title 'detection threshold', \\\n"
-         " 'decisions.dat' using 1:($3==0?$2:1/0) with points pt 6 ps 0.65 lw 2 lc rgb '#c2127a' title 'decision, nothing heard', \\\n"
-         " 'decisions.dat' using 1:($3==1?$2:1/0) with points pt 7 ps 0.65 lc rgb '#c2127a' title 'decision, source heard'\n";
+         " 'decisions.dat' using 1:($3==0?$2:1/0) with points pt 6 ps 0.65 lw 2 lc rgb '#c2127a' title 'decision, no detection', \\\n"
+         " 'decisions.dat' using 1:($3==1?$2:1/0) with points pt 7 ps 0.65 lc rgb '#c2127a' title 'decision, source detected'\n";
 }
 
 std::string strip_plot(const SpectrogramTable& table) {
