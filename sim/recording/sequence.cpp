@@ -11,8 +11,6 @@
 namespace earshot::recording {
 namespace {
 
-/// Of one channel: some megabytes of memory for a file of many channels.
-constexpr std::size_t kPiece_frames = 4096;
 constexpr double kMicroseconds = 1e6;
 
 Duration duration_of(std::uint64_t frames, Hertz rate) {
@@ -136,6 +134,15 @@ Sequence::Sequence(const std::vector<std::filesystem::path>& paths, const Stated
   }
 }
 
+Sequence Sequence::of_parts(std::vector<Part> parts) {
+  Sequence sequence;
+  sequence.parts_ = std::move(parts);
+  for (std::size_t i = 1; i < sequence.parts_.size(); ++i)
+    sequence.parts_[i].begin = sequence.parts_[i - 1].begin + sequence.parts_[i - 1].frames;
+  sequence.files_ = sequence.parts_.size();
+  return sequence;
+}
+
 Time Sequence::time_of(std::uint64_t frame) const {
   return Time{} + duration_of(frame, sample_rate());
 }
@@ -190,8 +197,8 @@ std::vector<std::string> Sequence::remarks() const {
 
 SequenceReader::SequenceReader(const Sequence& sequence, std::size_t channel, double full_scale)
     : sequence_(&sequence), channel_(channel), scale_(static_cast<float>(1.0 / full_scale)) {
-  interleaved_.resize(kPiece_frames * sequence.channels());
-  samples_.resize(kPiece_frames);
+  interleaved_.resize(kPieceFrames * sequence.channels());
+  samples_.resize(kPieceFrames);
 }
 
 bool SequenceReader::open_next() {
@@ -214,7 +221,7 @@ std::optional<Piece> SequenceReader::next() {
     if (!file_ && !open_next()) return std::nullopt;
     const Part& part = sequence_->parts()[part_];
     const std::uint64_t left = part.frames - read_;
-    const std::size_t room = static_cast<std::size_t>(std::min<std::uint64_t>(left, kPiece_frames));
+    const std::size_t room = static_cast<std::size_t>(std::min<std::uint64_t>(left, kPieceFrames));
     const std::size_t frames = room == 0 ? 0 : file_->read(std::span(interleaved_).first(room * part.format.channels));
     if (frames == 0) {
       missing_frames_ += left;

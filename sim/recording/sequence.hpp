@@ -50,6 +50,9 @@ class Sequence {
   /// can be read, and where one is not there, is named twice, has no time as `stated` has it, or differs from the first in sample rate or
   /// channels.
   explicit Sequence(const std::vector<std::filesystem::path>& paths, const StatedTimes& stated = {});
+  /// Of parts that are known already, in their order: of files that were looked into before, or of samples that are in no file. None is
+  /// read; their begins are reckoned anew. @param parts  at least one
+  [[nodiscard]] static Sequence of_parts(std::vector<Part> parts);
 
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
   /// How many files the parts are of.
@@ -77,12 +80,16 @@ class Sequence {
   [[nodiscard]] std::vector<std::string> remarks() const;
 
  private:
+  Sequence() = default;
   void add(const std::filesystem::path& path, const StatedTimes& stated);
 
   std::vector<Part> parts_;
   std::size_t files_ = 0;
   std::vector<std::string> unreadable_;
 };
+
+/// Frames of a piece, but for the last of a part. Of one channel: some megabytes of memory for a file of many channels.
+inline constexpr std::size_t kPieceFrames = 4096;
 
 /// A piece of one channel of a sequence.
 struct Piece {

@@ -243,13 +243,14 @@ std::size_t SoundFile::read(std::span<float> into) {
   return static_cast<std::size_t>(std::max<sf_count_t>(sf_readf_float(handle_->file, into.data(), room), 0));
 }
 
-double largest_magnitude(const std::filesystem::path& path) {
+double largest_magnitude(const std::filesystem::path& path, const std::function<void()>& tick) {
   SoundFile file(path);
   std::vector<float> piece = piece_of(file.format());
   float largest = 0.0F;
   while (const std::size_t frames = file.read(piece)) {
     for (const float sample : std::span(piece).first(frames * file.format().channels))
       if (std::isfinite(sample)) largest = std::max(largest, std::abs(sample));
+    tick();
   }
   return static_cast<double>(largest);
 }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -86,6 +87,7 @@ class SoundFile {
 };
 
 /// Loudest finite sample of a file, all channels together; reads it from one end to the other.
-[[nodiscard]] double largest_magnitude(const std::filesystem::path& path);
+/// @param tick  called now and then; what it throws ends the reading
+[[nodiscard]] double largest_magnitude(const std::filesystem::path& path, const std::function<void()>& tick);
 
 }  // namespace earshot::recording

@@ -16,7 +16,7 @@
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "sim/annotation/selection_table.hpp"
-#include "sim/apps/listen/listening.hpp"
+#include "sim/listening/listening.hpp"
 #include "tests/fuzz/numbered_mutants.hpp"
 #include "tests/sim/recording/wav_bytes.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -109,15 +109,13 @@ std::string mutated(std::string bytes, Pcg32& random) {
 
 /// @return how many detections there are
 std::size_t listen(const std::filesystem::path& path) {
-  listen::Arguments arguments;
-  arguments.files = {path.string()};
-  arguments.spectrogram = "asked for, not drawn.png";
-  arguments.levels = "asked for, not written.nc";
-  const listen::Plan plan = listen::plan_for(arguments);
-  const listen::Heard heard = listen::listen_to(plan, arguments);
+  const listening::Wanted everything{.every_threshold = false, .spectrogram = true, .levels_interval_s = 60.0};
+  listening::Plan plan = listening::plan_for(recording::Sequence({path}), {});
+  plan.chain.divisor = listening::divisor_for(listening::largest_magnitude(plan.sequence, [] {}));
+  const listening::Heard heard = listening::listen_to(plan, everything, [](double) {});
   const double duration_s = plan.sequence.duration().to_seconds();
   require(heard.listened_s > 0.0 && heard.listened_s < duration_s + 10.0, "it listened longer than the sound is");
-  for (const listen::Row& row : heard.rows) {
+  for (const listening::Row& row : heard.rows) {
     require(row.begin_s >= 0.0 && row.begin_s <= duration_s, "a detection lies outside the sound");
     require(std::isfinite(row.snr_db) && std::isfinite(row.level_db) && row.duration_s >= 0.0, "a detection has no level");
   }

@@ -1,6 +1,5 @@
 #include "sim/apps/listen/arguments.hpp"
 
-#include <array>
 #include <string_view>
 #include <utility>
 
@@ -16,35 +15,30 @@
 namespace earshot::listen {
 namespace {
 
-struct Preset {
-  const char* name;
-  detector::SoundSettings (*settings)();
-};
-
-constexpr std::array kPresets{Preset{"fin", detector::fin_whale}, Preset{"blue", detector::blue_whale},
-                              Preset{"antarctic", detector::antarctic_blue_whale}, Preset{"tone", detector::continuous_tone}};
+program::Option within(program::Option option, const host::Range& range) {
+  return option.between(range.lowest, range.highest);
+}
 
 std::string picture_name(const std::string& path) {
   return plot::is_picture_name(path) ? std::string() : path + ": a picture's name must end in .png or .svg";
 }
 
 void describe_hearing(program::CommandLine& line, Arguments& a) {
-  std::vector<std::string> names;
-  for (const Preset& preset : kPresets) names.emplace_back(preset.name);
   line.option("--preset", &a.preset,
               "what is listened for. fin: pulses of 1 s at 15-30 Hz, which finds most calls in that band; blue: A and B calls, 14-17 Hz; "
               "antarctic: Z calls, 17-29 Hz; tone: one that does not end, 18-22 Hz")
-      .one_of(names)
+      .one_of(listening::preset_names())
       .shows_default();
-  line.option("--band", &a.band_hz, "listen from LOW to HIGH Hz in place of the preset's band").takes(2, 2).between(1.0, 1000.0);
-  line.option("--threshold", &a.threshold_db, "SNR of a detection in dB; default: 10").between(-10.0, 60.0);
-  line.option("--channel", &a.channel, "which of the recording's channels, from 1").from(1, 1024).shows_default();
+  within(line.option("--band", &a.band_hz, "listen from LOW to HIGH Hz in place of the preset's band").takes(2, 2),
+         listening::kBandEdges_hz);
+  within(line.option("--threshold", &a.threshold_db, "SNR of a detection in dB; default: 10"), listening::kThresholds_db);
+  line.option("--channel", &a.channel, "which of the recording's channels, from 1").from(1, listening::kMostChannels).shows_default();
   line.option("--calibration", &a.calibration,
               "TOML file: full_scale_level_db_re_1upa, or sensitivity_db_re_1v_per_upa, gain_db and full_scale_v; default: what the "
               "recorder wrote into the file");
-  line.option("--full-scale-db", &a.full_scale_level_db,
-              "level of a sample of full scale, dB re 1 uPa peak (a SoundTrap's end-to-end calibration), in place of a file")
-      .between(-100.0, 400.0);
+  within(line.option("--full-scale-db", &a.full_scale_level_db,
+                     "level of a sample of full scale, dB re 1 uPa peak (a SoundTrap's end-to-end calibration), in place of a file"),
+         listening::kFullScaleLevels_db);
   line.at("--full-scale-db").excludes(line.at("--calibration"));
 }
 
@@ -71,7 +65,7 @@ void describe_outputs(program::CommandLine& line, Arguments& a) {
   line.option("--spectrogram", &a.spectrogram, "draw the recording with a bar above and below each detection, as .png or .svg")
       .checked(picture_name);
   line.option("--levels", &a.levels, "write third-octave levels over time, means and percentiles, as NetCDF");
-  line.option("--levels-interval-s", &a.levels_interval_s, "of those levels").between(1.0, 86'400.0).shows_default();
+  within(line.option("--levels-interval-s", &a.levels_interval_s, "of those levels"), listening::kLevelsIntervals_s).shows_default();
   line.at("--levels-interval-s").needs(line.at("--levels"));
   line.flag("--force", &a.force, "replace a file that is there already, of whatever kind it is");
 }
@@ -80,9 +74,9 @@ void describe_score(program::CommandLine& line, Arguments& a) {
   line.option("--score", &a.truth,
               "Raven selection table, Audacity labels or CSV (start,end,label) of what is truly there: prints recall, precision and false "
               "alarms per hour");
-  line.option("--tolerance-s", &a.tolerance_s,
-              "a detection and a selection are one if they overlap or lie no further apart; each counts once")
-      .between(0.0, 3600.0)
+  within(line.option("--tolerance-s", &a.tolerance_s,
+                     "a detection and a selection are one if they overlap or lie no further apart; each counts once"),
+         listening::kTolerances_s)
       .shows_default();
   line.option("--roc", &a.roc, "also draw recall against false alarms over thresholds, as .png or .svg").checked(picture_name);
   line.at("--tolerance-s").needs(line.at("--score"));
@@ -133,13 +127,15 @@ void require_writable(const Arguments& a) {
   host::require_writable(std::move(read), outputs, host::replaced_by(a.force));
 }
 
-detector::SoundSettings settings_of(const Arguments& a) {
-  detector::SoundSettings settings;
-  for (const Preset& preset : kPresets)
-    if (a.preset == preset.name) settings = preset.settings();
-  if (!a.band_hz.empty()) settings.band = {.low = Hertz{a.band_hz[0]}, .high = Hertz{a.band_hz[1]}};
-  if (a.threshold_db) settings.detection_threshold = Decibels{*a.threshold_db};
-  return settings;
+listening::Request request_of(const Arguments& a) {
+  listening::Request request{.preset = a.preset, .band = {}, .threshold = {}, .channel = a.channel, .chain = {}};
+  if (!a.band_hz.empty()) request.band = {.low = Hertz{a.band_hz[0]}, .high = Hertz{a.band_hz[1]}};
+  if (a.threshold_db) request.threshold = Decibels{*a.threshold_db};
+  if (!a.calibration.empty())
+    request.chain = listening::read_calibration(host::TomlFile(a.calibration));
+  else if (a.full_scale_level_db)
+    request.chain = {.full_scale_level = Decibels{*a.full_scale_level_db}, .from = "--full-scale-db"};
+  return request;
 }
 
 }  // namespace earshot::listen

@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "firmware/core/units.hpp"
-#include "firmware/detector/hydrophone/settings.hpp"
 #include "firmware/host/program/command_line.hpp"
+#include "sim/listening/plan.hpp"
 
 namespace earshot::listen {
 
@@ -45,7 +44,7 @@ void open_folders(Arguments& arguments);
 /// host::BadInput.
 void require_writable(const Arguments& arguments);
 
-/// What the detector is asked for; the band as it was asked for, whatever the recording holds.
-[[nodiscard]] detector::SoundSettings settings_of(const Arguments& arguments);
+/// What is asked of the recording. Throws host::BadInput where the calibration is none.
+[[nodiscard]] listening::Request request_of(const Arguments& arguments);
 
 }  // namespace earshot::listen

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sim/apps/listen/outputs.hpp"
+#include "sim/listening/levels.hpp"
 #include "sim/netcdf/units.hpp"
 #include "sim/netcdf/writer.hpp"
 
@@ -26,33 +27,16 @@ void write_floats(Writer& file, const std::string& name, const std::vector<std::
   file.write(name, values);
 }
 
-/// Silence has no level.
-std::vector<float> corrected(std::span<const float> levels_db, Decibels correction) {
-  std::vector<float> corrected_db;
-  corrected_db.reserve(levels_db.size());
-  for (const float level : levels_db)
-    corrected_db.push_back(level > -std::numeric_limits<float>::infinity() ? level + static_cast<float>(correction.value)
-                                                                           : std::numeric_limits<float>::quiet_NaN());
-  return corrected_db;
-}
-
 /// The begins of the intervals, in UTC where every file tells when it began.
-void write_time(Writer& file, const recording::Sequence& sequence, std::span<const std::uint64_t> begins) {
-  bool is_dated = true;
-  for (const recording::Part& part : sequence.parts()) is_dated = is_dated && part.notes.start.has_value();
-  std::vector<double> time_s;
-  for (const std::uint64_t begin : begins) {
-    const Time in_sequence = sequence.time_of(begin);
-    time_s.push_back((is_dated ? *sequence.place_of(in_sequence).utc - Time{} : in_sequence - Time{}).to_seconds());
-  }
-  Attributes attributes = {{"long_name", "begin of the interval"}, {"units", is_dated ? "seconds since 1970-01-01T00:00:00Z" : "s"}};
-  if (is_dated) {
+void write_time(Writer& file, const listening::Levels& levels) {
+  Attributes attributes = {{"long_name", "begin of the interval"}, {"units", levels.is_dated ? "seconds since 1970-01-01T00:00:00Z" : "s"}};
+  if (levels.is_dated) {
     attributes.emplace_back("standard_name", "time");
     attributes.emplace_back("calendar", "standard");
   } else {
     attributes.emplace_back("comment", "from the start of the file sequence: the recorder gave no date");
   }
-  write_axis(file, "time", time_s, attributes);
+  write_axis(file, "time", levels.begin_s, attributes);
 }
 
 void write_bands(Writer& file, std::span<const spectrum::ThirdOctave> bands) {
@@ -73,29 +57,28 @@ void write_bands(Writer& file, std::span<const spectrum::ThirdOctave> bands) {
 }  // namespace
 
 void write_levels(const Result& result, const Arguments& arguments) {
-  const spectrum::BandLevels& levels = *result.heard.levels;
-  const Chain& chain = result.plan.chain;
+  const listening::Levels levels = levels_of(*result.heard.levels, result.plan);
+  const listening::Chain& chain = result.plan.chain;
   Writer file(arguments.levels);
   file.attribute("Conventions", "CF-1.8");
   file.attribute("title", "Third-octave levels: " + result.plan.sequence.parts().front().path.filename().string());
   file.attribute("source", "Earshot, Hann windows of about one second");
   file.attribute("history", arguments.history);
   file.attribute("calibration", chain.is_calibrated() ? chain.from : "uncalibrated: levels are dB re full scale");
-  file.dimension("time", levels.begins().size());
-  file.dimension("frequency", levels.bands().size());
+  file.dimension("time", levels.begin_s.size());
+  file.dimension("frequency", levels.bands.size());
   file.dimension("percentile", spectrum::kPercentiles.size());
   file.dimension("bound", 2);
-  write_time(file, result.plan.sequence, levels.begins());
-  write_bands(file, levels.bands());
+  write_time(file, levels);
+  write_bands(file, levels.bands);
   write_axis(file, "percentile", {spectrum::kPercentiles.begin(), spectrum::kPercentiles.end()},
              {{"long_name", "share of the windows whose level is no higher"}, {"units", "percent"}});
   const std::string unit = chain.unit();
   write_floats(file, "level", {"time", "frequency"},
-               {{"long_name", "level of the mean power in the band, " + unit}, {"units", netcdf::kDecibels}},
-               corrected(levels.mean_level_db(), chain.correction()));
+               {{"long_name", "level of the mean power in the band, " + unit}, {"units", netcdf::kDecibels}}, levels.level_db);
   write_floats(file, "level_percentile", {"time", "percentile", "frequency"},
                {{"long_name", "percentiles of the levels of one second, " + unit}, {"units", netcdf::kDecibels}},
-               corrected(levels.percentile_level_db(), chain.correction()));
+               levels.level_percentile_db);
   file.commit();
 }
 

@@ -2,9 +2,12 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "firmware/host/file/output_file.hpp"
-#include "sim/apps/listen/listening.hpp"
+#include "sim/annotation/score.hpp"
+#include "sim/apps/listen/arguments.hpp"
+#include "sim/listening/listening.hpp"
 
 namespace earshot::listen {
 
@@ -13,9 +16,10 @@ inline constexpr host::OutputKind kJsonOutput{"a JSON file of earshot listen", {
 
 /// All that is told of one recording.
 struct Result {
-  const Plan& plan;
-  const Heard& heard;
+  const listening::Plan& plan;
+  const listening::Heard& heard;
   std::optional<annotation::Score> score;
+  std::vector<annotation::OperatingPoint> curve;  ///< empty without --roc
 };
 
 /// One line a detection; what each column is: the folder's README.

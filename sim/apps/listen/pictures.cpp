@@ -10,13 +10,13 @@
 namespace earshot::listen {
 namespace {
 
-std::string title_of(const Plan& plan) {
+std::string title_of(const listening::Plan& plan) {
   const std::string first = host::printable(plan.sequence.parts().front().path.filename().string());
   const std::size_t more = plan.sequence.files() - 1;
   return more == 0 ? first : first + " and " + std::to_string(more) + " more";
 }
 
-std::string settings_text(const Plan& plan, const Arguments& arguments) {
+std::string settings_text(const listening::Plan& plan, const Arguments& arguments) {
   return arguments.preset + ", " + host::significant(plan.settings.band.low.value, 4) + " to " +
          host::significant(plan.settings.band.high.value, 4) + " Hz";
 }
@@ -32,7 +32,7 @@ std::string listened_text(double listened_s) {
 
 void draw_spectrogram(const Result& result, const Arguments& arguments) {
   std::vector<plot::Mark> marks;
-  for (const Row& row : result.heard.rows)
+  for (const listening::Row& row : result.heard.rows)
     marks.push_back({row.begin_s, row.begin_s + row.duration_s, result.plan.settings.band.low, result.plan.settings.band.high});
   std::ostringstream subtitle;
   subtitle << marks.size() << " detections (between bars): " << settings_text(result.plan, arguments) << ", SNR of "
@@ -46,9 +46,9 @@ void draw_spectrogram(const Result& result, const Arguments& arguments) {
 
 void draw_curve(const Result& result, const Arguments& arguments) {
   std::ostringstream subtitle;
-  subtitle << settings_text(result.plan, arguments) << "; " << result.plan.truth.size() << " selections, tolerance "
-           << arguments.tolerance_s << " s, " << listened_text(result.heard.listened_s);
-  plot::plot_operating_curve(arguments.roc, result.heard.curve, title_of(result.plan), subtitle.str());
+  subtitle << settings_text(result.plan, arguments) << "; " << result.score->truths << " selections, tolerance " << arguments.tolerance_s
+           << " s, " << listened_text(result.heard.listened_s);
+  plot::plot_operating_curve(arguments.roc, result.curve, title_of(result.plan), subtitle.str());
 }
 
 }  // namespace earshot::listen

@@ -50,7 +50,7 @@ ordered_json files_json(const recording::Sequence& sequence) {
 
 ordered_json detections_json(const Result& result) {
   ordered_json rows = ordered_json::array();
-  for (const Row& row : result.heard.rows) {
+  for (const listening::Row& row : result.heard.rows) {
     rows.push_back({{"begin_s", row.begin_s},
                     {"duration_s", row.duration_s},
                     {"peak_s", row.peak_s},
@@ -68,9 +68,9 @@ void add_score(ordered_json& json, const Result& result, const Arguments& argume
   if (!result.score) return;
   json["score"] = score_json(*result.score);
   json["score"]["tolerance_s"] = arguments.tolerance_s;
-  if (result.heard.curve.empty()) return;
+  if (result.curve.empty()) return;
   json["curve"] = ordered_json::array();
-  for (const annotation::OperatingPoint& point : result.heard.curve) {
+  for (const annotation::OperatingPoint& point : result.curve) {
     ordered_json row = {{"threshold_db", point.threshold_db}};
     row.update(score_json(point.score));
     json["curve"].push_back(std::move(row));
@@ -95,7 +95,7 @@ void print_recording(std::ostream& out, const Result& result) {
 }
 
 void print_levels(std::ostream& out, const Result& result, const Arguments& arguments) {
-  const Plan& plan = result.plan;
+  const listening::Plan& plan = result.plan;
   if (plan.chain.is_calibrated())
     out << "calibration: full scale is " << plan.chain.full_scale_level->value << " dB re 1 uPa (peak), from " << plan.chain.from << '\n';
   else
@@ -107,7 +107,8 @@ void print_levels(std::ostream& out, const Result& result, const Arguments& argu
       << " s\n"
       << "noise:       " << result.heard.noise_db << ' ' << plan.chain.unit() << " in the band\n"
       << "heard:       " << result.heard.listened_s << " s";
-  for (const Heard::Obstacle& obstacle : result.heard.obstacles) out << "; " << obstacle.what << ": " << obstacle.seconds << " s";
+  for (const listening::Heard::Obstacle& obstacle : result.heard.obstacles)
+    out << "; " << obstacle.what << ": " << obstacle.seconds << " s";
   out << '\n';
 }
 
@@ -115,7 +116,7 @@ void print_rows(std::ostream& out, const Result& result) {
   out << "detections:  " << result.heard.rows.size() << '\n';
   if (result.heard.rows.empty()) return;
   out << "   begin (s)  duration (s)  SNR (dB)  level (" << result.plan.chain.unit() << ")\n";
-  for (const Row& row : result.heard.rows) {
+  for (const listening::Row& row : result.heard.rows) {
     out << std::setw(12) << row.begin_s << std::setw(14) << row.duration_s << std::setw(10) << row.snr_db << std::setw(8) << row.level_db;
     if (row.is_clipped) out << "  clipped";
     if (row.place.utc) out << "  " << recording::to_iso(*row.place.utc);
@@ -138,9 +139,9 @@ void print_score(std::ostream& out, const annotation::Score& score, double toler
 }  // namespace
 
 std::string json_of(const Result& result, const Arguments& arguments) {
-  const Plan& plan = result.plan;
+  const listening::Plan& plan = result.plan;
   ordered_json obstacles = ordered_json::object();
-  for (const Heard::Obstacle& obstacle : result.heard.obstacles) obstacles[obstacle.what] = obstacle.seconds;
+  for (const listening::Heard::Obstacle& obstacle : result.heard.obstacles) obstacles[obstacle.what] = obstacle.seconds;
   ordered_json json = {{"earshot_listen", program::version()},
                        {"command", arguments.history},
                        {"files", files_json(plan.sequence)},

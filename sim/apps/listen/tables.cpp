@@ -15,7 +15,7 @@ std::string csv_cell(const std::string& text) {
   return quoted + "\"";
 }
 
-const char* validity(const Row& row) {
+const char* validity(const listening::Row& row) {
   return row.is_clipped ? "clipped" : "good";
 }
 
@@ -24,7 +24,7 @@ const char* validity(const Row& row) {
 std::string csv_of(const Result& result) {
   const std::string level = result.plan.chain.is_calibrated() ? "level_db_re_1upa" : "level_db_re_full_scale";
   std::string text = "begin_s,duration_s,begin_utc,peak_s,snr_db," + level + ",file,file_offset_s,validity\n";
-  for (const Row& row : result.heard.rows) {
+  for (const listening::Row& row : result.heard.rows) {
     const recording::Part& part = result.plan.sequence.parts()[row.place.part];
     text += host::decimals(row.begin_s, 3) + "," + host::decimals(row.duration_s, 3) + "," +
             (row.place.utc ? recording::to_iso(*row.place.utc) : "") + "," + host::decimals(row.peak_s, 3) + "," +
@@ -35,9 +35,9 @@ std::string csv_of(const Result& result) {
 }
 
 std::string raven_of(const Result& result) {
-  const Plan& plan = result.plan;
+  const listening::Plan& plan = result.plan;
   annotation::SelectionTable table{.columns = {"SNR (dB)", std::string("Level (") + plan.chain.unit() + ")", "Validity"}, .selections = {}};
-  for (const Row& row : result.heard.rows) {
+  for (const listening::Row& row : result.heard.rows) {
     table.selections.push_back({.begin_s = row.begin_s,
                                 .end_s = row.begin_s + row.duration_s,
                                 .low_hz = plan.settings.band.low.value,

@@ -39,6 +39,23 @@ std::string refusal_of(const Paths& paths) {
   }
 }
 
+TEST(Sequence, OfKnownPartsCountsTimeAsThatOfTheirFilesDoesAndReadsNone) {
+  Paths paths;
+  const Sequence of_files = [&paths] {
+    const TemporaryFolder folder;
+    paths = {ten_seconds(folder / "a_20200912_000000.wav"), ten_seconds(folder / "b_20200912_000100.wav")};
+    return Sequence(paths);
+  }();
+  std::vector<Part> parts = of_files.parts();
+  parts[1].begin = 7;  // whatever it was elsewhere
+  const Sequence known = Sequence::of_parts(parts);
+  EXPECT_EQ(known.frames(), 2000U);
+  const Sequence::Place place = known.place_of(Time{13'000'000});
+  EXPECT_EQ(place.part, 1U);
+  EXPECT_EQ(place.offset.us, 3'000'000);
+  EXPECT_EQ(to_iso(*place.utc), "2020-09-12T00:01:03.000Z");
+}
+
 TEST(Sequence, PutsFilesInTheOrderOfTheirTimes) {
   const TemporaryFolder folder;
   const Paths paths = {ten_seconds(folder / "a_20200912_000010.wav"), ten_seconds(folder / "b_20200912_000000.wav")};

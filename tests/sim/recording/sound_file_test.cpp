@@ -67,7 +67,7 @@ TEST(SoundFile, LeavesFloatingPointAsItStands) {
   EXPECT_EQ(samples[0], -1522.5F);
   EXPECT_EQ(samples[1], 0.25F);
   EXPECT_TRUE(std::isnan(samples[2]));
-  EXPECT_EQ(largest_magnitude(folder / "a.wav"), 1522.5) << "a NaN is not the largest";
+  EXPECT_EQ(largest_magnitude(folder / "a.wav", [] {}), 1522.5) << "a NaN is not the largest";
 }
 
 /// 16 bit, by libsndfile: FLAC is not written by hand.

@@ -1,4 +1,4 @@
-#include "sim/apps/listen/channel_detector.hpp"
+#include "sim/listening/channel_detector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
-namespace earshot::listen {
+namespace earshot::listening {
 
 using detector::Hearing;
 
@@ -127,4 +127,4 @@ Decibels ChannelDetector::mean_floor() const {
   return Decibels{floors_ == 0 ? std::numeric_limits<double>::quiet_NaN() : floor_sum_db_ / static_cast<double>(floors_)};
 }
 
-}  // namespace earshot::listen
+}  // namespace earshot::listening

@@ -1,13 +1,14 @@
 #pragma once
 
-#include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
 #include "firmware/core/units.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "sim/recording/sequence.hpp"
 
-namespace earshot::listen {
+namespace earshot::listening {
 
 /// From samples of a recording to levels.
 struct Chain {
@@ -30,13 +31,17 @@ struct Chain {
 ///   full scale level = 20 lg(full_scale_v) - sensitivity - gain   (detector::full_scale_level)
 ///
 /// Throws host::BadInput with all that is wrong.
-[[nodiscard]] Chain read_calibration(const std::filesystem::path& path);
+[[nodiscard]] Chain read_calibration(const host::TomlFile& file);
 
 /// What the recorders say, where all of them say the same.
 /// @param remark  set where they differ, and none is taken
 [[nodiscard]] Chain chain_of_recorders(const recording::Sequence& sequence, std::string& remark);
 
-/// See Chain::divisor; reads floating-point files through.
-[[nodiscard]] double divisor_for(const recording::Sequence& sequence);
+/// See Chain::divisor. @param largest_magnitude  of the samples
+[[nodiscard]] double divisor_for(double largest_magnitude);
 
-}  // namespace earshot::listen
+/// The largest magnitude of a sample in its floating-point files, which are read through; 0 where there are none.
+/// @param tick  called now and then; what it throws ends the reading
+[[nodiscard]] double largest_magnitude(const recording::Sequence& sequence, const std::function<void()>& tick);
+
+}  // namespace earshot::listening

@@ -1,12 +1,11 @@
-#include "sim/apps/listen/chain.hpp"
+#include "sim/listening/chain.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "firmware/detector/hydrophone/calibration.hpp"
-#include "firmware/host/toml/table_reader.hpp"
 
-namespace earshot::listen {
+namespace earshot::listening {
 namespace {
 
 constexpr double kLoudest = 1e30;
@@ -17,11 +16,10 @@ Decibels Chain::correction() const {
   return Decibels{20.0 * std::log10(divisor)} + full_scale_level.value_or(Decibels{0.0});
 }
 
-Chain read_calibration(const std::filesystem::path& path) {
+Chain read_calibration(const host::TomlFile& file) {
   using host::Range;
-  const host::TomlFile file(path);
   host::TableReader table = file.root();
-  Chain chain{.full_scale_level = {}, .from = path.filename().string()};
+  Chain chain{.full_scale_level = {}, .from = file.path().filename().string()};
   const char* const kLevel = "full_scale_level_db_re_1upa";
   const char* const kSensitivity = "sensitivity_db_re_1v_per_upa";
   if (table.has(kLevel)) {
@@ -53,11 +51,15 @@ Chain chain_of_recorders(const recording::Sequence& sequence, std::string& remar
   return {.full_scale_level = detector::full_scale_level(calibration, Decibels{0.0}), .from = "the " + first.recorder + "'s header"};
 }
 
-double divisor_for(const recording::Sequence& sequence) {
-  double largest = 0.0;
-  for (const recording::Part& part : sequence.parts())
-    if (part.format.is_float) largest = std::max(largest, recording::largest_magnitude(part.path));
-  return largest <= 1.0 ? 1.0 : std::exp2(std::floor(std::log2(std::min(largest, kLoudest))) + 1.0);
+double divisor_for(double largest_magnitude) {
+  return largest_magnitude <= 1.0 ? 1.0 : std::exp2(std::floor(std::log2(std::min(largest_magnitude, kLoudest))) + 1.0);
 }
 
-}  // namespace earshot::listen
+double largest_magnitude(const recording::Sequence& sequence, const std::function<void()>& tick) {
+  double largest = 0.0;
+  for (const recording::Part& part : sequence.parts())
+    if (part.format.is_float) largest = std::max(largest, recording::largest_magnitude(part.path, tick));
+  return largest;
+}
+
+}  // namespace earshot::listening

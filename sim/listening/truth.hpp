@@ -9,7 +9,7 @@
 #include "sim/annotation/selection_table.hpp"
 #include "sim/recording/sequence.hpp"
 
-namespace earshot::listen {
+namespace earshot::listening {
 
 /// What is truly in a recording, from its start.
 struct Truth {
@@ -34,4 +34,4 @@ struct Listened {
 /// and they differ.   Oracle: Truth.*
 [[nodiscard]] Truth truth_of(const annotation::SelectionTable& table, const std::string& name, const Listened& listened);
 
-}  // namespace earshot::listen
+}  // namespace earshot::listening

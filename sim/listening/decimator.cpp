@@ -1,4 +1,4 @@
-#include "sim/apps/listen/decimator.hpp"
+#include "sim/listening/decimator.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "firmware/messages/hydrophone_block.hpp"
 
-namespace earshot::listen {
+namespace earshot::listening {
 namespace {
 
 /// Kaiser's: side lobes of 100 dB.
@@ -58,4 +58,4 @@ std::span<const float> Decimator::take(std::span<const float> samples) {
   return lower_;
 }
 
-}  // namespace earshot::listen
+}  // namespace earshot::listening

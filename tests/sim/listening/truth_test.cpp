@@ -1,4 +1,4 @@
-#include "sim/apps/listen/truth.hpp"
+#include "sim/listening/truth.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/text/tells.hpp"
 
-namespace earshot::listen {
+namespace earshot::listening {
 namespace {
 
 constexpr detector::Band kBand{.low = Hertz{15}, .high = Hertz{30}};
@@ -93,4 +93,4 @@ TEST_F(TruthOfTwoFiles, RefusesTimesThatFitInBothWaysAndDiffer) {
 }
 
 }  // namespace
-}  // namespace earshot::listen
+}  // namespace earshot::listening

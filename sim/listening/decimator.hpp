@@ -6,7 +6,7 @@
 
 #include "firmware/core/units.hpp"
 
-namespace earshot::listen {
+namespace earshot::listening {
 
 /// The whole number by which a sample rate is divided for the detector: 1 up to the highest that it takes, else the smallest that brings
 /// the rate there, one that leaves a whole number of hertz where such a one is less than twice as large.
@@ -42,4 +42,4 @@ class Decimator {
   std::vector<float> lower_;
 };
 
-}  // namespace earshot::listen
+}  // namespace earshot::listening

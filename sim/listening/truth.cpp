@@ -1,4 +1,4 @@
-#include "sim/apps/listen/truth.hpp"
+#include "sim/listening/truth.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include "firmware/host/file/bad_input.hpp"
 
-namespace earshot::listen {
+namespace earshot::listening {
 namespace {
 
 using annotation::Selection;
@@ -163,4 +163,4 @@ Truth truth_of(const annotation::SelectionTable& table, const std::string& name,
   return truth;
 }
 
-}  // namespace earshot::listen
+}  // namespace earshot::listening

@@ -12,7 +12,7 @@
 #include "firmware/detector/hydrophone/sound_detector.hpp"
 #include "sim/recording/sequence.hpp"
 
-namespace earshot::listen {
+namespace earshot::listening {
 
 /// The vehicle's detector, listening to one channel of a recording. Dates are those of the sequence: from its start.
 class ChannelDetector {
@@ -67,4 +67,4 @@ class ChannelDetector {
   std::uint64_t floors_ = 0;
 };
 
-}  // namespace earshot::listen
+}  // namespace earshot::listening

@@ -1,4 +1,4 @@
-#include "sim/apps/listen/decimator.hpp"
+#include "sim/listening/decimator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace earshot::listen {
+namespace earshot::listening {
 namespace {
 
 constexpr std::size_t kFactor = 4;
@@ -67,4 +67,4 @@ TEST(Decimator, BringsEveryUsualRateToOneThatTheDetectorTakes) {
 }
 
 }  // namespace
-}  // namespace earshot::listen
+}  // namespace earshot::listening
