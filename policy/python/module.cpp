@@ -16,6 +16,7 @@
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/policy/format/policy_format.hpp"
 #include "policy/python/journal_module.hpp"
+#include "policy/python/listening_module.hpp"
 #include "policy/python/ocean_module.hpp"
 #include "policy/python/replayable_episode.hpp"
 #include "policy/python/search_problem.hpp"
@@ -387,6 +388,7 @@ PYBIND11_MODULE(_core, module) {
   add_world(module);
   python::add_ocean(module);
   python::add_journal(module);
+  python::add_listening(module);
   add_episodes(module);
   py::class_<FrozenPolicy>(module, "FrozenPolicy")
       .def(py::init<std::filesystem::path>(), py::arg("file"))

@@ -5,7 +5,6 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include <chrono>
 #include <complex>
 #include <cstddef>
 #include <functional>
@@ -19,6 +18,9 @@
 
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/toml/range.hpp"
+#include "policy/python/array_of.hpp"
+#include "policy/python/checked.hpp"
+#include "policy/python/watch.hpp"
 #include "sim/ocean/file/environment_file.hpp"
 #include "sim/ocean/with_source.hpp"
 #include "sim/search/scenario/scenario_file.hpp"
@@ -34,48 +36,8 @@ using host::Range;
 
 using Ocean = ocean::Environment;
 
-std::string named(const char* name, double value) {
-  std::ostringstream text;
-  text << name << " = " << value << ": ";
-  return text.str();
-}
-
-double checked(const char* name, double value, const Range& allowed) {
-  if (allowed.allows(value)) return value;
-  throw BadInput(named(name, value) + to_string(allowed));
-}
-
 std::optional<Meters> checked_metres(const char* name, std::optional<double> value, const Range& allowed) {
   return value ? std::optional(Meters{checked(name, *value, allowed)}) : std::nullopt;
-}
-
-/// Lets Python in while C++ works without it, some twenty times a second: for Ctrl-C, and for who wants to know how far it is.
-class Watch {
- public:
-  explicit Watch(py::object callback) : callback_(std::move(callback)) {}
-
-  void operator()(double fraction) {
-    constexpr std::chrono::milliseconds kBetween{50};
-    const auto now = std::chrono::steady_clock::now();
-    if (fraction < 1.0 && now - last_ < kBetween) return;
-    last_ = now;
-    const py::gil_scoped_acquire with_python;
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    if (!callback_.is_none()) callback_(fraction);
-  }
-
- private:
-  py::object callback_;  ///< a callable, or None
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
-/// The vector becomes the array's memory.
-template <class Number>
-py::array_t<Number> array_of(std::vector<Number>&& values, const std::vector<py::ssize_t>& shape) {
-  auto owned = std::make_unique<std::vector<Number>>(std::move(values));
-  const Number* const data = owned->data();
-  const py::capsule owner(owned.release(), [](void* vector) { delete static_cast<std::vector<Number>*>(vector); });
-  return py::array_t<Number>(shape, data, owner);
 }
 
 /// What `radial` is asked, as Python gives it.

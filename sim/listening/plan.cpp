@@ -65,9 +65,11 @@ void require_audible(const Sequence& sequence, const detector::SoundSettings& se
   if (fault == detector::SettingsFault::kNone) return;
   if (settings.band != asked) throw unheard(sequence, rate.str() + ", too slowly for the band of " + band_text(asked));
   if (fault == detector::SettingsFault::kCalibration)
-    throw unheard(sequence, detector::to_string(detector::check(settings.calibration, Decibels{0.0}, listening_rate(sequence),
-                                                                settings.band, settings.expected_noise)));
-  throw host::BadInput(std::string("--band: ") + detector::to_string(fault));  // presets have no fault, thresholds are within their bounds
+    throw host::BadInput("--calibration: with it " + name_of(sequence) + " cannot be listened to: " +
+                         detector::to_string(detector::check(settings.calibration, Decibels{0.0}, listening_rate(sequence), settings.band,
+                                                             settings.expected_noise)));
+  // Presets have no fault, and thresholds are within their bounds.
+  throw host::BadInput(std::string("--band: ") + detector::to_string(fault));
 }
 
 Chain chain_for(const Request& request, const Sequence& sequence, std::vector<std::string>& remarks) {

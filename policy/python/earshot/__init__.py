@@ -1,4 +1,4 @@
-"""Earshot from Python: sound fields (`earshot.field`), and the search for an underwater source (`earshot.gym`).
+"""Earshot from Python: sound fields, calls in recordings, journals of flights, and the search for an underwater source.
 
 >>> import earshot
 >>> env = earshot.Environment(sound_speed=earshot.Munk(), bathymetry=3000.0, sediment=earshot.Layer(1505.0))
@@ -7,8 +7,6 @@
 
 Where lcm-gen has made types of Earshot's LCM messages, they are found here, too: `from earshot import nav_state_t`.
 """
-
-from __future__ import annotations
 
 import importlib as _importlib
 import sys as _sys
@@ -19,11 +17,17 @@ from typing import Any as _Any
 import earshot_name as _name
 
 if _TYPE_CHECKING:
+    from earshot import annotations as annotations
     from earshot.errors import BadInput as BadInput
     from earshot.errors import BadType as BadType
     from earshot.fields import field as field
+    from earshot.heard import Completed as Completed
+    from earshot.heard import Heard as Heard
+    from earshot.heard import RecordingWarning as RecordingWarning
     from earshot.journals import JournalWarning as JournalWarning
     from earshot.journals import read_journal as read_journal
+    from earshot.listening import Listener as Listener
+    from earshot.listening import listen as listen
     from earshot.ocean_parts import Layer as Layer
     from earshot.ocean_parts import Munk as Munk
     from earshot.ocean_parts import SeaWater as SeaWater
@@ -32,21 +36,28 @@ if _TYPE_CHECKING:
 _OWN = {
     "BadInput": "earshot.errors",
     "BadType": "earshot.errors",
+    "Completed": "earshot.heard",
     "Environment": "earshot.oceans",
+    "Heard": "earshot.heard",
     "Layer": "earshot.ocean_parts",
+    "Listener": "earshot.listening",
     "Munk": "earshot.ocean_parts",
     "SeaWater": "earshot.ocean_parts",
     "JournalWarning": "earshot.journals",
+    "RecordingWarning": "earshot.heard",
     "field": "earshot.fields",
+    "listen": "earshot.listening",
     "read_journal": "earshot.journals",
 }
 # Everything is imported when it is first used: who wants LCM types alone waits for nothing else.
-__all__ = [*_OWN, *_name.type_names()]  # noqa: PLE0604  (texts, all of them)
+__all__ = ["annotations", *_OWN, *_name.type_names()]  # noqa: PLE0604  (texts, all of them)
 
 
 def __getattr__(name: str) -> _Any:
     if name in _OWN:
         value = getattr(_importlib.import_module(_OWN[name]), name)
+    elif name == "annotations":
+        value = _importlib.import_module("earshot.annotations")
     elif name.endswith("_t") and name in _name.type_names():
         value = getattr(_importlib.import_module(f"earshot.{name}"), name)
     else:

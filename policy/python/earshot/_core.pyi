@@ -6,7 +6,7 @@ What is not as it must be raises earshot.errors.BadInput.
 """
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, SupportsIndex
 
 import numpy as np
@@ -189,3 +189,72 @@ def journal_records(path: os.PathLike[str] | str) -> dict[str, Any]:
 
 def journal_fields() -> dict[str, dict[str, tuple[str, str]]]:
     """Topic -> field -> (unit of its type or "", meaning or ""), as the dictionary of messages has them."""
+
+class Listening:
+    """What is asked of sound, as `earshot.listen` describes it; checked where it is used."""
+
+    def __init__(
+        self,
+        *,
+        preset: str,
+        band: tuple[float, float] | None,
+        threshold_db: float | None,
+        channel: int,
+        calibration: os.PathLike[str] | None,
+        calibration_text: str | None,
+        full_scale_db: float | None,
+        levels_interval: float | None,
+    ) -> None:
+        """`calibration` is a file, or with `calibration_text` the name of that text."""
+
+def listen_to_files(
+    *,
+    files: Sequence[os.PathLike[str]],
+    begin: str | None,
+    time_format: str | None,
+    asked: Listening,
+    progress: Callable[[float], object] | None,
+) -> dict[str, Any]:
+    """What was heard.
+
+    rows: by column float64 [n], begin_utc_us int64 with NumPy's "not a time", is_clipped uint8, file a list;
+    levels: None, or is_dated, begin_s [n_interval] float64 s, from 1970 in UTC where dated, frequency_hz [n_band]
+    float64, percentile, level_db [n_interval x n_band], level_percentile_db [n_interval x n_percentile x n_band]
+    float32; settings, a dict; files: (path, begin in s, first frame, frames, start in us or "not a time", recorder);
+    listened_s, noise_db, not_heard_s, remarks.
+    """
+
+class SoundStream:
+    """Sound of one channel that comes in blocks. `asked.channel` does not count.
+
+    RuntimeError after finish(), while another thread is in it, and after a push that threw.
+    """
+
+    def __init__(
+        self, *, rate: float, bits: int, largest_magnitude: float, begin: str | None, asked: Listening
+    ) -> None: ...
+    def push(self, samples: NDArray[np.float32], progress: Callable[[float], object] | None) -> dict[str, Any]:
+        """rows and levels that these samples [n], contiguous, complete."""
+    def finish(self) -> dict[str, Any]:
+        """As listen_to_files, but for the rows that push() gave."""
+    @property
+    def settings(self) -> dict[str, Any]: ...
+
+# begin and end, s; low and high, Hz, 0 where not given; channel, from 1, or 0; file or ""; offset in it, s
+Selected = tuple[float, float, float, float, int, str, float | None]
+
+def selections(path: os.PathLike[str] | str) -> list[Selected]: ...
+def placed(
+    *,
+    selected: list[Selected],
+    name: str,
+    files: list[tuple[str, int, int]],
+    rate: float,
+    channel: int,
+    band: tuple[float, float],
+) -> tuple[list[tuple[float, float]], list[str]]:
+    """Where selections lie in a recording, s, and what is not counted. Files are (path, first frame, frames)."""
+
+def score(
+    *, truth: list[tuple[float, float]], found: list[tuple[float, float]], tolerance_s: float, listened_s: float
+) -> dict[str, Any]: ...

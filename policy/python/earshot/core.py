@@ -10,12 +10,18 @@ try:
     from earshot._core import (
         Episodes,
         FrozenPolicy,
+        Listening,
         Ocean,
+        SoundStream,
         World,
         environment_crc32,
         journal_fields,
         journal_records,
+        listen_to_files,
+        placed,
         radial,
+        score,
+        selections,
     )
 except ModuleNotFoundError as missing:
     if missing.name != "earshot._core":
@@ -29,10 +35,16 @@ __all__ = [
     "BadInput",
     "Episodes",
     "FrozenPolicy",
+    "Listening",
     "Ocean",
+    "SoundStream",
     "World",
     "environment_crc32",
     "journal_fields",
     "journal_records",
+    "listen_to_files",
+    "placed",
     "radial",
+    "score",
+    "selections",
 ]

@@ -10,7 +10,7 @@ __all__ = ["BadInput", "BadType"]
 # "FILE:LINE: KEY = VALUE: what is allowed", as all of Earshot says it; file, line and value may be left out.
 _PROBLEM = re.compile(
     r"(?:(?P<file>[^\n]*?):(?:(?P<line>\d+):)? )?"
-    r"(?P<key>[\w.\[\], ]+?)(?: = (?P<value>[^\n]+?))?(?:: | is missing: )(?P<what>[^\n]+)"
+    r"(?P<key>[\w.\[\]() ,]+?)(?: = (?P<value>[^\n]+?))?(?:: | is missing: )(?P<what>[^\n]+)"
 )
 
 

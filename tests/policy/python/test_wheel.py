@@ -94,6 +94,20 @@ class Wheel(unittest.TestCase):
         )
         self.assertEqual((computed.returncode, computed.stdout), (0, "(100, 100)\n"), computed.stderr)
 
+    def test_listens_to_an_array_without_a_library_and_to_a_file_with_that_of_the_computer(self):
+        program = (
+            "import earshot, numpy, wave\n"
+            "x = numpy.random.default_rng(1).integers(-500, 500, 30_000).astype('int16')\n"
+            "with wave.open('a.wav', 'wb') as f: f.setparams((1, 2, 1000, 0, 'NONE', '')); f.writeframes(x.tobytes())\n"
+            "print(earshot.listen(x, 1000).listened_s)\n"
+            "try: print(earshot.listen('a.wav').listened_s)\nexcept earshot.BadInput as bad: print(bad)"
+        )
+        both = self.python(program)
+        self.assertEqual((both.returncode, both.stdout), (0, "30.0\n30.0\n"), both.stderr)
+        (self.folder / "libsndfile.so.1").touch()  # the linker finds it before the computer's own, and cannot load it
+        array_alone = self.python(program, LD_LIBRARY_PATH=str(self.folder))
+        self.assertRegex(array_alone.stdout, "^30.0\n.*libsndfile .*apt install libsndfile1", array_alone.stderr)
+
     def test_says_what_to_install_where_there_is_no_netcdf(self):
         for name in ("libnetcdf.so.19", "libnetcdf.so.22"):
             (self.folder / name).touch()  # the linker finds it before the computer's own, and cannot load it
