@@ -28,6 +28,16 @@ def read_netcdf(file, name, kind, size):
     return values
 
 
+def length_in_netcdf(file, dimension):
+    """Of a dimension, likewise."""
+    identity, number, length = ctypes.c_int(), ctypes.c_int(), ctypes.c_size_t()
+    assert _NETCDF.nc_open(str(file).encode(), 0, ctypes.byref(identity)) == 0
+    assert _NETCDF.nc_inq_dimid(identity, dimension.encode(), ctypes.byref(number)) == 0
+    assert _NETCDF.nc_inq_dimlen(identity, number, ctypes.byref(length)) == 0
+    assert _NETCDF.nc_close(identity) == 0
+    return length.value
+
+
 def random_ocean(rng):
     """Keyword arguments of an Environment, shallow or deep, of every form that there is."""
     floor = float(rng.choice([60.0, 200.0, 1_000.0, 3_000.0]) * rng.uniform(0.8, 1.2))

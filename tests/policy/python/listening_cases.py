@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 import pandas
-from field_cases import read_netcdf
+from field_cases import length_in_netcdf, read_netcdf
 
 PROGRAM = Path(os.environ["EARSHOT_PROGRAMS"]) / "earshot-listen"
 
@@ -99,6 +99,7 @@ class Cases(unittest.TestCase):
             self.assertEqual(getattr(heard, name), found[name], name)
         self.assertEqual((heard.sample_rate, list(heard.band)), (found["sample_rate_hz"], found["band_hz"]))
         nc, shape = self.folder / "program.nc", heard.levels.shape
+        self.assertEqual(shape, (length_in_netcdf(nc, "time"), length_in_netcdf(nc, "frequency")))
         np.testing.assert_array_equal(read_netcdf(nc, "level", np.float32, shape), heard.levels.to_numpy(), strict=True)
         np.testing.assert_array_equal(
             read_netcdf(nc, "level_percentile", np.float32, (shape[0] * 5, shape[1])),

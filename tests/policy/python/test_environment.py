@@ -3,6 +3,7 @@
 Run by ctest (run in this folder).
 """
 
+import os
 import subprocess
 import sys
 import tempfile
@@ -267,10 +268,15 @@ class Package(unittest.TestCase):
 
     def test_runs_the_blocks_of_its_readme_pasted_whole(self):
         blocks = (ROOT / "policy/python/README.md").read_text().split("```python\n")[1:]
-        self.assertEqual(len(blocks), 3)
+        self.assertEqual(len(blocks), 5)
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        (Path(folder.name) / "out").mkdir()
+        song = [Path(os.environ["EARSHOT_PROGRAMS"]) / "fin_song", "out/song.wav", "out/song.txt"]
+        subprocess.run(song, cwd=folder.name, check=True, capture_output=True)
         for block in (text.split("```")[0] for text in blocks if "read_journal" not in text):  # tests/readme has flown
             said = subprocess.run(
-                [sys.executable, "-qi"], input=block, capture_output=True, text=True, check=True
+                [sys.executable, "-qi"], input=block, cwd=folder.name, capture_output=True, text=True, check=True
             ).stderr
             self.assertEqual(said.replace(">>> ", "").replace("... ", "").strip(), "")
 
