@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import warnings
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -82,17 +83,20 @@ def in_python(text: str) -> str:
     return _OPTION.sub(lambda option: option[1].replace("-", "_"), text)
 
 
-def joined(first: dict[str, Any], rest: dict[str, Any]) -> dict[str, Any]:
-    """What a stream gave, and what it gave at its end."""
-    whole = dict(rest)
+def joined(parts: Sequence[dict[str, Any]]) -> dict[str, Any]:
+    """What a stream gave for each block and at its end, as if it were given at the end."""
+    whole = dict(parts[-1])
+    rows = [part["rows"] for part in parts]
     whole["rows"] = {
-        name: [*first["rows"][name], *column] if isinstance(column, list) else np.append(first["rows"][name], column)
-        for name, column in rest["rows"].items()
+        name: sum((of[name] for of in rows), []) if name == "file" else np.concatenate([of[name] for of in rows])
+        for name in rows[-1]
     }
-    if rest["levels"] is not None:
-        whole["levels"] = dict(rest["levels"])
-        for name in ("begin_s", "level_db", "level_percentile_db"):
-            whole["levels"][name] = np.concatenate([first["levels"][name], rest["levels"][name]])
+    if whole["levels"] is not None:
+        of_intervals = ("begin_s", "level_db", "level_percentile_db")
+        whole["levels"] = {
+            **whole["levels"],
+            **{name: np.concatenate([part["levels"][name] for part in parts]) for name in of_intervals},
+        }
     return whole
 
 

@@ -17,7 +17,7 @@ from earshot.arguments import axis, number, whole_number
 from earshot.core import Listening, SoundStream, listen_to_files
 from earshot.errors import BadInput, BadType
 from earshot.heard import Completed, Heard, completed_of, heard_of, in_python, joined
-from earshot.sounds import array, bits_of, files_of, one_channel, scaled
+from earshot.sounds import array, bits_of, blocks_of, files_of, largest_magnitude, one_channel, scaled
 
 __all__ = ["Listener", "listen"]
 
@@ -93,13 +93,11 @@ def listen(
         if time_format is not None:
             raise BadInput("time_format: not with an array", key="time_format", value=time_format)
         sound = one_channel("samples", array("samples", samples), channel, is_whole=True)
-        shares = scaled("samples", sound)
-        if shares.size == 0:
+        if sound.size == 0:
             raise BadInput("samples: must hold one sample or more", key="samples", value=samples)
-        largest = max(1.0, float(shares.max()), -float(shares.min())) if sound.dtype.kind == "f" else 1.0
-        stream = _stream(rate, sound.dtype, bits, begin, asked, largest, calibration)
+        stream = _stream(rate, sound.dtype, bits, begin, asked, largest_magnitude("samples", sound), calibration)
         with _refusals("samples", samples, calibration):
-            return heard_of(joined(stream.push(shares, progress), stream.finish()), channel)
+            return heard_of(joined([*_pushed(stream, sound, progress), stream.finish()]), channel)
     for name, value in (("rate", rate), ("bits", bits)):
         if value is not None:
             raise BadInput(f"{name}: not with a file, which states it", key=name, value=value)
@@ -225,6 +223,19 @@ def _stream(
             begin=_begin(begin),
             asked=asked,
         )
+
+
+def _pushed(
+    stream: SoundStream, sound: NDArray[Any], progress: Callable[[float], object] | None
+) -> Iterator[dict[str, Any]]:
+    """What a sound completes, given block by block."""
+    for begin, block in blocks_of(sound):
+
+        def report(share: float, begin: int = begin, size: int = block.size) -> None:
+            if progress is not None:
+                progress((begin + share * size) / sound.size)
+
+        yield stream.push(scaled("samples", block), report)
 
 
 def _begin(begin: Begin) -> str | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -12,8 +13,9 @@ from numpy.typing import NDArray
 from earshot.arguments import whole_number
 from earshot.errors import BadInput, BadType
 
-__all__ = ["array", "bits_of", "files_of", "one_channel", "scaled"]
+__all__ = ["array", "bits_of", "blocks_of", "files_of", "largest_magnitude", "one_channel", "scaled"]
 
+_BLOCK = 1 << 24  # samples
 _MOST_CHANNELS = 1024
 _BITS_OF_FLOAT = {2: 11, 4: 24}  # by size in bytes; larger ones are heard as those of four
 
@@ -63,14 +65,32 @@ def one_channel(name: str, given: NDArray[Any], channel: Any, is_whole: bool = F
     return given if given.ndim == 1 else given[:, int(channel) - 1]
 
 
-def scaled(name: str, sound: NDArray[Any]) -> NDArray[np.float32]:
-    """Shares of full scale, contiguous, as libsndfile makes them of a file's samples."""
+def blocks_of(sound: NDArray[Any]) -> Iterator[tuple[int, NDArray[Any]]]:
+    """Its blocks, each with the number of its first sample: what is made of one takes 64 MB, however long it all is."""
+    for begin in range(0, sound.size, _BLOCK):
+        yield begin, sound[begin : begin + _BLOCK]
+
+
+def largest_magnitude(name: str, sound: NDArray[Any]) -> float:
+    """Of floating-point samples that exceed 1, else 1. Refuses what is not finite."""
+    largest = 1.0
+    if sound.dtype.kind == "f":
+        for begin, block in blocks_of(sound):
+            shares = scaled(name, block, begin)
+            largest = max(largest, float(shares.max()), -float(shares.min()))
+    return largest
+
+
+def scaled(name: str, sound: NDArray[Any], begin: int = 0) -> NDArray[np.float32]:
+    """Shares of full scale, contiguous, as libsndfile makes them of a file's samples; `begin`: number of the first."""
     if sound.dtype.kind == "f":
         with np.errstate(over="ignore"):
             shares = np.ascontiguousarray(sound, dtype=np.float32)
         if not np.isfinite(shares).all():
             first = int(np.argmin(np.isfinite(shares)))
-            raise BadInput(f"{name}[{first}] = {sound[first]}: must be finite, as float32", key=name, value=sound)
+            raise BadInput(
+                f"{name}[{begin + first}] = {sound[first]}: must be finite, as float32", key=name, value=sound
+            )
         return shares
     full_scale = 2.0 ** (8 * sound.dtype.itemsize - 1)
     if sound.dtype.kind == "u":

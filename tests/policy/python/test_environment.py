@@ -272,7 +272,7 @@ class Package(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         (Path(folder.name) / "out").mkdir()
-        song = [Path(os.environ["EARSHOT_PROGRAMS"]) / "fin_song", "out/song.wav", "out/song.txt"]
+        song = [f"{os.environ['EARSHOT_PROGRAMS']}/fin_song", "out/song.wav", "out/song.txt"]
         subprocess.run(song, cwd=folder.name, check=True, capture_output=True)
         for block in (text.split("```")[0] for text in blocks if "read_journal" not in text):  # tests/readme has flown
             said = subprocess.run(

@@ -78,6 +78,23 @@ class Files(Cases):
         self.assertEqual(str(heard.files["start_utc"][0]), "2021-02-04 17:59:46.250000+00:00")
 
 
+class Anything(Cases):
+    def test_gives_what_the_program_gives(self):
+        rng = np.random.default_rng(58)
+        for i in range(8):
+            rate, seconds = int(rng.choice([200, 1000, 8000, 96_000, 250_000])), int(rng.uniform(15, 30))
+            samples = song(seconds, rng.uniform(0, seconds - 1, 3), rate, i, rng.uniform(0.02, 0.3))
+            dtype = str(rng.choice(["u1", "i2", "i4", "f4", "f8"]))
+            samples = (100.0 * samples).astype(dtype) if dtype[0] == "f" else in_steps(samples, dtype)
+            threshold_db, interval_s = float(rng.uniform(3.0, 12.0)), float(rng.integers(1, 20))
+            with self.subTest(case=i, rate=rate, dtype=dtype):
+                file = write_wav(self.folder / "a.wav", samples, rate)
+                options = ["--threshold", repr(threshold_db), "--levels-interval-s", interval_s]
+                asked: dict[str, Any] = {"threshold_db": threshold_db, "levels_interval": interval_s}
+                self.require_as_program(earshot.listen(file, **asked), file, *options)
+                self.require_as_program(earshot.listen(samples, rate, **asked), file, *options, is_of_files=False)
+
+
 class Arrays(Cases):
     def test_give_what_the_program_gives_of_a_file_of_them(self):
         sound = song(150, [0.2, 40, 100, 149])
