@@ -1,5 +1,5 @@
 // pe.*: processor seconds of the parabolic-equation solver, set-up and fit of the propagator included; tests/bench/peers/pyram_cases.py is
-// the peer. usage: bench_pe_solver same_grid.single|same_grid.batch|equal_accuracy.munk_20hz|equal_accuracy.range_dependent
+// the peer. usage: bench_pe_solver FIGURE (benchmarks.toml)
 #include <cmath>
 #include <ctime>
 #include <iostream>
@@ -48,9 +48,10 @@ double best_of_three(const Work& work) {
   return best;
 }
 
-pe::Field run(const ocean::Section& section, const pe::Options& options, double source_depth_m, double range_m) {
+pe::Field run(const ocean::Section& section, const pe::Options& options, double source_depth_m, double range_m,
+              const std::vector<double>& receiver_depth_m = {300.0}) {
   const double frequency_hz = bench::is_wrong_on_purpose() ? 22.0 : 20.0;
-  return pe::solve(section, {Hertz{frequency_hz}, Meters{source_depth_m}}, options, std::vector<double>{300.0}, Meters{range_m});
+  return pe::solve(section, {Hertz{frequency_hz}, Meters{source_depth_m}}, options, receiver_depth_m, Meters{range_m});
 }
 
 void require_mean_error(const pe::Field& field, const std::string& name, int column, int to_m, double limit_db) {
@@ -79,6 +80,11 @@ double measure(const std::string& figure) {
     const pe::Options automatic{.output_step = Meters{50.0}};
     require_mean_error(run(papers_ocean(), automatic, 30.0, kRange), "munk_20hz", 0, 25'000, 0.05);
     return best_of_three([&] { (void)run(papers_ocean(), automatic, 30.0, kRange); });
+  }
+  if (figure == "section.munk_20hz") {  // the peer of tests/bench/python_field.py
+    std::vector<double> depth_m;
+    for (int i = 1; i <= 300; ++i) depth_m.push_back(10.0 * i);
+    return best_of_three([&] { (void)run(papers_ocean(), {.output_step = Meters{50.0}}, 30.0, kRange, depth_m); });
   }
   if (figure == "equal_accuracy.range_dependent") {
     const pe::Options automatic{.output_step = Meters{50.0}, .accuracy = Decibels{0.3}};
