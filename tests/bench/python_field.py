@@ -1,7 +1,7 @@
 """Processor seconds of `earshot.field` for the paper's ocean to 25 km at 300 depths, the xarray Dataset included.
 
-A field that is not within 0.05 dB of the reference (median) is none (wrong: of another frequency). Best of ten, in short
-once.
+A field that is not within 0.05 dB of the reference (median) is none (wrong: of another frequency). Best of ten, in
+short once.
 
 usage: python_field.py
 """
@@ -12,8 +12,9 @@ import sys
 import time
 from pathlib import Path
 
-import earshot
 import numpy as np
+
+import earshot
 
 REFERENCE = Path(__file__).parents[1] / "reference/pe/munk_20hz/tl.csv"
 RUNS = 1 if "EARSHOT_BENCH_SHORT" in os.environ else 10
