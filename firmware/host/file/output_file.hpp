@@ -14,7 +14,8 @@
 
 namespace earshot::host {
 
-/// A kind of file that a program writes; it is recognised by its first bytes and, where others write files that begin so too, by a mark.
+/// A kind of file that a program writes; it is recognised by its first bytes and, where others write files that begin so too, by a mark;
+/// by the mark alone where no beginning is stated.
 struct OutputKind {
   std::string_view name;  ///< with its article: "a NetCDF file of Earshot"
   std::array<std::string_view, 2> beginnings;

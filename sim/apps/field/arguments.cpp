@@ -7,6 +7,7 @@
 
 #include "firmware/host/file/distinct_files.hpp"
 #include "sim/plot/gnuplot.hpp"
+#include "sim/sonar/model_files/shade_file.hpp"
 
 namespace earshot::field {
 namespace {
@@ -16,8 +17,10 @@ std::string picture_name(const std::string& path) {
 }
 
 void describe_place(program::CommandLine& line, FieldArguments& a) {
-  line.option("--max-range-km", &a.max_range_km, "how far from the source").between(0.001, 2000.0).shows_default();
-  line.option("--depth,--receiver-depth-m", &a.depth_m, "receiver depths in m; default: every --depth-spacing down to the sea floor")
+  line.option("--max-range-km", &a.max_range_km, "how far from the source; default: 25, or as far as an .env file goes")
+      .between(0.001, 2000.0);
+  line.option("--depth,--receiver-depth-m", &a.depth_m,
+              "receiver depths in m; default: those of an .env file, else every --depth-spacing down to the sea floor")
       .between(0.0, 12'000.0);
   line.option("--depth-spacing", &a.depth_spacing_m,
               "m between receiver depths; default: 10, in water of less than 1000 m a hundredth of it or less")
@@ -88,17 +91,28 @@ ocean::Band band_of(const FieldArguments& arguments, const ocean::Environment& e
   return {Hertz{arguments.band_hz[0]}, Hertz{arguments.band_hz[1]}, arguments.frequencies};
 }
 
+Meters max_range_of(const FieldArguments& arguments, const ocean::RadialCase& asked) {
+  constexpr double kDefault_km = 25.0;
+  if (!arguments.max_range_km && !asked.receiver_range_m.empty()) return Meters{asked.receiver_range_m.back()};
+  if (!arguments.max_range_km && asked.max_range) return *asked.max_range;
+  return Meters{1000.0 * arguments.max_range_km.value_or(kDefault_km)};
+}
+
 }  // namespace
 
 void describe(program::CommandLine& line, FieldArguments& a) {
   line.footer(
       "Examples:\n"
       "  earshot field sim/ocean/environments/munk_flat.toml -o field.nc --plot field.png\n"
+      "  earshot field MUNK.env -o munk.shd\n"
       "  earshot field OCEAN.toml -o fan.nc --radials 72 --receiver-depth-m 300 --map --fluctuation-db 6 --plot map.png\n"
       "  mpirun -n 4 earshot-field --library LIBRARY.toml -o library.nc     (started again after an interruption, it goes on)");
-  line.option("ENVIRONMENT", &a.environment, "TOML file that describes the ocean and the source");
+  line.option("ENVIRONMENT", &a.environment, "TOML file that describes the ocean and the source, or an .env file of the Acoustics Toolbox");
   line.option("--library", &a.library, "TOML file that names an environment and many positions; instead of ENVIRONMENT");
-  line.option("-o,--output", &a.output, "NetCDF file to write").required();
+  line.option("-o,--output", &a.output, "NetCDF file to write; NAME.shd: a shade file of the Acoustics Toolbox").required();
+  line.option("--shd-layout", &a.shd_layout, "of a shade file: 2020, in double precision, or 2010, which arlpy reads")
+      .one_of({"2020", "2010"})
+      .shows_default();
   line.option("--plot", &a.plot, "also draw the SNR, as .png or .svg; with --radials it draws the map, and needs --map")
       .checked(picture_name);
   line.flag("--force", &a.force, "replace a file that is there already, of whatever kind it is");
@@ -125,6 +139,11 @@ void require_consistent(const program::CommandLine& line, const FieldArguments& 
   refuse_unless(!a.map || a.depth_m.size() == 1, "--map needs one --receiver-depth-m");
   refuse_unless(a.radials == 0 || a.plot.empty() || a.map, "--plot with --radials needs --map");
   refuse_unless(std::is_sorted(a.depth_m.begin(), a.depth_m.end(), std::less_equal<>{}), "--depth must increase");
+  const std::vector<std::string> given = line.given();
+  refuse_unless(is_shade(a) || std::find(given.begin(), given.end(), "--shd-layout") == given.end(),
+                "--shd-layout needs --output NAME.shd");
+  refuse_unless(!is_shade(a) || (a.radials == 0 && a.library.empty()), "--output: a shade file (.shd) holds one radial");
+  refuse_unless(!is_shade(a) || a.band_hz.empty(), "--output: a shade file (.shd) holds the pressure of one frequency, not of --band-hz");
   refuse_unless(a.band_hz.empty() || a.band_hz[0] < a.band_hz[1],
                 "--band-hz: the low frequency comes first, and must be less than the high one");
 }
@@ -134,19 +153,20 @@ void require_writable(const FieldArguments& arguments, const ocean::Environment&
   if (!arguments.library.empty()) read.read("--library", arguments.library);
   read.read("ENVIRONMENT", environment.files.front());
   read.read("a file of ENVIRONMENT", environment.files);
-  std::vector<host::Output> outputs{{"--output", arguments.output, host::kNetcdfOutput}};
+  std::vector<host::Output> outputs{
+      {"--output", arguments.output, is_shade(arguments) ? sonar::model_files::kShadeOutput : host::kNetcdfOutput}};
   if (!arguments.plot.empty()) outputs.push_back({"--plot", arguments.plot, host::picture_kind(arguments.plot)});
   host::require_writable(std::move(read), outputs, host::replaced_by(arguments.force));
 }
 
-sonar::RadialRequest request_of(const FieldArguments& arguments, const ocean::Environment& environment, double default_step_wavelengths) {
+sonar::RadialRequest request_of(const FieldArguments& arguments, const ocean::RadialCase& asked, double default_step_wavelengths) {
   const auto metres = [](std::optional<double> value) { return value ? std::optional(Meters{*value}) : std::nullopt; };
-  sonar::RadialRequest request{.max_range = Meters{1000.0 * arguments.max_range_km},
+  sonar::RadialRequest request{.max_range = max_range_of(arguments, asked),
                                .depth_m = arguments.depth_m,
                                .depth_spacing = metres(arguments.depth_spacing_m),
                                .output_step = metres(arguments.output_step_m),
                                .default_step_wavelengths = default_step_wavelengths,
-                               .band = band_of(arguments, environment)};
+                               .band = band_of(arguments, asked.environment)};
   request.options.terms = arguments.terms;
   request.options.absorber_wavelengths = arguments.absorber_wavelengths;
   request.options.starter = arguments.starter == "gaussian" ? pe::Starter::kGaussian : pe::Starter::kSelf;
@@ -154,6 +174,17 @@ sonar::RadialRequest request_of(const FieldArguments& arguments, const ocean::En
   request.options.range_step = metres(arguments.range_step_m);
   request.options.depth_step = metres(arguments.depth_step_m);
   return request;
+}
+
+sonar::model_files::ReceiverGrid grid_of(const FieldArguments& arguments, const ocean::RadialCase& asked) {
+  sonar::model_files::ReceiverGrid grid{.depth_m = asked.receiver_depth_m, .range_m = asked.receiver_range_m};
+  if (!arguments.depth_m.empty() || arguments.depth_spacing_m) grid.depth_m.clear();
+  if (arguments.max_range_km || arguments.output_step_m || arguments.range_step_m) grid.range_m.clear();
+  return grid;
+}
+
+bool is_shade(const FieldArguments& arguments) {
+  return std::filesystem::path(arguments.output).extension() == ".shd";
 }
 
 std::string option_of(sonar::BadRequest::What what) {

@@ -8,7 +8,9 @@
 #include "firmware/core/units.hpp"
 #include "firmware/host/program/command_line.hpp"
 #include "sim/ocean/environment.hpp"
+#include "sim/ocean/radial_case.hpp"
 #include "sim/sonar/detection.hpp"
+#include "sim/sonar/model_files/receiver_grid.hpp"
 #include "sim/sonar/radial_request.hpp"
 
 namespace earshot::field {
@@ -20,7 +22,7 @@ struct FieldArguments {
   std::string output;
   std::string plot;
   std::string history;  ///< the command itself
-  double max_range_km = 25.0;
+  std::optional<double> max_range_km;
   std::vector<double> depth_m;
   std::optional<double> depth_spacing_m;
   double bearing_deg = 0.0;
@@ -41,6 +43,7 @@ struct FieldArguments {
   bool force = false;  ///< replace files that are of another kind
   double detection_threshold_db = 10.0;
   double fluctuation_db = 0.0;
+  std::string shd_layout = "2020";
   std::optional<std::size_t> threads;  ///< default: all processors
 };
 
@@ -53,9 +56,16 @@ void require_consistent(const program::CommandLine& line, const FieldArguments& 
 /// @param environment  as it was read from its file
 void require_writable(const FieldArguments& arguments, const ocean::Environment& environment);
 
-/// @param default_step_wavelengths  between ranges written where the command line names none
-[[nodiscard]] sonar::RadialRequest request_of(const FieldArguments& arguments, const ocean::Environment& environment,
+/// @param asked  what the file says, where options say nothing
+/// @param default_step_wavelengths  between ranges written where neither names any
+[[nodiscard]] sonar::RadialRequest request_of(const FieldArguments& arguments, const ocean::RadialCase& asked,
                                               double default_step_wavelengths);
+
+/// Of the receivers that the file names, those that options leave to it.
+[[nodiscard]] sonar::model_files::ReceiverGrid grid_of(const FieldArguments& arguments, const ocean::RadialCase& asked);
+
+/// Whether the output is a shade file, by its name: NAME.shd.
+[[nodiscard]] bool is_shade(const FieldArguments& arguments);
 
 /// The option that says what is wrong with a request.
 [[nodiscard]] std::string option_of(sonar::BadRequest::What what);

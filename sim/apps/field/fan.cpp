@@ -112,10 +112,11 @@ void require_water(const ocean::Environment& environment, const sonar::FanPlan& 
 }  // namespace
 
 void write_fan(const FieldArguments& arguments) {
-  const auto environment = environment_in(arguments.environment);
+  const ocean::RadialCase asked = case_in(arguments.environment);
+  const ocean::Environment& environment = asked.environment;
   require_writable(arguments, environment);
   const NorthEast source = environment.source.position;
-  const sonar::RadialRequest request = request_of(arguments, environment, 1.0 / 3.0);
+  const sonar::RadialRequest request = request_of(arguments, asked, 1.0 / 3.0);
   sonar::FanPlan plan{.bearings = arguments.radials, .radial = sonar::plan_ranges(request, environment.source.depth)};
   sonar::plan_depths(request, plan.bearings, sonar::deepest_sea_floor(environment, source, plan.bearings, plan.radial.max_range()),
                      plan.radial);
@@ -136,6 +137,7 @@ void write_fan(const FieldArguments& arguments) {
                    << " km"
                    << (sonar::differs_with_place(environment) ? "" : ", one march for all: this ocean is the same on every bearing")
                    << '\n';
+  print_level_note(arguments);
   print_detection(fan, detector);
   program::print() << "written: " << arguments.output << (arguments.plot.empty() ? "" : ", " + arguments.plot) << '\n';
   warn(sonar::unmeasured_water(environment, source, plan.bearings, fan.max_range()));

@@ -7,6 +7,7 @@
 
 #include "sim/apps/field/arguments.hpp"
 #include "sim/ocean/environment.hpp"
+#include "sim/ocean/radial_case.hpp"
 #include "sim/ocean/section.hpp"
 #include "sim/parallel/rank_session.hpp"
 
@@ -22,8 +23,14 @@ class BadStart : public std::runtime_error {
 /// in it is told by each.
 [[nodiscard]] ocean::Environment environment_in(const std::filesystem::path& path);
 
+/// The ocean of an environment file, or that of an .env file and what it asks for.
+[[nodiscard]] ocean::RadialCase case_in(const std::filesystem::path& path);
+
 /// "fin whale ocean, source of 20 Hz at 36 m"; "... of 15 to 30 Hz ..." where a band is computed.
 [[nodiscard]] std::string ocean_to_string(const ocean::Environment& environment, const ocean::Band& band);
+
+/// Says what SNR means where the input is a file that names no levels.
+void print_level_note(const FieldArguments& arguments);
 
 /// Says on standard error what the result leans on and does not hold; nothing where there is nothing to say.
 void warn(const std::optional<ocean::UnmeasuredWater>& water);

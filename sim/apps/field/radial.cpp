@@ -7,10 +7,12 @@
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "sim/apps/field/modes.hpp"
+#include "sim/ocean/file/radial_case_file.hpp"
 #include "sim/plot/field_plot.hpp"
 #include "sim/search/scenario/scenario_file.hpp"
 #include "sim/sonar/field_file.hpp"
 #include "sim/sonar/grid_check.hpp"
+#include "sim/sonar/model_files/shade_file.hpp"
 #include "sim/sonar/radial_request.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
@@ -35,6 +37,14 @@ void warn_of_land(const ocean::Section& section, Meters last_range) {
   std::ostringstream text;
   text << "the bearing meets land " << shore->value << " m from the source: from there on the field holds no number";
   warn(text.str());
+}
+
+void write_shade(const FieldArguments& arguments, const sonar::SonarField& field, const ocean::Environment& environment,
+                 const sonar::model_files::ReceiverGrid& grid) {
+  using sonar::model_files::ShadeLayout;
+  sonar::model_files::write_shade(arguments.output, sonar::model_files::at_receivers(field, grid),
+                                  {.title = environment.name, .frequency = environment.source.frequency, .depth = environment.source.depth},
+                                  arguments.shd_layout == "2010" ? ShadeLayout::kSingle : ShadeLayout::kDouble);
 }
 
 std::string ranges_to_string(const sonar::SonarField& field) {
@@ -62,8 +72,18 @@ std::string ocean_to_string(const ocean::Environment& environment, const ocean::
   return text.str();
 }
 
+ocean::RadialCase case_in(const std::filesystem::path& path) {
+  if (ocean::is_radial_case_name(path)) return ocean::load_radial_case(path);
+  return {.environment = search::load_scenario(path).environment};
+}
+
 ocean::Environment environment_in(const std::filesystem::path& path) {
-  return search::load_scenario(path).environment;
+  return case_in(path).environment;
+}
+
+void print_level_note(const FieldArguments& arguments) {
+  if (ocean::is_radial_case_name(arguments.environment) && !is_shade(arguments))
+    program::print() << "levels:  " << arguments.environment << " names none: SNR is minus the loss\n";
 }
 
 void warn(const std::string& what) {
@@ -75,24 +95,34 @@ void warn(const std::optional<ocean::UnmeasuredWater>& water) {
 }
 
 void write_radial(const FieldArguments& arguments) {
-  const auto environment = environment_in(arguments.environment);
+  const ocean::RadialCase asked = case_in(arguments.environment);
+  const ocean::Environment& environment = asked.environment;
   require_writable(arguments, environment);
   const Radians bearing{arguments.bearing_deg * std::numbers::pi / 180.0};
-  const sonar::PlannedRadial radial = sonar::plan_radial(environment, bearing, request_of(arguments, environment, 1.0 / 6.0));
+  const sonar::model_files::ReceiverGrid grid = grid_of(arguments, asked);
+  sonar::RadialRequest request = request_of(arguments, asked, 1.0 / 6.0);
+  sonar::model_files::cover(grid, environment, bearing, request);
+  const sonar::PlannedRadial radial = sonar::plan_radial(environment, bearing, request);
   const ocean::Section& section = radial.section;
   const sonar::RadialPlan& plan = radial.plan;
 
   const auto field = [&] {
     program::ProgressBar bar("field");
-    return sonar::compute_sonar_field(environment, section, plan, [&bar](double fraction) { bar.update(fraction); });
+    return sonar::compute_sonar_field(
+        environment, section, plan, [&bar](double fraction) { bar.update(fraction); },
+        is_shade(arguments) ? sonar::Pressure::kKept : sonar::Pressure::kLeftOut);
   }();
-  sonar::write_field(arguments.output, field, environment, bearing, plan.band, arguments.history);
+  if (is_shade(arguments))
+    write_shade(arguments, field, environment, grid);
+  else
+    sonar::write_field(arguments.output, field, environment, bearing, plan.band, arguments.history);
   if (!arguments.plot.empty())
     plot::plot_field(arguments.plot, field, environment, plan.band, bearing, Decibels{arguments.detection_threshold_db});
 
   program::print() << "ocean:   " << ocean_to_string(environment, plan.band) << '\n'
-                   << "field:   " << ranges_to_string(field) << ", " << depths_to_string(field) << '\n'
-                   << "written: " << arguments.output << (arguments.plot.empty() ? "" : ", " + arguments.plot) << '\n';
+                   << "field:   " << ranges_to_string(field) << ", " << depths_to_string(field) << '\n';
+  print_level_note(arguments);
+  program::print() << "written: " << arguments.output << (arguments.plot.empty() ? "" : ", " + arguments.plot) << '\n';
   warn(field.unmeasured);
   warn_of_land(section, plan.max_range());
   if (arguments.check) print_check(section, environment.name, plan);

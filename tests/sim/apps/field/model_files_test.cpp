@@ -1,0 +1,108 @@
+#include <netcdf.h>
+
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "tests/sim/apps/field/field_program.hpp"
+
+namespace earshot::tests {
+namespace {
+
+const std::string kPekeris = std::string(EARSHOT_SOURCE_DIR) + "/sim/ocean/environments/pekeris.env";
+
+/// The same ocean as pekeris.env in Earshot's own words.
+const std::string kPekerisToml = R"(
+name = "Pekeris"
+[source]
+frequency_hz = 100.0
+level_db_re_1upa_at_1m = 0.0
+depth_m = 36.0
+north_m = 0.0
+east_m = 0.0
+[noise]
+level_db_re_1upa = 0.0
+[water]
+profile = "table"
+depth_m = [0.0, 100.0]
+sound_speed_mps = [1500.0, 1500.0]
+[seabed]
+depth_m = 100.0
+[[seabed.layers]]
+sound_speed_mps = 1700.0
+density_g_per_cm3 = 1.8
+attenuation_db_per_wavelength = 0.5
+)";
+
+std::vector<float> values_of(const std::string& path, const char* name, std::size_t count) {
+  int file = -1;
+  EXPECT_EQ(nc_open(path.c_str(), NC_NOWRITE, &file), NC_NOERR);
+  int variable = -1;
+  EXPECT_EQ(nc_inq_varid(file, name, &variable), NC_NOERR);
+  std::vector<float> values(count);
+  EXPECT_EQ(nc_get_var_float(file, variable, values.data()), NC_NOERR);
+  nc_close(file);
+  return values;
+}
+
+class ModelFiles : public FieldProgram {
+ protected:
+  [[nodiscard]] std::string shade() const { return (folder_ / "out" / "field.shd").string(); }
+  std::string write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name) << text;
+    return (folder_ / name).string();
+  }
+};
+
+TEST_F(ModelFiles, OfTheSameOceanGiveTheSameBitsAsAnEnvironmentFile) {
+  ASSERT_EQ(run(kPekeris + " -o " + output()), 0) << errors();
+  EXPECT_NE(said().find("100 ranges to 10 km, 49 depths from 2 to 98 m"), std::string::npos) << said();
+  EXPECT_NE(said().find("names none: SNR is minus the loss"), std::string::npos) << said();
+  const std::vector<float> loss_db = values_of(output(), "transmission_loss", 4900);
+  std::string depths;
+  for (int depth_m = 2; depth_m <= 98; depth_m += 2) depths += " " + std::to_string(depth_m);
+  ASSERT_EQ(run(write("pekeris.toml", kPekerisToml) + " -o " + output() + " --max-range-km 10 --output-step-m 100 --depth" + depths), 0)
+      << errors();
+  EXPECT_EQ(loss_db, values_of(output(), "transmission_loss", 4900));
+}
+
+TEST_F(ModelFiles, GiveOptionsTheLastWord) {
+  ASSERT_EQ(run(kPekeris + " -o " + output() + " --max-range-km 1 --output-step-m 50 --depth 10 20"), 0) << errors();
+  EXPECT_NE(said().find("20 ranges to 1 km, 2 depths from 10 to 20 m"), std::string::npos) << said();
+  ASSERT_EQ(run(kPekeris + " -o " + output() + " --radials 2 --receiver-depth-m 50"), 0) << errors();
+  EXPECT_NE(said().find("ranges to 10 km"), std::string::npos) << said();
+}
+
+TEST_F(ModelFiles, HoldTheLossOfTheFieldAsPressure) {
+  ASSERT_EQ(run(kPekeris + " -o " + output()), 0) << errors();
+  ASSERT_EQ(run(kPekeris + " -o " + shade()), 0) << errors();
+  const std::vector<float> loss_db = values_of(output(), "transmission_loss", 4900);
+  const std::string bytes = read(shade());
+  constexpr std::size_t kRecord = std::size_t{4} * 200;
+  ASSERT_EQ(bytes.size(), 59 * kRecord);
+  for (std::size_t depth = 0; depth < 49; ++depth) {
+    for (std::size_t range = 0; range < 100; ++range) {
+      float pressure[2];
+      std::memcpy(pressure, bytes.data() + (10 + depth) * kRecord + 8 * range, sizeof(pressure));
+      // NetCDF holds multiples of 1/256 dB.
+      ASSERT_NEAR(-20.0F * std::log10(std::hypot(pressure[0], pressure[1])), loss_db[range * 49 + depth], 0.5F / 256.0F + 1e-4F);
+    }
+  }
+}
+
+TEST_F(ModelFiles, AreRefusedWithFileAndLine) {
+  const std::string text = read(kPekeris);
+  std::string solid = text;
+  solid.replace(solid.find("1700.0  0.0"), 11, "1700.0 300.0");
+  expect_refused(write("solid.env", solid) + " -o " + output(), "solid.env:9: shear speed in m/s = 300: must be 0: only fluid media are computed");
+  expect_refused(write("cut.env", text.substr(0, text.size() / 2)) + " -o " + output(), "cut.env:");
+}
+
+TEST_F(ModelFiles, HoldOneRadialOfOneFrequency) {
+  expect_refused(kPekeris + " -o " + shade() + " --radials 4 --receiver-depth-m 50", "--output: a shade file (.shd) holds one radial");
+  expect_refused(kPekeris + " -o " + shade() + " --band-hz 80 120", "holds the pressure of one frequency, not of --band-hz");
+  expect_refused(kPekeris + " -o " + output() + " --shd-layout 2010", "--shd-layout needs --output NAME.shd");
+}
+
+}  // namespace
+}  // namespace earshot::tests
