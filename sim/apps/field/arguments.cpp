@@ -8,6 +8,7 @@
 #include "firmware/host/file/distinct_files.hpp"
 #include "sim/plot/gnuplot.hpp"
 #include "sim/sonar/model_files/shade_file.hpp"
+#include "sim/sonar/model_files/tl_grid.hpp"
 
 namespace earshot::field {
 namespace {
@@ -17,10 +18,10 @@ std::string picture_name(const std::string& path) {
 }
 
 void describe_place(program::CommandLine& line, FieldArguments& a) {
-  line.option("--max-range-km", &a.max_range_km, "how far from the source; default: 25, or as far as an .env file goes")
+  line.option("--max-range-km", &a.max_range_km, "how far from the source; default: 25, or as far as an .env or ram.in file goes")
       .between(0.001, 2000.0);
   line.option("--depth,--receiver-depth-m", &a.depth_m,
-              "receiver depths in m; default: those of an .env file, else every --depth-spacing down to the sea floor")
+              "receiver depths in m; default: those of an .env or ram.in file, else every --depth-spacing down to the sea floor")
       .between(0.0, 12'000.0);
   line.option("--depth-spacing", &a.depth_spacing_m,
               "m between receiver depths; default: 10, in water of less than 1000 m a hundredth of it or less")
@@ -98,6 +99,18 @@ Meters max_range_of(const FieldArguments& arguments, const ocean::RadialCase& as
   return Meters{1000.0 * arguments.max_range_km.value_or(kDefault_km)};
 }
 
+const host::OutputKind& kind_of(OutputFormat format) {
+  switch (format) {
+    case OutputFormat::kShade:
+      return sonar::model_files::kShadeOutput;
+    case OutputFormat::kGrid:
+      return sonar::model_files::kGridOutput;
+    case OutputFormat::kNetcdf:
+      break;
+  }
+  return host::kNetcdfOutput;
+}
+
 }  // namespace
 
 void describe(program::CommandLine& line, FieldArguments& a) {
@@ -107,11 +120,15 @@ void describe(program::CommandLine& line, FieldArguments& a) {
       "  earshot field MUNK.env -o munk.shd\n"
       "  earshot field OCEAN.toml -o fan.nc --radials 72 --receiver-depth-m 300 --map --fluctuation-db 6 --plot map.png\n"
       "  mpirun -n 4 earshot-field --library LIBRARY.toml -o library.nc     (started again after an interruption, it goes on)");
-  line.option("ENVIRONMENT", &a.environment, "TOML file that describes the ocean and the source, or an .env file of the Acoustics Toolbox");
+  line.option("ENVIRONMENT", &a.environment,
+              "TOML file that describes the ocean and the source, or an .env file of the Acoustics Toolbox, or a ram.in file of RAM");
   line.option("--library", &a.library, "TOML file that names an environment and many positions; instead of ENVIRONMENT");
-  line.option("-o,--output", &a.output, "NetCDF file to write; NAME.shd: a shade file of the Acoustics Toolbox").required();
-  line.option("--shd-layout", &a.shd_layout, "of a shade file: 2020, in double precision, or 2010, which arlpy reads")
-      .one_of({"2020", "2010"})
+  line.option("-o,--output", &a.output,
+              "NetCDF file to write; NAME.shd: a shade file of the Acoustics Toolbox; NAME.grid: a tl.grid file of RAM")
+      .required();
+  line.option("--shd-layout", &a.shd_layout,
+              "of a shade file: ranges in double precision, or in single, as older programs and arlpy have them")
+      .one_of({"double", "single"})
       .shows_default();
   line.option("--plot", &a.plot, "also draw the SNR, as .png or .svg; with --radials it draws the map, and needs --map")
       .checked(picture_name);
@@ -140,10 +157,13 @@ void require_consistent(const program::CommandLine& line, const FieldArguments& 
   refuse_unless(a.radials == 0 || a.plot.empty() || a.map, "--plot with --radials needs --map");
   refuse_unless(std::is_sorted(a.depth_m.begin(), a.depth_m.end(), std::less_equal<>{}), "--depth must increase");
   const std::vector<std::string> given = line.given();
-  refuse_unless(is_shade(a) || std::find(given.begin(), given.end(), "--shd-layout") == given.end(),
+  const OutputFormat format = format_of(a);
+  refuse_unless(format == OutputFormat::kShade || std::find(given.begin(), given.end(), "--shd-layout") == given.end(),
                 "--shd-layout needs --output NAME.shd");
-  refuse_unless(!is_shade(a) || (a.radials == 0 && a.library.empty()), "--output: a shade file (.shd) holds one radial");
-  refuse_unless(!is_shade(a) || a.band_hz.empty(), "--output: a shade file (.shd) holds the pressure of one frequency, not of --band-hz");
+  refuse_unless(format == OutputFormat::kNetcdf || (a.radials == 0 && a.library.empty()),
+                "--output: a .shd or .grid file holds one radial");
+  refuse_unless(format != OutputFormat::kShade || a.band_hz.empty(),
+                "--output: a shade file (.shd) holds the pressure of one frequency, not of --band-hz");
   refuse_unless(a.band_hz.empty() || a.band_hz[0] < a.band_hz[1],
                 "--band-hz: the low frequency comes first, and must be less than the high one");
 }
@@ -153,8 +173,7 @@ void require_writable(const FieldArguments& arguments, const ocean::Environment&
   if (!arguments.library.empty()) read.read("--library", arguments.library);
   read.read("ENVIRONMENT", environment.files.front());
   read.read("a file of ENVIRONMENT", environment.files);
-  std::vector<host::Output> outputs{
-      {"--output", arguments.output, is_shade(arguments) ? sonar::model_files::kShadeOutput : host::kNetcdfOutput}};
+  std::vector<host::Output> outputs{{"--output", arguments.output, kind_of(format_of(arguments))}};
   if (!arguments.plot.empty()) outputs.push_back({"--plot", arguments.plot, host::picture_kind(arguments.plot)});
   host::require_writable(std::move(read), outputs, host::replaced_by(arguments.force));
 }
@@ -183,8 +202,10 @@ sonar::model_files::ReceiverGrid grid_of(const FieldArguments& arguments, const 
   return grid;
 }
 
-bool is_shade(const FieldArguments& arguments) {
-  return std::filesystem::path(arguments.output).extension() == ".shd";
+OutputFormat format_of(const FieldArguments& arguments) {
+  const std::filesystem::path suffix = std::filesystem::path(arguments.output).extension();
+  if (suffix == ".shd") return OutputFormat::kShade;
+  return suffix == ".grid" ? OutputFormat::kGrid : OutputFormat::kNetcdf;
 }
 
 std::string option_of(sonar::BadRequest::What what) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,7 +44,7 @@ struct FieldArguments {
   bool force = false;  ///< replace files that are of another kind
   double detection_threshold_db = 10.0;
   double fluctuation_db = 0.0;
-  std::string shd_layout = "2020";
+  std::string shd_layout = "double";
   std::optional<std::size_t> threads;  ///< default: all processors
 };
 
@@ -64,8 +65,10 @@ void require_writable(const FieldArguments& arguments, const ocean::Environment&
 /// Of the receivers that the file names, those that options leave to it.
 [[nodiscard]] sonar::model_files::ReceiverGrid grid_of(const FieldArguments& arguments, const ocean::RadialCase& asked);
 
-/// Whether the output is a shade file, by its name: NAME.shd.
-[[nodiscard]] bool is_shade(const FieldArguments& arguments);
+enum class OutputFormat : std::uint8_t { kNetcdf, kShade, kGrid };
+
+/// By the output's name: NAME.shd is a shade file, NAME.grid a tl.grid file, all else NetCDF.
+[[nodiscard]] OutputFormat format_of(const FieldArguments& arguments);
 
 /// The option that says what is wrong with a request.
 [[nodiscard]] std::string option_of(sonar::BadRequest::What what);

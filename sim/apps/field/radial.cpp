@@ -13,6 +13,7 @@
 #include "sim/sonar/field_file.hpp"
 #include "sim/sonar/grid_check.hpp"
 #include "sim/sonar/model_files/shade_file.hpp"
+#include "sim/sonar/model_files/tl_grid.hpp"
 #include "sim/sonar/radial_request.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
@@ -39,12 +40,23 @@ void warn_of_land(const ocean::Section& section, Meters last_range) {
   warn(text.str());
 }
 
-void write_shade(const FieldArguments& arguments, const sonar::SonarField& field, const ocean::Environment& environment,
-                 const sonar::model_files::ReceiverGrid& grid) {
-  using sonar::model_files::ShadeLayout;
-  sonar::model_files::write_shade(arguments.output, sonar::model_files::at_receivers(field, grid),
-                                  {.title = environment.name, .frequency = environment.source.frequency, .depth = environment.source.depth},
-                                  arguments.shd_layout == "2010" ? ShadeLayout::kSingle : ShadeLayout::kDouble);
+Radians bearing_of(const FieldArguments& arguments) {
+  return Radians{arguments.bearing_deg * std::numbers::pi / 180.0};
+}
+
+void write_output(const FieldArguments& arguments, const sonar::SonarField& field, const ocean::Environment& environment,
+                  const ocean::Band& band, const sonar::model_files::ReceiverGrid& grid) {
+  using namespace sonar::model_files;
+  switch (format_of(arguments)) {
+    case OutputFormat::kShade:
+      return write_shade(arguments.output, at_receivers(field, grid),
+                         {.title = environment.name, .frequency = environment.source.frequency, .depth = environment.source.depth},
+                         arguments.shd_layout == "single" ? ShadeLayout::kSingle : ShadeLayout::kDouble);
+    case OutputFormat::kGrid:
+      return write_tl_grid(arguments.output, at_receivers(field, grid));
+    case OutputFormat::kNetcdf:
+      return sonar::write_field(arguments.output, field, environment, bearing_of(arguments), band, arguments.history);
+  }
 }
 
 std::string ranges_to_string(const sonar::SonarField& field) {
@@ -82,8 +94,9 @@ ocean::Environment environment_in(const std::filesystem::path& path) {
 }
 
 void print_level_note(const FieldArguments& arguments) {
-  if (ocean::is_radial_case_name(arguments.environment) && !is_shade(arguments))
-    program::print() << "levels:  " << arguments.environment << " names none: SNR is minus the loss\n";
+  if (ocean::is_radial_case_name(arguments.environment) && format_of(arguments) == OutputFormat::kNetcdf)
+    program::print() << "levels:  " << arguments.environment
+                     << " names none: SNR is minus the loss, pictures want --detection-threshold-db -70 or so\n";
 }
 
 void warn(const std::string& what) {
@@ -98,7 +111,7 @@ void write_radial(const FieldArguments& arguments) {
   const ocean::RadialCase asked = case_in(arguments.environment);
   const ocean::Environment& environment = asked.environment;
   require_writable(arguments, environment);
-  const Radians bearing{arguments.bearing_deg * std::numbers::pi / 180.0};
+  const Radians bearing = bearing_of(arguments);
   const sonar::model_files::ReceiverGrid grid = grid_of(arguments, asked);
   sonar::RadialRequest request = request_of(arguments, asked, 1.0 / 6.0);
   sonar::model_files::cover(grid, environment, bearing, request);
@@ -110,12 +123,9 @@ void write_radial(const FieldArguments& arguments) {
     program::ProgressBar bar("field");
     return sonar::compute_sonar_field(
         environment, section, plan, [&bar](double fraction) { bar.update(fraction); },
-        is_shade(arguments) ? sonar::Pressure::kKept : sonar::Pressure::kLeftOut);
+        arguments.band_hz.empty() && format_of(arguments) != OutputFormat::kNetcdf ? sonar::Pressure::kKept : sonar::Pressure::kLeftOut);
   }();
-  if (is_shade(arguments))
-    write_shade(arguments, field, environment, grid);
-  else
-    sonar::write_field(arguments.output, field, environment, bearing, plan.band, arguments.history);
+  write_output(arguments, field, environment, plan.band, grid);
   if (!arguments.plot.empty())
     plot::plot_field(arguments.plot, field, environment, plan.band, bearing, Decibels{arguments.detection_threshold_db});
 

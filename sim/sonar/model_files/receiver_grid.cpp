@@ -89,7 +89,8 @@ class FieldLookup {
     const auto depth = std::lower_bound(field_.depth_m.begin(), field_.depth_m.end(), depth_m);
     if (depth == field_.depth_m.end() || *depth != depth_m) return kNone;
     const auto column = static_cast<std::size_t>(depth - field_.depth_m.begin());
-    if (place->below == place->above) return {field_.pressure.empty() ? kNone.pressure : pressure(place->below, column), loss(place->below, column)};
+    if (place->below == place->above)
+      return {field_.pressure.empty() ? kNone.pressure : pressure(place->below, column), loss(place->below, column)};
     return field_.pressure.empty() ? between_losses(*place, column) : between(*place, column, range_m);
   }
 

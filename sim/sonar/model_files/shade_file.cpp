@@ -12,7 +12,8 @@
 namespace earshot::sonar::model_files {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "shade files have the byte order of the machine, which readers take for little endian");
+static_assert(std::endian::native == std::endian::little,
+              "shade files have the byte order of the machine, which readers take for little endian");
 
 /// A record of a Fortran file of direct access: as long as all others, zeros behind what it holds.
 class Record {

@@ -14,8 +14,8 @@ namespace earshot::sonar::model_files {
 inline constexpr host::OutputKind kShadeOutput{"a shade file of Earshot", {}, "Earshot, "};
 
 enum class ShadeLayout : std::uint8_t {
-  kDouble,  ///< of the Acoustics Toolbox since 2020: ranges, bearing and source in double precision
-  kSingle,  ///< of those before, which arlpy reads
+  kDouble,  ///< of the Acoustics Toolbox of 2023 and 2024: ranges, bearing and source in double precision
+  kSingle,  ///< of older ones, which arlpy reads: in single precision
 };
 
 struct ShadeSource {

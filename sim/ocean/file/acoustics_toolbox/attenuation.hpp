@@ -8,12 +8,12 @@ namespace earshot::ocean::acoustics_toolbox {
 
 /// What attenuation is given in, by the letter of the top options.
 enum class AttenuationUnit : std::uint8_t {
-  kNepersPerMeter,               ///< N
-  kDecibelsPerMeter,             ///< M
-  kDecibelsPerMeterKilohertz,    ///< F
-  kDecibelsPerWavelength,        ///< W
-  kQuality,                      ///< Q: quality factor; 0: no attenuation
-  kLoss,                         ///< L: loss tangent
+  kNepersPerMeter,             ///< N
+  kDecibelsPerMeter,           ///< M
+  kDecibelsPerMeterKilohertz,  ///< F
+  kDecibelsPerWavelength,      ///< W
+  kQuality,                    ///< Q: quality factor; 0: no attenuation
+  kLoss,                       ///< L: loss tangent
 };
 
 /// Attenuation in dB per wavelength.

@@ -56,8 +56,7 @@ SedimentLayer layer_between(const FluidPoint& top, const FluidPoint& base, doubl
   SedimentLayer layer = half_space_layer(top, water_density_g_per_cm3);
   layer.thickness = Meters{base.depth_m - top.depth_m};
   if (base.sound_speed_mps != top.sound_speed_mps) layer.sound_speed_at_base = MetersPerSecond{base.sound_speed_mps};
-  if (base.density_g_per_cm3 != top.density_g_per_cm3)
-    layer.density_at_base_g_per_cm3 = base.density_g_per_cm3 / water_density_g_per_cm3;
+  if (base.density_g_per_cm3 != top.density_g_per_cm3) layer.density_at_base_g_per_cm3 = base.density_g_per_cm3 / water_density_g_per_cm3;
   if (base.attenuation_db_per_wavelength != top.attenuation_db_per_wavelength)
     layer.attenuation_at_base_db_per_wavelength = base.attenuation_db_per_wavelength;
   return layer;
@@ -79,10 +78,7 @@ FluidPoint FluidLines::fluid(std::array<double, 6> line) const {
   file_.require("attenuation", attenuation, Range::at_least(0.0));
   const double per_wavelength = decibels_per_wavelength(attenuation, options_.unit, frequency_, MetersPerSecond{speed_mps});
   file_.require("attenuation in dB per wavelength", per_wavelength, kAttenuation_db_per_wavelength);
-  return {.depth_m = depth_m,
-          .sound_speed_mps = speed_mps,
-          .density_g_per_cm3 = density,
-          .attenuation_db_per_wavelength = per_wavelength};
+  return {.depth_m = depth_m, .sound_speed_mps = speed_mps, .density_g_per_cm3 = density, .attenuation_db_per_wavelength = per_wavelength};
 }
 
 FluidPoint FluidLines::next(const std::string& what) {

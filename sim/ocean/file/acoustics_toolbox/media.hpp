@@ -52,8 +52,8 @@ struct Fluids {
   double water_density_g_per_cm3;  ///< in the file; densities of the sediment are relative to it
 };
 
-/// Throws host::BadInput naming the file where sea water has no one density or absorption, or a sediment's sound speed goes on between depths
-/// in a way that it cannot.
+/// Throws host::BadInput naming the file where sea water has no one density or absorption, or a sediment's sound speed goes on between
+/// depths in a way that it cannot.
 /// @param media  the water first
 [[nodiscard]] Fluids fluids_of(const ListReader& file, const std::vector<Medium>& media, const FluidPoint& half_space,
                                const TopOptions& options, Hertz frequency);

@@ -49,8 +49,8 @@ SeaFloorStation read_point(ListReader& file, std::array<double, 7>& line, bool i
   file.require("range in km", line[0], kRange_km);
   file.require("depth in m", line[1], Range::at_least(0.0));
   if (!(line[1] <= deepest.value))
-    throw file.error("depth in m", line[1], "must not be more than the depth that the profile of the water ends at, " +
-                                                host::shortest(deepest.value));
+    throw file.error("depth in m", line[1],
+                     "must not be more than the depth that the profile of the water ends at, " + host::shortest(deepest.value));
   return {.range = Meters{1000.0 * line[0]}, .depth = Meters{line[1]}};
 }
 
@@ -80,9 +80,8 @@ Bathymetry read_bathymetry(const std::filesystem::path& path, Meters deepest, co
   if (!(result.sea_floor.front().depth > Meters{})) throw file.error("depth in m", 0.0, "must be above 0 at the source");
   const std::vector<SedimentStation>& sediment = result.sediment;
   if (has_sediment)
-    result.sediment = from_source(sediment, [&sediment](const Between& at) {
-      return SedimentStation{.range = Meters{}, .layers = sediment[at.below].layers};
-    });
+    result.sediment = from_source(
+        sediment, [&sediment](const Between& at) { return SedimentStation{.range = Meters{}, .layers = sediment[at.below].layers}; });
   return result;
 }
 

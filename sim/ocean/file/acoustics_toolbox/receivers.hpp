@@ -11,8 +11,8 @@ namespace earshot::ocean::acoustics_toolbox {
 /// Where the source is and where its sound is asked for, as the last part of an .env file says.
 struct Receivers {
   Meters source_depth;
-  std::vector<double> depth_m;       ///< increasing, >= 0
-  std::vector<double> range_m;       ///< increasing, >= 0; empty: KRAKEN's file, which states none
+  std::vector<double> depth_m;      ///< increasing, >= 0
+  std::vector<double> range_m;      ///< increasing, >= 0; empty: KRAKEN's file, which states none
   std::optional<Meters> max_range;  ///< of KRAKEN's file, where it is not 0
 };
 

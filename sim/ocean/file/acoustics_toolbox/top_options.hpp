@@ -11,9 +11,9 @@ namespace earshot::ocean::acoustics_toolbox {
 
 /// How sound speed goes on between the depths of a profile.
 enum class Interpolation : std::uint8_t {
-  kLinear,         ///< C
-  kSquaredIndex,   ///< N: 1/c^2 is linear
-  kSpline,         ///< S: a cubic spline
+  kLinear,           ///< C
+  kSquaredIndex,     ///< N: 1/c^2 is linear
+  kSpline,           ///< S: a cubic spline
   kRangesAndDepths,  ///< Q: linear in depth and in range, from an .ssp file
 };
 

@@ -75,9 +75,9 @@ class ListReader {
   std::filesystem::path path_;
   std::string text_;
   std::size_t at_ = 0;
-  std::size_t line_ = 1;        ///< of the value read last
-  std::size_t next_line_ = 1;   ///< of text_[at_]
-  bool after_comma_ = true;     ///< a comma now stands for a value left out
+  std::size_t line_ = 1;       ///< of the value read last
+  std::size_t next_line_ = 1;  ///< of text_[at_]
+  bool after_comma_ = true;    ///< a comma now stands for a value left out
 };
 
 }  // namespace earshot::ocean

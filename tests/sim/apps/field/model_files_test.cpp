@@ -1,6 +1,7 @@
 #include <netcdf.h>
 
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <vector>
 
@@ -10,6 +11,7 @@ namespace earshot::tests {
 namespace {
 
 const std::string kPekeris = std::string(EARSHOT_SOURCE_DIR) + "/sim/ocean/environments/pekeris.env";
+const std::string kSlope = std::string(EARSHOT_SOURCE_DIR) + "/sim/ocean/environments/slope.in";
 
 /// The same ocean as pekeris.env in Earshot's own words.
 const std::string kPekerisToml = R"(
@@ -48,6 +50,7 @@ std::vector<float> values_of(const std::string& path, const char* name, std::siz
 class ModelFiles : public FieldProgram {
  protected:
   [[nodiscard]] std::string shade() const { return (folder_ / "out" / "field.shd").string(); }
+  [[nodiscard]] std::string grid() const { return (folder_ / "out" / "tl.grid").string(); }
   std::string write(const std::string& name, const std::string& text) {
     std::ofstream(folder_ / name) << text;
     return (folder_ / name).string();
@@ -90,18 +93,45 @@ TEST_F(ModelFiles, HoldTheLossOfTheFieldAsPressure) {
   }
 }
 
+/// Of a tl.grid file, [n_range x n_depth].
+std::vector<std::vector<float>> losses_of(const std::string& path) {
+  const std::string bytes = read(path);
+  std::int32_t depths = 0;
+  std::memcpy(&depths, bytes.data() + 4, sizeof(depths));
+  std::vector<std::vector<float>> losses;
+  for (std::size_t at = 12; at < bytes.size(); at += 8 + 4 * static_cast<std::size_t>(depths)) {
+    losses.emplace_back(static_cast<std::size_t>(depths));
+    std::memcpy(losses.back().data(), bytes.data() + at + 4, 4 * static_cast<std::size_t>(depths));
+  }
+  return losses;
+}
+
+TEST_F(ModelFiles, OfRamGiveItsGrid) {
+  ASSERT_EQ(run(kSlope + " -o " + grid()), 0) << errors();
+  const auto losses = losses_of(grid());
+  ASSERT_EQ(losses.size(), 80U);               // every fifth of 400 steps of 20 m
+  ASSERT_EQ(losses.front().size(), 74U);       // nodes 4, 8, ... 299: 3, 7, ... 295 m
+  EXPECT_TRUE(std::isnan(losses.back()[20]));  // 83 m, the floor there is at 62 m
+  EXPECT_FALSE(std::isnan(losses.back()[10]));
+  // The same field at a range and depth of the grid, from the command's own words: 1020 m, 43 m.
+  ASSERT_EQ(run(kSlope + " -o " + output() + " --depth 43 --max-range-km 1.02 --output-step-m 20"), 0) << errors();
+  EXPECT_NEAR(losses[10][10], values_of(output(), "transmission_loss", 51).back(), 0.05F);  // grids of another length of the march
+}
+
 TEST_F(ModelFiles, AreRefusedWithFileAndLine) {
   const std::string text = read(kPekeris);
   std::string solid = text;
   solid.replace(solid.find("1700.0  0.0"), 11, "1700.0 300.0");
-  expect_refused(write("solid.env", solid) + " -o " + output(), "solid.env:9: shear speed in m/s = 300: must be 0: only fluid media are computed");
+  expect_refused(write("solid.env", solid) + " -o " + output(),
+                 "solid.env:9: shear speed in m/s = 300: must be 0: only fluid media are computed");
   expect_refused(write("cut.env", text.substr(0, text.size() / 2)) + " -o " + output(), "cut.env:");
 }
 
 TEST_F(ModelFiles, HoldOneRadialOfOneFrequency) {
-  expect_refused(kPekeris + " -o " + shade() + " --radials 4 --receiver-depth-m 50", "--output: a shade file (.shd) holds one radial");
+  expect_refused(kPekeris + " -o " + shade() + " --radials 4 --receiver-depth-m 50", "--output: a .shd or .grid file holds one radial");
+  expect_refused(kPekeris + " -o " + grid() + " --radials 4 --receiver-depth-m 50", "--output: a .shd or .grid file holds one radial");
   expect_refused(kPekeris + " -o " + shade() + " --band-hz 80 120", "holds the pressure of one frequency, not of --band-hz");
-  expect_refused(kPekeris + " -o " + output() + " --shd-layout 2010", "--shd-layout needs --output NAME.shd");
+  expect_refused(kPekeris + " -o " + output() + " --shd-layout single", "--shd-layout needs --output NAME.shd");
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ TEST(ReceiverGrid, HoldsTheFieldsOwnNumbersWhereTheFieldHasThem) {
   const SonarField at = at_receivers(two_by_two(), {.depth_m = {0.0, 10.0, 50.0, 70.0}, .range_m = {0.0, 100.0, 200.0}});
   ASSERT_EQ(at.transmission_loss_db.size(), 12U);
   for (std::size_t depth = 0; depth < 4; ++depth) EXPECT_TRUE(std::isnan(at.at(0, depth)));  // at the source
-  EXPECT_EQ(at.at(1, 0), 300.0F);  // at the surface
+  EXPECT_EQ(at.at(1, 0), 300.0F);                                                            // at the surface
   EXPECT_EQ(at.pressure[4], std::complex<double>{});
   EXPECT_EQ(at.at(1, 1), 20.0F);
   EXPECT_EQ(at.pressure[5], two_by_two().pressure[0]);

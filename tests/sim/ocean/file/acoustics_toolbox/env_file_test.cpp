@@ -54,7 +54,8 @@ TEST_F(EnvFile, GivesKrakensLayersAndItsMaximumRange) {
 }
 
 TEST_F(EnvFile, TakesDensitiesRelativeToTheWaters) {
-  const std::string salty = with(with(with(kBellhop, "0.0 1500.0 /", "0.0 1500.0 0 1.025 /"), "40 1490 0 1 0 /", "40 1490 /"), "1.7 0.6", "2.05 0.6");
+  const std::string salty =
+      with(with(with(kBellhop, "0.0 1500.0 /", "0.0 1500.0 0 1.025 /"), "40 1490 0 1 0 /", "40 1490 /"), "1.7 0.6", "2.05 0.6");
   EXPECT_NEAR(load(salty).environment.seabed.layers[0].density_g_per_cm3, 2.0, 1e-15);
   expect_complaint(with(kBellhop, "40 1490 0 1 0 /", "40 1490 0 1.03 /"), "density of the water = 1.03 at 40 m: must be the same");
 }
@@ -115,10 +116,12 @@ TEST_F(EnvFile, RefusesWithItsLineWhatItHasNoMeaningFor) {
   expect_complaint(with(kBellhop, "1\n30.0 /", "2\n30.0 40.0"), "a.env:12: number of source depths in m = 2: must be 1");
   expect_complaint(with(kBellhop, "'C'\n", "'I'\n"), "a.env:17: run type = I    : the first letter must not be I or S");
   expect_complaint(with(kBellhop, "'C'\n", "'C  X'\n"), "the fourth letter must not be X");
-  expect_complaint(with(kBellhop, "30.0 /", "100.0 /"), "a.env:12: source depth in m = 100: must be in the water, above 0 and less than 100");
+  expect_complaint(with(kBellhop, "30.0 /", "100.0 /"),
+                   "a.env:12: source depth in m = 100: must be in the water, above 0 and less than 100");
   expect_complaint(with(kBellhop, "200.0 !", "0.5 !"), "a.env:2: frequency in Hz = 0.5: must be");
   expect_complaint(with(kBellhop, "100.0 1495.0 /", "90.0 1495.0 /"), "a.env:9: profile down to 100 m = A: must be a finite number");
-  expect_complaint(with(kBellhop, "100.0 1495.0 /", "110.0 1495.0 /"), "a.env:8: depth in m = 110: a medium must end with a line of its own bottom, 100");
+  expect_complaint(with(kBellhop, "100.0 1495.0 /", "110.0 1495.0 /"),
+                   "a.env:8: depth in m = 110: a medium must end with a line of its own bottom, 100");
   expect_complaint(with(kBellhop, "0.0 1500.0 /", "5.0 1500.0 /"), "a.env:6: depth in m = 5: a medium must begin where");
   expect_complaint(with(kBellhop, "0.5 1.0 1.5", "0.5 1.5 1.0"), "a.env:16: receiver ranges in km = 1: must increase");
   expect_complaint(with(kBellhop, "5\n0 80 /", "5\n0 40 80 /"), "receiver depths in m = 3 numbers: must be 5, or the first and the last");

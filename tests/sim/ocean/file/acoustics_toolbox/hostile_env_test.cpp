@@ -43,8 +43,25 @@ TEST_F(HostileEnv, IsRefusedOrReadWhereverItIsCut) {
 }
 
 TEST_F(HostileEnv, IsRefusedOrReadWhateverStandsInPlaceOfAWord) {
-  const std::vector<std::string> others{"nan",  "-inf", "1e999",  "-1",  "0",           "1e18", "99999999999999999999", "'",  "\"", "/",
-                                        ",,,,", "*",    "3*",     "9999999999*1500", "''", "x",    std::string("\0\1\xff", 3), "'CVWT'", "! 1"};
+  const std::vector<std::string> others{"nan",
+                                        "-inf",
+                                        "1e999",
+                                        "-1",
+                                        "0",
+                                        "1e18",
+                                        "99999999999999999999",
+                                        "'",
+                                        "\"",
+                                        "/",
+                                        ",,,,",
+                                        "*",
+                                        "3*",
+                                        "9999999999*1500",
+                                        "''",
+                                        "x",
+                                        std::string("\0\1\xff", 3),
+                                        "'CVWT'",
+                                        "! 1"};
   const std::string blanks = " \n";
   for (std::size_t from = kBellhop.find_first_not_of(blanks); from != std::string::npos;) {
     const std::size_t to = std::min(kBellhop.find_first_of(blanks, from), kBellhop.size());
