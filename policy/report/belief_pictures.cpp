@@ -71,7 +71,7 @@ std::string plot_of(const PlotFolder& folder, const std::string& name, const Bel
   text += file(".measured") + " using 1:2 with lines lw 2.4 lc rgb '#c2127a' title 'track', \\\n";
   text += file(".measured") + " using 1:2 with points pt 7 ps 0.72 lc rgb 'white' notitle, \\\n";
   text += file(".measured") + " using 1:($3==0?$2:1/0) with points pt 6 ps 0.6 lc rgb '#c2127a' title 'no detection', \\\n";
-  text += file(".measured") + " using 1:($3==1?$2:1/0) with points pt 7 ps 0.72 lc rgb '#c2127a' title 'source detected', \\\n";
+  text += file(".measured") + " using 1:($3==1?$2:1/0) with points pt 7 ps 0.72 lc rgb '#c2127a' title 'detection', \\\n";
   text += file(".marks") + " index 2 using 1:2:3:4 with vectors filled head size screen 0.018,20,60 lw 2.6 lc rgb 'black' notitle, \\\n";
   text += std::string(" keyentry with vectors filled head size screen 0.018,20,60 lw 2.6 lc ") + kInk + " title 'taken', \\\n";
   text += file(".marks") + " index 0 using 1:2 with points pt 1 ps 1.5 lc rgb '#2f7fc0' title 'likeliest', \\\n";

@@ -69,7 +69,7 @@ constexpr const char* kMapPlot = R"('field.dat' using 1:2:3 with image notitle, 
  'track.dat' using 1:2 with lines lw 2.4 lc rgb '#c2127a' title 'track', \
  'decisions.dat' using 1:2 with points pt 7 ps 0.95 lc rgb 'white' notitle, \
  'decisions.dat' using 1:($3==0?$2:1/0) with points pt 6 ps 0.65 lc rgb '#c2127a' title 'decision, no detection', \
- 'decisions.dat' using 1:($3==1?$2:1/0) with points pt 7 ps 0.72 lc rgb '#c2127a' title 'decision, source detected', \
+ 'decisions.dat' using 1:($3==1?$2:1/0) with points pt 7 ps 0.72 lc rgb '#c2127a' title 'decision, detection', \
  'marks.dat' index 0 using 1:2 with points pt 5 ps 1.4 lc rgb 'white' notitle, \
  'marks.dat' index 0 using 1:2 with points pt 5 ps 1.0 lc rgb '#c2127a' title 'start', \
  'marks.dat' index 1 using 1:2 with points pt 7 ps 1.9 lc rgb 'white' notitle, \
@@ -137,7 +137,7 @@ set autoscale xfix
                       (flight.sound.is_there() ? "SNR, modelled" : "SNR") + "', \\\n" + threshold + " with lines lw 1.6 dt (6,4) lc " +
                       kInk + R"( title 'detection threshold', \
  'decisions.dat' using 4:($3==0?$5:1/0) with points pt 6 ps 0.65 lw 2 lc rgb '#c2127a' title 'decision, no detection', \
- 'decisions.dat' using 4:($3==1?$5:1/0) with points pt 7 ps 0.65 lc rgb '#c2127a' title 'decision, source detected'
+ 'decisions.dat' using 4:($3==1?$5:1/0) with points pt 7 ps 0.65 lc rgb '#c2127a' title 'decision, detection'
 set ylabel 'range (km)'
 set xlabel 'time (h)'
 set format x '%g'

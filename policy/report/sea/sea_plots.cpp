@@ -86,7 +86,7 @@ std::string decisions_plot(std::string_view x, std::string_view y) {
     return "'decisions.dat' using " + std::string(x) + ":($3==" + heard + "?$" + std::string(y) + ":1/0) with points " + points;
   };
   return those("0", "pt 6 ps 0.65 lw 2 lc rgb '#c2127a' title 'decision, no detection'") + ", \\\n" +
-         those("1", "pt 7 ps 0.72 lc rgb '#c2127a' title 'decision, source detected'");
+         those("1", "pt 7 ps 0.72 lc rgb '#c2127a' title 'decision, detection'");
 }
 
 }  // namespace

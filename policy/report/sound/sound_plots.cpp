@@ -69,7 +69,7 @@ std::string measured_plot(Decibels threshold) {
          std::to_string(threshold.value) + " with lines lw 1.6 dt (6,4) lc " + kInk +
          " title 'detection threshold', \\\n"
          " 'decisions.dat' using 1:($3==0?$2:1/0) with points pt 6 ps 0.65 lw 2 lc rgb '#c2127a' title 'decision, no detection', \\\n"
-         " 'decisions.dat' using 1:($3==1?$2:1/0) with points pt 7 ps 0.65 lc rgb '#c2127a' title 'decision, source detected'\n";
+         " 'decisions.dat' using 1:($3==1?$2:1/0) with points pt 7 ps 0.65 lc rgb '#c2127a' title 'decision, detection'\n";
 }
 
 std::string strip_plot(const SpectrogramTable& table) {
