@@ -20,6 +20,7 @@ std::string picture_name(const std::string& path) {
 void describe_place(program::CommandLine& line, FieldArguments& a) {
   line.option("--max-range-km", &a.max_range_km, "how far from the source; default: 25, or as far as an .env or ram.in file goes")
       .between(0.001, 2000.0);
+  line.option("--source-depth-m", &a.source_depth_m, "of the source, in place of the file's").between(0.001, 12'000.0);
   line.option("--depth,--receiver-depth-m", &a.depth_m,
               "receiver depths in m; default: those of an .env or ram.in file, else every --depth-spacing down to the sea floor")
       .between(0.0, 12'000.0);

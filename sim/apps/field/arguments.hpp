@@ -24,6 +24,7 @@ struct FieldArguments {
   std::string plot;
   std::string history;  ///< the command itself
   std::optional<double> max_range_km;
+  std::optional<double> source_depth_m;
   std::vector<double> depth_m;
   std::optional<double> depth_spacing_m;
   double bearing_deg = 0.0;

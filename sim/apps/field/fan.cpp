@@ -112,7 +112,7 @@ void require_water(const ocean::Environment& environment, const sonar::FanPlan& 
 }  // namespace
 
 void write_fan(const FieldArguments& arguments) {
-  const ocean::RadialCase asked = case_in(arguments.environment);
+  const ocean::RadialCase asked = case_of(arguments);
   const ocean::Environment& environment = asked.environment;
   require_writable(arguments, environment);
   const NorthEast source = environment.source.position;

@@ -23,8 +23,9 @@ class BadStart : public std::runtime_error {
 /// in it is told by each.
 [[nodiscard]] ocean::Environment environment_in(const std::filesystem::path& path);
 
-/// The ocean of an environment file, or that of an .env file and what it asks for.
-[[nodiscard]] ocean::RadialCase case_in(const std::filesystem::path& path);
+/// What ENVIRONMENT states, its source at the depth that the options choose. Throws host::BadInput where a file has several and they choose
+/// none.
+[[nodiscard]] ocean::RadialCase case_of(const FieldArguments& arguments);
 
 /// "fin whale ocean, source of 20 Hz at 36 m"; "... of 15 to 30 Hz ..." where a band is computed.
 [[nodiscard]] std::string ocean_to_string(const ocean::Environment& environment, const ocean::Band& band);

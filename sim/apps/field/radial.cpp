@@ -7,9 +7,7 @@
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "sim/apps/field/modes.hpp"
-#include "sim/ocean/file/radial_case_file.hpp"
 #include "sim/plot/field_plot.hpp"
-#include "sim/search/scenario/scenario_file.hpp"
 #include "sim/sonar/field_file.hpp"
 #include "sim/sonar/grid_check.hpp"
 #include "sim/sonar/model_files/shade_file.hpp"
@@ -84,21 +82,6 @@ std::string ocean_to_string(const ocean::Environment& environment, const ocean::
   return text.str();
 }
 
-ocean::RadialCase case_in(const std::filesystem::path& path) {
-  if (ocean::is_radial_case_name(path)) return ocean::load_radial_case(path);
-  return {.environment = search::load_scenario(path).environment};
-}
-
-ocean::Environment environment_in(const std::filesystem::path& path) {
-  return case_in(path).environment;
-}
-
-void print_level_note(const FieldArguments& arguments) {
-  if (ocean::is_radial_case_name(arguments.environment) && format_of(arguments) == OutputFormat::kNetcdf)
-    program::print() << "levels:  " << arguments.environment
-                     << " names none: SNR is minus the loss, pictures want --detection-threshold-db -70 or so\n";
-}
-
 void warn(const std::string& what) {
   std::cerr << "earshot field: warning: " << what << '\n';
 }
@@ -108,7 +91,7 @@ void warn(const std::optional<ocean::UnmeasuredWater>& water) {
 }
 
 void write_radial(const FieldArguments& arguments) {
-  const ocean::RadialCase asked = case_in(arguments.environment);
+  const ocean::RadialCase asked = case_of(arguments);
   const ocean::Environment& environment = asked.environment;
   require_writable(arguments, environment);
   const Radians bearing = bearing_of(arguments);

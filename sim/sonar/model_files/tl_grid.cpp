@@ -8,7 +8,8 @@
 namespace earshot::sonar::model_files {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "tl.grid has the byte order of the machine, which readers take for little endian");
+static_assert(std::endian::native == std::endian::little,
+              "tl.grid has the byte order of the machine, which readers take for little endian");
 
 template <class Number>
 std::string bytes_of(Number number) {

@@ -11,8 +11,8 @@ namespace earshot::sonar::model_files {
 /// A Fortran file begins with the length of its first record.
 inline constexpr host::OutputKind kGridOutput{"a tl.grid file", {std::string_view("\4\0\0\0", 4), {}}};
 
-/// Writes transmission loss in dB as the tl.grid file of RAM 1.5, whole or not at all: a record with the number of depths, then a record for
-/// each range with the loss at each depth, in single precision. Ranges and depths themselves are not in such a file.
+/// Writes transmission loss in dB as the tl.grid file of RAM 1.5, whole or not at all: a record with the number of depths, then a record
+/// for each range with the loss at each depth, in single precision. Ranges and depths themselves are not in such a file.
 /// @param field  NaN stands where there is no water
 /// Throws host::BadInput naming the file.
 /// Source: Collins, User's Guide for RAM Versions 1.0 and 1.0p, Naval Research Laboratory; records as gfortran lays them out.

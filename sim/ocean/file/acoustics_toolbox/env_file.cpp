@@ -107,7 +107,8 @@ RadialCase load_env(const std::filesystem::path& path) {
     add_file(environment, beside(path, ".bty"));
   }
   Receivers receivers = read_receivers(file, environment.seabed.depth);
-  environment.source.depth = receivers.source_depth;
+  environment.source.depth = Meters{receivers.source_depth_m.front()};
+  result.source_depth_m = std::move(receivers.source_depth_m);
   result.receiver_depth_m = std::move(receivers.depth_m);
   result.receiver_range_m = std::move(receivers.range_m);
   result.max_range = receivers.max_range;

@@ -38,8 +38,8 @@ void require_increasing(const ListReader& file, const std::string& what, double 
 
 bool is_long(const ListReader& file, std::string type) {
   type.resize(std::max<std::size_t>(type.size(), 2), ' ');
-  if (type[0] != 'L' && type[0] != 'C') throw file.error("type", type, "must begin with L or C");
-  if (type[1] != 'S' && type[1] != 'L' && type[1] != ' ') throw file.error("type", type, "the second letter must be S or L");
+  if (type[0] != 'L' && type[0] != 'C') throw file.error("type of bathymetry", type, "must begin with L or C");
+  if (type[1] != 'S' && type[1] != 'L' && type[1] != ' ') throw file.error("type of bathymetry", type, "the second letter must be S or L");
   return type[1] == 'L';
 }
 
@@ -60,7 +60,7 @@ Bathymetry read_bathymetry(const std::filesystem::path& path, Meters deepest, co
                            double water_density_g_per_cm3) {
   ListReader file(path);
   const FluidLines fluids(file, options, frequency);
-  const bool has_sediment = is_long(file, file.text("type"));
+  const bool has_sediment = is_long(file, file.text("type of bathymetry"));
   const std::size_t count = file.count("number of points", 1, kMostFloorPoints);
   Bathymetry result;
   std::array<double, 7> line{0.0, 0.0, 1500.0, 0.0, 1.0, 0.0, 0.0};

@@ -16,8 +16,8 @@ struct Bathymetry {
 
 /// Reads the sea floor against range, linear between its points. Curved interpolation ('C') bends how BELLHOP's beams are reflected, not
 /// where the floor is.
+/// @param options  of the .env file, whose units the long format has
 /// @param deepest  to where the profile of the water goes
-/// @param lines    of the .env file, whose units the long format has
 /// Throws host::BadInput naming the line.
 [[nodiscard]] Bathymetry read_bathymetry(const std::filesystem::path& path, Meters deepest, const TopOptions& options, Hertz frequency,
                                          double water_density_g_per_cm3);

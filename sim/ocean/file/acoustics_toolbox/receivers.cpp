@@ -34,14 +34,13 @@ std::vector<double> read_numbers(ListReader& file, const std::string& what, Rang
   return values;
 }
 
-Meters read_source_depth(ListReader& file, Meters sea_floor) {
-  const std::vector<double> depth_m = read_numbers(file, "source depths in m", Range::at_least(0.0));
-  if (depth_m.size() != 1)
-    throw file.error("number of source depths in m", static_cast<double>(depth_m.size()), "must be 1: a field has one source");
-  if (!(depth_m.front() > 0.0 && depth_m.front() < sea_floor.value))
-    throw file.error("source depth in m", depth_m.front(),
-                     "must be in the water, above 0 and less than " + host::shortest(sea_floor.value));
-  return Meters{depth_m.front()};
+std::vector<double> read_source_depths(ListReader& file, Meters sea_floor) {
+  std::vector<double> depths_m = read_numbers(file, "source depths in m", Range::at_least(0.0));
+  for (const double depth_m : depths_m) {
+    if (!(depth_m > 0.0 && depth_m < sea_floor.value))
+      throw file.error("source depth in m", depth_m, "must be in the water, above 0 and less than " + host::shortest(sea_floor.value));
+  }
+  return depths_m;
 }
 
 /// What kind of run BELLHOP's file asks for. Rays and arrivals have receivers too, and what is said of beams is BELLHOP's own affair.
@@ -49,8 +48,8 @@ void require_computable_run(ListReader& file) {
   if (file.at_end()) return;
   std::string run = file.text("run type");
   run.resize(std::max<std::size_t>(run.size(), 5), ' ');
-  if (run[0] == 'I' || run[0] == 'S')
-    throw file.error("run type", run, "the first letter must not be I or S: what is computed is coherent sound, C");
+  if (std::string("CREAa ").find(run[0]) == std::string::npos)
+    throw file.error("run type", run, "the first letter must be C, R, E, A or a: coherent sound, in two dimensions");
   if (run[3] == 'X') throw file.error("run type", run, "the fourth letter must not be X: the source is a point, R");
   if (run[4] == 'I') throw file.error("run type", run, "the fifth letter must not be I: all ranges have the same depths, R");
 }
@@ -67,7 +66,7 @@ Receivers read_receivers(ListReader& file, Meters sea_floor) {
     const double range_km = file.number("maximum range in km", Range::between(0.0, kMaxRange_km));
     if (range_km > 0.0) receivers.max_range = Meters{1000.0 * range_km};
   }
-  receivers.source_depth = read_source_depth(file, sea_floor);
+  receivers.source_depth_m = read_source_depths(file, sea_floor);
   receivers.depth_m = read_numbers(file, "receiver depths in m", depth_m);
   if (is_of_modes) return receivers;
   receivers.range_m = read_numbers(file, "receiver ranges in km", Range::between(0.0, kMaxRange_km));

@@ -10,10 +10,10 @@ namespace earshot::ocean::acoustics_toolbox {
 
 /// Where the source is and where its sound is asked for, as the last part of an .env file says.
 struct Receivers {
-  Meters source_depth;
-  std::vector<double> depth_m;      ///< increasing, >= 0
-  std::vector<double> range_m;      ///< increasing, >= 0; empty: KRAKEN's file, which states none
-  std::optional<Meters> max_range;  ///< of KRAKEN's file, where it is not 0
+  std::vector<double> source_depth_m;  ///< in the water, increasing
+  std::vector<double> depth_m;         ///< increasing, >= 0
+  std::vector<double> range_m;         ///< increasing, >= 0; empty: KRAKEN's file, which states none
+  std::optional<Meters> max_range;     ///< of KRAKEN's file, where it is not 0
 };
 
 /// Reads source and receivers of BELLHOP, whose file goes on with ranges and the kind of run, or of KRAKEN and SCOOTER, whose file begins

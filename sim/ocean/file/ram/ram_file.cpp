@@ -45,7 +45,8 @@ std::vector<double> depths_of(const std::filesystem::path& path, const RamInput&
   const double last = std::trunc(input.written_depth_m / input.depth_step_m - 0.5);
   const double count = std::floor(last / static_cast<double>(input.depth_every));
   if (!(count >= 1.0)) refuse(path, "zmplt", input.written_depth_m, "must hold one depth that is written, at least");
-  if (!(count <= static_cast<double>(kMostReceivers))) refuse(path, "zmplt", input.written_depth_m, "must not hold a million depths that are written");
+  if (!(count <= static_cast<double>(kMostReceivers)))
+    refuse(path, "zmplt", input.written_depth_m, "must not hold a million depths that are written");
   std::vector<double> depth_m;
   for (std::size_t k = 1; k <= static_cast<std::size_t>(count); ++k)
     depth_m.push_back(static_cast<double>(k * input.depth_every - 1) * input.depth_step_m);

@@ -122,7 +122,8 @@ RamInput read_ram_input(const std::filesystem::path& path) {
   input.blocks.push_back(read_block(file, 0.0, input.depth_step_m));
   while (!file.at_end()) {
     const double range_m = file.number("range of the next profiles in m", Range::at_least(0.0));
-    if (!(range_m > input.blocks.back().range_m)) throw file.error("range of the next profiles in m", range_m, "must be more than that before");
+    if (!(range_m > input.blocks.back().range_m))
+      throw file.error("range of the next profiles in m", range_m, "must be more than that before");
     if (input.blocks.size() == kMostBlocks)
       throw file.error("range of the next profiles in m", range_m, "there must not be more than " + std::to_string(kMostBlocks));
     input.blocks.push_back(read_block(file, range_m, input.depth_step_m));

@@ -20,10 +20,8 @@ Fluid fluid_at(const Block& block, double depth_m) {
 }
 
 SedimentLayer layer_of(const Fluid& top) {
-  return {.thickness = Meters{},
-          .sound_speed = MetersPerSecond{top[0]},
-          .density_g_per_cm3 = top[1],
-          .attenuation_db_per_wavelength = top[2]};
+  return {
+      .thickness = Meters{}, .sound_speed = MetersPerSecond{top[0]}, .density_g_per_cm3 = top[1], .attenuation_db_per_wavelength = top[2]};
 }
 
 SedimentLayer layer_between(const Fluid& top, const Fluid& base, double thickness_m) {
@@ -100,9 +98,8 @@ std::vector<SedimentStation> sediment_stations(const RamInput& input, double ste
   constexpr double kMostStations = 5000.0;
   const auto by_depth = [](const SeaFloorStation& a, const SeaFloorStation& b) { return a.depth < b.depth; };
   const double shallowest_m = std::min_element(input.sea_floor.begin(), input.sea_floor.end(), by_depth)->depth.value;
-  const bool follows_floor = std::all_of(input.blocks.begin(), input.blocks.end(), [&](const Block& block) {
-    return is_uniform(block, shallowest_m, input.max_depth_m);
-  });
+  const bool follows_floor = std::all_of(input.blocks.begin(), input.blocks.end(),
+                                         [&](const Block& block) { return is_uniform(block, shallowest_m, input.max_depth_m); });
   std::vector<double> ranges;
   if (follows_floor) {
     for (const Block& block : input.blocks) ranges.push_back(block.range_m);

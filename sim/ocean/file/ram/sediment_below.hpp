@@ -11,8 +11,8 @@ namespace earshot::ocean::ram {
 /// `max_depth_m` at the deepest.
 [[nodiscard]] std::vector<SedimentLayer> sediment_below(double sea_floor_m, const Block& block, double max_depth_m);
 
-/// The sediment along the radial. RAM's sediment does not follow the sea floor, Earshot's does: where it changes with depth, a station stands
-/// wherever the sea floor has come `step_m` deeper or shallower, or more where there would be more than 5000.
+/// The sediment along the radial. RAM's sediment does not follow the sea floor, Earshot's does: where it changes with depth, a station
+/// stands wherever the sea floor has come `step_m` deeper or shallower, or more where there would be more than 5000.
 [[nodiscard]] std::vector<SedimentStation> sediment_stations(const RamInput& input, double step_m);
 
 }  // namespace earshot::ocean::ram

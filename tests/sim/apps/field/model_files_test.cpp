@@ -76,6 +76,21 @@ TEST_F(ModelFiles, GiveOptionsTheLastWord) {
   EXPECT_NE(said().find("ranges to 10 km"), std::string::npos) << said();
 }
 
+TEST_F(ModelFiles, OfSeveralSourcesWantOneOfThemChosen) {
+  std::string several = read(kPekeris);
+  const std::string one = "1                ! source depths\n  36.0 /";
+  several.replace(several.find(one), one.size(), "2\n  36.0 50.0 /");
+  const std::string path = write("several.env", several);
+  expect_refused(path + " -o " + output(),
+                 "several.env: has 2 source depths, from 36 to 50 m: a field has one; choose it with --source-depth-m");
+  expect_refused(path + " -o " + output() + " --source-depth-m 100",
+                 "--source-depth-m = 100: must be less than the depth of the sea floor there, 100 m");
+  ASSERT_EQ(run(path + " -o " + output() + " --source-depth-m 36"), 0) << errors();
+  const std::vector<float> chosen = values_of(output(), "transmission_loss", 4900);
+  ASSERT_EQ(run(kPekeris + " -o " + output()), 0) << errors();
+  EXPECT_EQ(chosen, values_of(output(), "transmission_loss", 4900));
+}
+
 TEST_F(ModelFiles, HoldTheLossOfTheFieldAsPressure) {
   ASSERT_EQ(run(kPekeris + " -o " + output()), 0) << errors();
   ASSERT_EQ(run(kPekeris + " -o " + shade()), 0) << errors();

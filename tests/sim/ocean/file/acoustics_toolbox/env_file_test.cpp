@@ -53,6 +53,12 @@ TEST_F(EnvFile, GivesKrakensLayersAndItsMaximumRange) {
   EXPECT_EQ(layers[2].sound_speed, MetersPerSecond{1800.0});
 }
 
+TEST_F(EnvFile, GivesAllDepthsOfItsSource) {
+  const RadialCase read = load(with(kBellhop, "1\n30.0 /", "3\n30.0 40.0 /"));
+  EXPECT_EQ(read.source_depth_m, (std::vector<double>{30.0, 35.0, 40.0}));
+  EXPECT_EQ(read.environment.source.depth, Meters{30.0});
+}
+
 TEST_F(EnvFile, TakesDensitiesRelativeToTheWaters) {
   const std::string salty =
       with(with(with(kBellhop, "0.0 1500.0 /", "0.0 1500.0 0 1.025 /"), "40 1490 0 1 0 /", "40 1490 /"), "1.7 0.6", "2.05 0.6");
@@ -113,8 +119,8 @@ TEST_F(EnvFile, RefusesWithItsLineWhatItHasNoMeaningFor) {
   expect_complaint(with(kBellhop, "'CVW'", "'CVWB'"), "the fourth letter must be a blank, T or F");
   expect_complaint(with(kBellhop, "'CVW'", "'CVW *'"), "the fifth letter must be a blank, - or _");
   expect_complaint(with(kBellhop, "'CVW'", "'CVW  B'"), "nothing behind the fifth letter");
-  expect_complaint(with(kBellhop, "1\n30.0 /", "2\n30.0 40.0"), "a.env:12: number of source depths in m = 2: must be 1");
-  expect_complaint(with(kBellhop, "'C'\n", "'I'\n"), "a.env:17: run type = I    : the first letter must not be I or S");
+  expect_complaint(with(kBellhop, "'C'\n", "'I'\n"), "a.env:17: run type = I    : the first letter must be C, R, E, A or a");
+  expect_complaint(with(kBellhop, "'C'\n", "501\n"), "a.env:17: run type = 501  : the first letter");  // of a file in three dimensions
   expect_complaint(with(kBellhop, "'C'\n", "'C  X'\n"), "the fourth letter must not be X");
   expect_complaint(with(kBellhop, "30.0 /", "100.0 /"),
                    "a.env:12: source depth in m = 100: must be in the water, above 0 and less than 100");

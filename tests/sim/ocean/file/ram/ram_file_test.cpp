@@ -86,7 +86,8 @@ TEST_F(RamFile, MakesLayersBelowTheSeaFloorOfProfilesFromTheSurface) {
 }
 
 TEST_F(RamFile, HasTheReceiversOfItsGrid) {
-  // RAM writes nodes 4, 8, ... up to 100 / 0.5 - 0.5 = 199, of which the first is at the surface; and steps 1, 3, ... up to 1000 m or beyond.
+  // RAM writes nodes 4, 8, ... up to 100 / 0.5 - 0.5 = 199, of which the first is at the surface; and steps 1, 3, ... up to 1000 m or
+  // beyond.
   const RadialCase read = load(kFlat);
   ASSERT_EQ(read.receiver_depth_m.size(), 49U);
   EXPECT_EQ(read.receiver_depth_m.front(), 1.5);
@@ -125,7 +126,8 @@ TEST_F(RamFile, KeepsItsSedimentWhereItIsWhileTheSeaFloorRises) {
 }
 
 TEST_F(RamFile, LetsUniformSedimentFollowTheSeaFloor) {
-  const std::string uniform = with(with(with(kFlat, "120.0 1600.0\n160.0 1700.0\n", ""), "180.0 0.5\n200.0 10.0\n", ""), "0.0 100.0\n", "0.0 100.0\n900.0 60.0\n");
+  const std::string uniform =
+      with(with(with(kFlat, "120.0 1600.0\n160.0 1700.0\n", ""), "180.0 0.5\n200.0 10.0\n", ""), "0.0 100.0\n", "0.0 100.0\n900.0 60.0\n");
   const Environment environment = load(uniform).environment;
   EXPECT_TRUE(environment.sediment_stations.empty());
   ASSERT_EQ(environment.seabed.layers.size(), 1U);
@@ -145,8 +147,10 @@ TEST_F(RamFile, RefusesWithItsLineWhatCannotBe) {
   expect_complaint(with(kFlat, "1500.0 8 1 0.0", "1500.0 8 1 /"), "ram.in:5: c0, np, ns and rs = 3 numbers: must be 4");
   expect_complaint(with(kFlat, "0.0 100.0\n", "10.0 100.0\n"), "ram.in:6: range of the sea floor in m = 10: the first must be 0");
   expect_complaint(with(kFlat, "0.0 100.0\n", "0.0 300.0\n"), "ram.in:6: depth of the sea floor in m = 300: must be");
-  expect_complaint(with(kFlat, "160.0 1700.0", "110.0 1700.0"), "ram.in:13: depth of sound speed of the sediment in m/s in m = 110: must be more");
-  expect_complaint(with(kFlat, "200.0 10.0\n", "200.0 30.0\n"), "ram.in:19: attenuation of the sediment in dB per wavelength = 30: must be");
+  expect_complaint(with(kFlat, "160.0 1700.0", "110.0 1700.0"),
+                   "ram.in:13: depth of sound speed of the sediment in m/s in m = 110: must be more");
+  expect_complaint(with(kFlat, "200.0 10.0\n", "200.0 30.0\n"),
+                   "ram.in:19: attenuation of the sediment in dB per wavelength = 30: must be");
   expect_complaint(with(kFlat, "0.5 4 100.0", "0.5 4 1.0"), "zmplt = 1: must hold one depth that is written, at least");
   expect_complaint(kFlat + "0\n", "ram.in:21: range of the next profiles in m = 0: must be more than that before");
 }
