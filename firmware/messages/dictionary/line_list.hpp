@@ -17,7 +17,9 @@ struct NumberedLine {
 template <class Indices, class... Each>
 struct NumberedLines;
 template <std::size_t... kIndices, class... Each>
-struct NumberedLines<std::index_sequence<kIndices...>, Each...> : NumberedLine<kIndices, Each>... {};
+struct NumberedLines<std::index_sequence<kIndices...>, Each...> : NumberedLine<kIndices, Each>... {
+  explicit constexpr NumberedLines(const Each&... each) : NumberedLine<kIndices, Each>{each}... {}
+};
 
 }  // namespace detail
 
@@ -26,6 +28,7 @@ struct NumberedLines<std::index_sequence<kIndices...>, Each...> : NumberedLine<k
 template <class... Each>
 struct LineList : detail::NumberedLines<std::index_sequence_for<Each...>, Each...> {
   using Lines = Types<Each...>;
+  explicit constexpr LineList(const Each&... each) : detail::NumberedLines<std::index_sequence_for<Each...>, Each...>(each...) {}
   static constexpr std::size_t kCount = sizeof...(Each);
 };
 template <class... Each>
