@@ -44,6 +44,12 @@ TEST(ListReader, LeavesAsItWasWhatASlashOrTwoCommasLeaveOut) {
   EXPECT_EQ(numbers_of<2>(", 2"), (std::array{kUntouched, 2.0}));
 }
 
+TEST(ListReader, CountsWhatStandsBeforeASlash) {
+  std::array<double, 5> values{};
+  EXPECT_EQ(ListReader("x.env", "0 80 /\n3").numbers(values, "x"), 2U);
+  EXPECT_EQ(ListReader("x.env", "0 2*1 , , 5 6").numbers(values, "x"), 5U);
+}
+
 TEST(ListReader, BeginsEachReadOnALineOfItsOwn) {
   ListReader file("x.env", "50.0 60.0 of which one is read\r\n'SVW' ! options\r\nA\n7");
   EXPECT_EQ(file.number("f", host::Range::at_least(0.0)), 50.0);
@@ -51,6 +57,7 @@ TEST(ListReader, BeginsEachReadOnALineOfItsOwn) {
   EXPECT_EQ(file.text("bottom"), "A");
   EXPECT_FALSE(file.at_end());
   EXPECT_EQ(file.count("n", 1, 9), 7U);
+  EXPECT_EQ(file.line_number(), 4U);
   EXPECT_TRUE(file.at_end());
 }
 
