@@ -98,9 +98,8 @@ listening::Wanted wanted_of(const Asked& asked) {
 
 std::optional<Time> time_of(const std::optional<std::string>& begin) {
   if (!begin) return std::nullopt;
-  const std::optional<recording::ClockTime> time = recording::read_iso(*begin);
-  if (!time) throw BadInput("begin = " + *begin + ": is no time such as 2021-02-05T03:59:46Z or 2021-02-05T03:59:46+10:00");
-  return time->utc;
+  if (const std::string fault = recording::fault_of_iso(*begin); !fault.empty()) throw BadInput("begin = " + *begin + ": " + fault);
+  return recording::read_iso(*begin)->utc;
 }
 
 template <class Number, class Value>
@@ -181,9 +180,7 @@ py::dict dictionary_of(const listening::Heard& heard, const Plan& plan, std::siz
   for (const listening::Heard::Obstacle& obstacle : heard.obstacles) not_heard[py::str(obstacle.what)] = obstacle.seconds;
   dictionary["not_heard_s"] = not_heard;
   std::vector<std::string> remarks = plan.remarks;
-  if (heard.missing_frames > 0)
-    remarks.push_back(std::to_string(heard.missing_frames) +
-                      " samples that the headers announce could not be read: a file is cut short or damaged");
+  if (heard.missing_frames > 0) remarks.push_back(missing_to_string(heard));
   dictionary["remarks"] = remarks;
   return dictionary;
 }

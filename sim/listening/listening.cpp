@@ -102,6 +102,10 @@ void require_heard(const ChannelDetector& channel_detector, const Plan& plan) {
 
 }  // namespace
 
+std::string missing_to_string(const Heard& heard) {
+  return std::to_string(heard.missing_frames) + " samples that the headers announce could not be read: a file is cut short or damaged";
+}
+
 std::uint64_t Listening::beginning() const {
   const auto learnt = static_cast<std::uint64_t>(std::ceil(plan_.settings.floor_window.to_seconds() * plan_.sequence.sample_rate().value));
   return std::max<std::uint64_t>(learnt, detectors_.lead()) + recording::kPieceFrames;

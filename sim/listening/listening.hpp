@@ -49,6 +49,9 @@ struct Heard {
   std::unique_ptr<spectrum::BandLevels> levels;
 };
 
+/// "5 samples that the headers announce could not be read: ..."; of missing_frames.
+[[nodiscard]] std::string missing_to_string(const Heard& heard);
+
 /// The share of the work that is done, 0 to 1; called after each piece. What it throws ends the work.
 using Progress = std::function<void(double)>;
 

@@ -215,6 +215,10 @@ std::optional<ClockTime> time_by_format(std::string_view format, std::string_vie
   return std::nullopt;
 }
 
+std::string fault_of_iso(std::string_view text) {
+  return read_iso(text) ? "" : "is no time such as 2021-02-05T03:59:46Z or 2021-02-05T03:59:46+10:00";
+}
+
 std::string fault_of_format(std::string_view format) {
   std::string fields;
   for (std::size_t i = 0; i < format.size(); ++i) {

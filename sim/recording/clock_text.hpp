@@ -23,6 +23,9 @@ struct ClockTime {
 /// "20210205T035946Z" likewise. Nothing where anything else stands behind: a zone that is not understood must not become UTC.
 [[nodiscard]] std::optional<ClockTime> read_iso(std::string_view text);
 
+/// What is wrong with a text that read_iso() does not read; empty: nothing.
+[[nodiscard]] std::string fault_of_iso(std::string_view text);
+
 /// The first date in a file's name: "20210205_035946", "20210205T035946+1000", "20210205035946Z", "2021-02-05T03-59-46.250Z" and the like.
 [[nodiscard]] std::optional<ClockTime> time_in_name(std::string_view name);
 

@@ -26,3 +26,10 @@ Declared* late(const LateLibrary& library, const char* name) {
 }
 
 }  // namespace earshot::python
+
+/// Defines a function of the library, which loads it when it is first called.
+#define EARSHOT_LATE(LIBRARY, RESULT, NAME, PARAMETERS, ARGUMENTS)                          \
+  extern "C" RESULT NAME PARAMETERS {                                                       \
+    static auto* const function = earshot::python::late<RESULT PARAMETERS>(LIBRARY, #NAME); \
+    return function ARGUMENTS;                                                              \
+  }

@@ -9,7 +9,6 @@
 
 namespace {
 
-using earshot::python::late;
 using earshot::python::LateLibrary;
 
 constexpr std::array kNames{"libsndfile.so.1"};
@@ -17,16 +16,10 @@ constexpr LateLibrary kSndfile(kNames, "a sound file cannot be read: libsndfile 
 
 }  // namespace
 
-#define EARSHOT_LATE(RESULT, NAME, PARAMETERS, ARGUMENTS)                   \
-  extern "C" RESULT NAME PARAMETERS {                                       \
-    static auto* const function = late<RESULT PARAMETERS>(kSndfile, #NAME); \
-    return function ARGUMENTS;                                              \
-  }
-
-EARSHOT_LATE(int, sf_close, (SNDFILE * file), (file))
-EARSHOT_LATE(const char*, sf_get_string, (SNDFILE * file, int which), (file, which))
-EARSHOT_LATE(SNDFILE*, sf_open, (const char* path, int mode, SF_INFO* info), (path, mode, info))
-EARSHOT_LATE(SNDFILE*, sf_open_virtual, (SF_VIRTUAL_IO * io, int mode, SF_INFO* info, void* user), (io, mode, info, user))
-EARSHOT_LATE(sf_count_t, sf_readf_float, (SNDFILE * file, float* into, sf_count_t frames), (file, into, frames))
-EARSHOT_LATE(sf_count_t, sf_seek, (SNDFILE * file, sf_count_t frames, int whence), (file, frames, whence))
-EARSHOT_LATE(const char*, sf_strerror, (SNDFILE * file), (file))
+EARSHOT_LATE(kSndfile, int, sf_close, (SNDFILE * file), (file))
+EARSHOT_LATE(kSndfile, const char*, sf_get_string, (SNDFILE * file, int which), (file, which))
+EARSHOT_LATE(kSndfile, SNDFILE*, sf_open, (const char* path, int mode, SF_INFO* info), (path, mode, info))
+EARSHOT_LATE(kSndfile, SNDFILE*, sf_open_virtual, (SF_VIRTUAL_IO * io, int mode, SF_INFO* info, void* user), (io, mode, info, user))
+EARSHOT_LATE(kSndfile, sf_count_t, sf_readf_float, (SNDFILE * file, float* into, sf_count_t frames), (file, into, frames))
+EARSHOT_LATE(kSndfile, sf_count_t, sf_seek, (SNDFILE * file, sf_count_t frames, int whence), (file, frames, whence))
+EARSHOT_LATE(kSndfile, const char*, sf_strerror, (SNDFILE * file), (file))

@@ -46,7 +46,8 @@ void describe_times(program::CommandLine& line, Arguments& a) {
   line.option("--begin", &a.begin,
               "when the file begins, such as 2021-02-05T03:59:46+10:00; without a zone it is UTC; default: what the file states")
       .checked([](const std::string& text) {
-        return recording::read_iso(text) ? std::string() : text + ": is no time such as 2021-02-05T03:59:46Z or 2021-02-05T03:59:46+10:00";
+        const std::string fault = recording::fault_of_iso(text);
+        return fault.empty() ? fault : text + ": " + fault;
       });
   line.option("--time-format", &a.time_format,
               "how the files' names give the time when they begin, such as %y%m%d_%H%M%S or %Y%j%H%M%S%z; without %z it is UTC; %f is a "

@@ -35,9 +35,7 @@ void write_outputs(const listen::Result& result, const Arguments& arguments) {
 int warn(const listening::Plan& plan, const listening::Heard& heard, const std::vector<std::string>& remarks) {
   const bool is_incomplete = heard.missing_frames > 0 || !plan.sequence.is_whole();
   for (const std::string& remark : remarks) std::cerr << "earshot listen: " << host::printable(remark) << '\n';
-  if (heard.missing_frames > 0)
-    std::cerr << "earshot listen: " << heard.missing_frames
-              << " samples that the headers announce could not be read: a file is cut short or damaged\n";
+  if (heard.missing_frames > 0) std::cerr << "earshot listen: " << missing_to_string(heard) << '\n';
   return is_incomplete ? program::kIncomplete : program::kDone;
 }
 
