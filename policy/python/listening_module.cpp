@@ -142,7 +142,7 @@ py::object dictionary_of(const spectrum::BandLevels* all, const Plan& plan, std:
   dictionary["level_db"] = array_of(std::move(levels.level_db), shape_of({intervals, bands}));
   dictionary["level_percentile_db"] =
       array_of(std::move(levels.level_percentile_db), shape_of({intervals, spectrum::kPercentiles.size(), bands}));
-  return std::move(dictionary);
+  return dictionary;
 }
 
 py::list files_of(const Plan& plan) {
