@@ -25,13 +25,13 @@
 #include "policy/command_line/policy_details.hpp"
 #include "policy/command_line/run.hpp"
 #include "policy/command_line/scenario_options.hpp"
-#include "policy/command_line/trained_options.hpp"
 #include "policy/description/draw.hpp"
 #include "policy/evaluate/candidates.hpp"
 #include "policy/evaluate/evaluation.hpp"
-#include "policy/evaluate/figures_json.hpp"
-#include "policy/evaluate/path_table.hpp"
-#include "policy/evaluate/table.hpp"
+#include "policy/evaluate/output/figures_json.hpp"
+#include "policy/evaluate/output/path_table.hpp"
+#include "policy/evaluate/output/table.hpp"
+#include "policy/evaluate/output/table_plot.hpp"
 #include "policy/evaluate/task.hpp"
 #include "policy/evaluate/time_to_find.hpp"
 #include "policy/evaluate/trial.hpp"
@@ -231,40 +231,8 @@ void check_files(const Options& o, const Inputs& read) {
   host::require_writable(files_of(o, read), files, host::replaced_by(o.force));
 }
 
-/// The search that is flown, and who said so.
-struct Task {
-  command_line::ScenarioOptions options;  ///< given, or as the leading candidate was trained
-  search::SearchSettings settings;
-  Meters depth;
-  std::string trained_by;  ///< name of the candidate whose training holds where nothing else is given; empty: nobody's
-  std::string as_trained;  ///< " (as fixed.policy was trained)"; of a policy without a network, which nobody trains, "is made for"
-};
-
-/// @param leading  the candidate whose training counts; null: none
-Task task_of(const command_line::ScenarioOptions& given, std::span<const evaluate::Candidate> candidates,
-             const evaluate::Candidate* leading) {
-  const description::TrainedTask trained = leading == nullptr ? description::TrainedTask{} : evaluate::trained_task(*leading);
-  Task task{.options = command_line::with_trained(given, trained),
-            .settings = evaluate::settings_of(candidates),
-            .depth = {},
-            .trained_by = trained.source ? leading->name : "",
-            .as_trained = ""};
-  if (trained.source)
-    task.as_trained = " (as " + leading->name + (policy::has_network(leading->learned->network) ? " was trained)" : " is made for)");
-  task.depth = Meters{task.options.vehicle_depth_m.value_or(300.0)};
-  task.settings.placement = search::SourcePlacement::kChanging;  // where neither an option nor a training says it
-  if (trained.border_reward) task.settings.border_reward = *trained.border_reward;
-  return task;
-}
-
-/// A fixed source stands where the environment that is given puts it; where none is, as it was trained, if that is known.
-NorthEast source_of(const evaluate::Candidate* leading, const ocean::Environment& environment, bool is_given) {
-  if (is_given || leading == nullptr) return environment.source.position;
-  return evaluate::trained_task(*leading).source_position.value_or(environment.source.position);
-}
-
 /// "source fixed at 10000 m north, 10000 m east (as fixed.policy was trained); starts all over the area (as fixed.policy was trained); ..."
-std::string what_is_searched(const command_line::ScenarioOptions& given, const Task& task) {
+std::string what_is_searched(const command_line::ScenarioOptions& given, const evaluate::Task& task) {
   const search::SearchSettings& settings = task.settings;
   const auto unless = [&](bool is_given) { return is_given ? std::string() : task.as_trained; };
   std::ostringstream text;
@@ -273,10 +241,10 @@ std::string what_is_searched(const command_line::ScenarioOptions& given, const T
     text << " at " << settings.source.north.value << " m north, " << settings.source.east.value << " m east";
   text << unless(given.source.has_value());
   if (settings.listening != config::ListeningWindow{}) text << "; hears the " << host::to_string(settings.listening);
-  if (task.options.start_margin_m)
-    text << "; starts " << *task.options.start_margin_m << " m or more from every edge";
+  if (task.choices.start_margin_m)
+    text << "; starts " << *task.choices.start_margin_m << " m or more from every edge";
   else
-    text << (search::start_placement_named(*task.options.start) == search::StartPlacement::kDomain ? "; starts all over the area"
+    text << (search::start_placement_named(*task.choices.start) == search::StartPlacement::kDomain ? "; starts all over the area"
                                                                                                    : "; starts clear of the border");
   text << unless(given.start || given.start_margin_m) << "; border " << settings.border_width.value << " m; at most " << settings.max_steps
        << " steps\nhours to find: of all searches, - where too few found; in the mean, one that did not find counts as "
@@ -288,7 +256,6 @@ std::string what_is_searched(const command_line::ScenarioOptions& given, const T
 struct Common {
   const Options& options;
   const ocean::Environment& believed;  ///< what baselines go by
-  Meters depth;                        ///< of the vehicle, where a world does not say it
   const search::SearchSettings& settings;
   std::span<const host::TablesFile* const> tables;  ///< of every world; null: its own ocean
   std::optional<policy::ActionDraw> draw;
@@ -302,16 +269,9 @@ std::vector<evaluate::Row> fly_in_all(std::span<const evaluate::WorldFile> world
   for (std::size_t i = 0; i < worlds.size(); ++i) {
     const evaluate::WorldFile& world = worlds[i];
     const host::TablesFile* const tables = common.tables[i];
-    const Meters depth = world.vehicle_depth.value_or(common.depth);
-    const search::World assembled = search::assemble(world.scenario, common.settings, depth);
-    // A vehicle knows how deep it is and what it listens for: it expects what is heard there.
-    ocean::Environment believed = common.believed;
-    believed.source.frequency = world.scenario.environment.source.frequency;
-    const sonar::SnrCurve expected = command_line::curve_for(believed, depth, common.settings);
-    policy::OceanTables known;
-    if (tables == nullptr) search::make_known_ocean(common.settings, expected, known);
-    const evaluate::Trial trial{world, assembled, expected, tables != nullptr ? *tables->tables : known, o.episodes, common.draw};
-    const evaluate::Pace pace = evaluate::pace_of(assembled);
+    const auto searched = evaluate::searched_world(world, common.settings, common.believed);
+    const evaluate::Trial trial{world, *searched, tables != nullptr ? *tables->tables : searched->own, o.episodes, common.draw};
+    const evaluate::Pace pace = evaluate::pace_of(searched->world);
     const std::size_t first_row = rows.size();
     for (const evaluate::Candidate& candidate : candidates) {
       const std::vector<evaluate::Flight> flights = fly(candidate, trial, ranks, o.paths ? &paths : nullptr);
@@ -334,7 +294,7 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
   const std::vector<evaluate::Candidate> candidates = candidates_of(o, mission);
   if (!o.search.source) evaluate::check_same_source(candidates);
   const evaluate::Candidate* const leading = evaluate::leading(candidates);
-  Task task = task_of(mission ? evaluate::with_mission(o.search, *mission) : o.search, candidates, leading);
+  evaluate::Task task = evaluate::task_of(mission ? evaluate::with_mission(o.search, *mission) : o.search, candidates, leading);
   if (mission) evaluate::apply(*mission, candidates, task.settings);
   const std::filesystem::path environment_file =
       o.search.environment ? std::filesystem::path(*o.search.environment) : host::shipped("sim/ocean/environments/munk_flat.toml");
@@ -342,9 +302,10 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
   const ocean::Environment& environment = scenario.environment;
   std::vector<evaluate::WorldFile> worlds = worlds_of(o, environment_file, scenario, task.depth);
   if (mission) evaluate::apply(*mission, o.search.vehicle_depth_m.has_value(), worlds);
-  task.settings.source = source_of(leading, environment, o.search.environment.has_value());
+  task.settings.source = evaluate::source_of(leading, environment, o.search.environment.has_value());
   if (!o.search.listening.is_given() && !mission) evaluate::check_same_listening(candidates);
-  task.options.apply_to(task.settings);
+  command_line::apply_choices(task.choices, task.settings);
+  if (o.search.listening.is_given()) task.settings.listening = o.search.listening.applied_to(task.settings.listening);
   if (o.declared) task.settings.found_by = search::FoundBy::kSearcher;
   std::vector<std::string> named_tables = o.tables;
   if (named_tables.empty() && mission && !mission->file.tables.empty()) named_tables.push_back(mission->file.tables.string());
@@ -370,15 +331,14 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
   if (o.draw) draw = description::draw_named(*o.draw);
 
   evaluate::PathTable paths;
-  const std::vector<evaluate::Row> rows =
-      fly_in_all(worlds, candidates, {o, environment, task.depth, task.settings, tables, draw}, ranks, paths);
+  const std::vector<evaluate::Row> rows = fly_in_all(worlds, candidates, {o, environment, task.settings, tables, draw}, ranks, paths);
   if (speaks) {
     std::vector<std::optional<evaluate::FlownTables>> described;
     for (const host::TablesFile* file : tables) described.push_back(evaluate::described(file));
     write_files(o,
                 {.episodes = o.episodes,
-                 .start_margin_m = task.options.start_margin_m,
-                 .start = task.options.start.value_or(""),
+                 .start_margin_m = task.choices.start_margin_m,
+                 .start = task.choices.start.value_or(""),
                  .settings = task.settings,
                  .vehicle_depth = task.depth,
                  .trained_by = task.trained_by,

@@ -12,12 +12,6 @@
 namespace earshot::evaluate {
 namespace {
 
-policy::SearchedSound sound_of(const WorldFile& world, const search::SearchSettings& settings) {
-  return {.vehicle_depth = world.vehicle_depth.value(),
-          .frequency = world.scenario.environment.source.frequency,
-          .furthest = range_between(settings.domain.south_west, settings.domain.north_east)};
-}
-
 bool are_covered(const policy::SearchedSound& sound, std::span<const host::TablesFile> files) {
   return std::ranges::any_of(
       files, [&sound](const host::TablesFile& file) { return policy::coverage(*file.tables, sound) == policy::Coverage::kCovered; });

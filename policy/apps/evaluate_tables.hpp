@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "firmware/host/policy/tables_choice.hpp"
-#include "policy/evaluate/figures_json.hpp"
+#include "policy/evaluate/output/figures_json.hpp"
 #include "policy/evaluate/world_file.hpp"
 #include "sim/search/settings.hpp"
 

@@ -31,6 +31,7 @@
 #include "policy/tables/expected.hpp"
 #include "policy/tables/make_tables.hpp"
 #include "policy/tables/ocean_curve.hpp"
+#include "policy/tables/signed_tables.hpp"
 #include "sim/search/settings.hpp"
 
 namespace {
@@ -97,16 +98,15 @@ void add_options(program::CommandLine& line, Options& o) {
 
 tables::CurvePlan plan_of(const Options& o) {
   const Meters furthest = o.furthest_m ? Meters{*o.furthest_m} : usual_furthest();
-  const double steps = std::ceil(furthest.value / o.range_step_m - 1e-9);
-  const double most_steps = static_cast<double>(config::kMaxTableRanges - 1);
-  if (!(steps <= most_steps)) {
-    const auto least_step = static_cast<long>(std::ceil(furthest.value / most_steps));
+  const double ranges = tables::range_count(furthest, Meters{o.range_step_m});
+  if (!(ranges <= static_cast<double>(config::kMaxTableRanges))) {
+    const auto least_step = static_cast<long>(std::ceil(furthest.value / static_cast<double>(config::kMaxTableRanges - 1)));
     throw BadInput("--range-step-m, --furthest-m: give more than the " + std::to_string(config::kMaxTableRanges) +
                    " ranges that a vehicle holds; --range-step-m " + std::to_string(least_step) + " does not");
   }
   return {.vehicle_depth = Meters{o.vehicle_depth_m},
           .range_step = Meters{o.range_step_m},
-          .range_count = std::max<std::size_t>(1, static_cast<std::size_t>(steps)) + 1,
+          .range_count = static_cast<std::size_t>(ranges),
           .bearings = o.bearings};
 }
 

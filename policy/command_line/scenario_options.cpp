@@ -30,18 +30,17 @@ void ScenarioOptions::add_to(program::CommandLine& line, const Otherwise& otherw
   listening.add_to(line, otherwise.listening);
 }
 
-void ScenarioOptions::apply_to(search::SearchSettings& settings) const {
-  if (source) settings.placement = search::placement_named(*source).value_or(settings.placement);
-  if (border_width_m) settings.border_width = Meters{*border_width_m};
-  if (max_steps) settings.max_steps = *max_steps;
-  if (start) settings.start_region = search::start_region_of(settings, search::start_placement_named(*start).value());
-  if (start_margin_m) settings.start_region = settings.domain.moved_in(Meters{*start_margin_m});
-  if (listening.is_given()) settings.listening = listening.applied_to(settings.listening);
-  if (search::check(settings) != Status::kOk) {
+void apply_choices(const description::SearchChoices& choices, search::SearchSettings& settings) {
+  if (!description::apply(choices, settings)) {
     throw BadInput(
         "--border-width-m, --start, --start-margin-m: nothing of the domain is left to start in, or all of it lies within a step of the "
         "source");
   }
+}
+
+void ScenarioOptions::apply_to(search::SearchSettings& settings) const {
+  apply_choices(*this, settings);
+  if (listening.is_given()) settings.listening = listening.applied_to(settings.listening);
 }
 
 search::Scenario scenario_at(const std::filesystem::path& path, Meters vehicle_depth) {

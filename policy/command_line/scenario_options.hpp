@@ -6,6 +6,7 @@
 
 #include "firmware/host/program/command_line.hpp"
 #include "policy/command_line/listening_options.hpp"
+#include "policy/description/search_choices.hpp"
 #include "sim/ocean/environment.hpp"
 #include "sim/search/scenario/scenario.hpp"
 #include "sim/search/settings.hpp"
@@ -14,14 +15,8 @@
 namespace earshot::command_line {
 
 /// The part of a command line that says where a policy searches; what is not given leaves the settings as they are.
-struct ScenarioOptions {
+struct ScenarioOptions : description::SearchChoices {
   std::optional<std::string> environment = {};
-  std::optional<double> vehicle_depth_m = {};
-  std::optional<std::string> source = {};
-  std::optional<std::string> start = {};
-  std::optional<double> start_margin_m = {};
-  std::optional<double> border_width_m = {};
-  std::optional<std::uint32_t> max_steps = {};
   ListeningOptions listening = {};
 
   /// What help says holds where an option is not given.
@@ -34,6 +29,9 @@ struct ScenarioOptions {
   /// Throws host::BadInput when the settings contradict each other.
   void apply_to(search::SearchSettings& settings) const;
 };
+
+/// Settings as chosen, but for the vehicle's depth. Throws host::BadInput, naming the options, when the choices contradict each other.
+void apply_choices(const description::SearchChoices& choices, search::SearchSettings& settings);
 
 /// Throws host::BadInput when there is no environment file, or the vehicle's depth is not in its water.
 [[nodiscard]] search::Scenario scenario_at(const std::filesystem::path& path, Meters vehicle_depth);

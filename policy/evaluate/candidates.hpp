@@ -1,21 +1,25 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "firmware/policy/frozen_policy.hpp"
+#include "policy/baselines/searcher.hpp"
 #include "sim/search/settings.hpp"
 
 namespace earshot::evaluate {
 
-/// A searcher that is to be evaluated: a learned policy, or the baseline of that name when there is none.
+/// A searcher that is to be evaluated: a learned policy, what `make` makes, or else the baseline of that name.
 struct Candidate {
   std::string name;
   std::unique_ptr<policy::FrozenPolicy> learned;
   std::filesystem::path file = {};  ///< that it was read from; of a learned one
+  /// Makes a searcher that is no part of Earshot; empty: it is one of Earshot's.
+  std::function<std::unique_ptr<baselines::Searcher>(const baselines::PriorKnowledge&)> make = {};
 };
 
 /// The candidate of a name: a policy that ships ("shipped", "fixed_source"), a baseline's, or the path of a `.policy` file. Throws

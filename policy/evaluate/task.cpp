@@ -129,4 +129,24 @@ std::vector<std::string> differences(const Candidate& candidate, const TestedTas
   return all.take();
 }
 
+Task task_of(const description::SearchChoices& given, std::span<const Candidate> candidates, const Candidate* leading) {
+  const TrainedTask trained = leading == nullptr ? TrainedTask{} : trained_task(*leading);
+  Task task{.choices = description::with_trained(given, trained),
+            .settings = settings_of(candidates),
+            .depth = {},
+            .trained_by = trained.source ? leading->name : "",
+            .as_trained = ""};
+  if (trained.source)
+    task.as_trained = " (as " + leading->name + (policy::has_network(leading->learned->network) ? " was trained)" : " is made for)");
+  task.depth = Meters{task.choices.vehicle_depth_m.value_or(300.0)};
+  task.settings.placement = SourcePlacement::kChanging;  // where neither a choice nor a training says it
+  if (trained.border_reward) task.settings.border_reward = *trained.border_reward;
+  return task;
+}
+
+NorthEast source_of(const Candidate* leading, const ocean::Environment& environment, bool is_given) {
+  if (is_given || leading == nullptr) return environment.source.position;
+  return trained_task(*leading).source_position.value_or(environment.source.position);
+}
+
 }  // namespace earshot::evaluate

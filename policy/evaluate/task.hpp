@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "firmware/core/units.hpp"
+#include "policy/description/search_choices.hpp"
 #include "policy/description/trained_task.hpp"
 #include "policy/evaluate/candidates.hpp"
+#include "sim/ocean/environment.hpp"
 #include "sim/search/settings.hpp"
 
 namespace earshot::evaluate {
@@ -22,6 +24,21 @@ namespace earshot::evaluate {
 /// Throws host::BadInput, naming two, when learned candidates were trained with both kinds of source: whichever were searched for, the rows
 /// of some would be of a task they never learned.
 void check_same_source(std::span<const Candidate> candidates);
+
+/// The search that is flown, and who said so.
+struct Task {
+  description::SearchChoices choices;  ///< given, or as the leading candidate was trained
+  search::SearchSettings settings;     ///< the learned candidates' own: area, step, threshold; the choices are not applied yet
+  Meters depth;
+  std::string trained_by;  ///< name of the candidate whose training holds where nothing else is given; empty: nobody's
+  std::string as_trained;  ///< " (as fixed.policy was trained)"; of a policy without a network, which nobody trains, "is made for"
+};
+
+/// @param leading  the candidate whose training counts; null: none
+[[nodiscard]] Task task_of(const description::SearchChoices& given, std::span<const Candidate> candidates, const Candidate* leading);
+
+/// A fixed source stands where the environment that is given puts it; where none is, as it was trained, if that is known.
+[[nodiscard]] NorthEast source_of(const Candidate* leading, const ocean::Environment& environment, bool is_given);
 
 /// What candidates are tested in, as far as a training may have been of another kind.
 struct TestedTask {

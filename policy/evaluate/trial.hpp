@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -13,12 +14,22 @@
 
 namespace earshot::evaluate {
 
+/// A world as it is searched, and what is taken for granted of it.
+struct SearchedWorld {
+  search::World world;           ///< assembled of the file's scenario
+  sonar::SnrCurve expected;      ///< in the ocean that baselines go by: a vehicle knows how deep it is and what it listens for
+  policy::OceanTables own = {};  ///< that ocean as the only one that is believed possible
+};
+
+/// Solves the oceans. @param file  says how deep the vehicle is  @param believed  the ocean that baselines go by
+[[nodiscard]] std::unique_ptr<SearchedWorld> searched_world(const WorldFile& file, const search::SearchSettings& settings,
+                                                            const ocean::Environment& believed);
+
 /// What every candidate meets in one world.
 struct Trial {
   const WorldFile& file;
-  const search::World& world;         ///< assembled of the file's scenario
-  const sonar::SnrCurve& expected;    ///< SNR against range that baselines take for granted
-  const policy::OceanTables& oceans;  ///< that all others believe possible
+  const SearchedWorld& searched;
+  const policy::OceanTables& oceans;  ///< that are believed possible by all who are told none
   std::size_t episodes;
   std::optional<policy::ActionDraw> draw;  ///< instead of each learned candidate's own
 };

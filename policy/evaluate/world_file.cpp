@@ -74,4 +74,10 @@ std::vector<std::filesystem::path> worlds_in(const std::filesystem::path& folder
   return paths;
 }
 
+policy::SearchedSound sound_of(const WorldFile& world, const search::SearchSettings& settings) {
+  return {.vehicle_depth = world.vehicle_depth.value(),
+          .frequency = world.scenario.environment.source.frequency,
+          .furthest = range_between(settings.domain.south_west, settings.domain.north_east)};
+}
+
 }  // namespace earshot::evaluate

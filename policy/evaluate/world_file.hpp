@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "firmware/policy/tables/ocean_tables.hpp"
 #include "sim/search/scenario/scenario.hpp"
+#include "sim/search/settings.hpp"
 
 namespace earshot::evaluate {
 
@@ -29,5 +31,8 @@ struct WorldFile {
 
 /// The world files of a folder, by name. Throws host::BadInput when there are none.
 [[nodiscard]] std::vector<std::filesystem::path> worlds_in(const std::filesystem::path& folder);
+
+/// What is listened for in a world. @param world  knows how deep its vehicle is
+[[nodiscard]] policy::SearchedSound sound_of(const WorldFile& world, const search::SearchSettings& settings);
 
 }  // namespace earshot::evaluate

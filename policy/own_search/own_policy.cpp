@@ -19,7 +19,7 @@
 #include "policy/description/state.hpp"
 #include "policy/description/trained_task.hpp"
 #include "policy/freeze/freeze.hpp"
-#include "policy/tables/make_tables.hpp"
+#include "policy/tables/signed_tables.hpp"
 #include "sim/search/scenario/placement.hpp"
 
 namespace earshot::own_search {

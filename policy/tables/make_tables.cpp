@@ -6,9 +6,6 @@
 #include "firmware/config/capacities.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/printable.hpp"
-#include "firmware/host/policy/tables_bytes.hpp"
-#include "firmware/host/trust/signed_bytes.hpp"
-#include "firmware/policy/tables/tables_format.hpp"
 
 namespace earshot::tables {
 namespace {
@@ -76,16 +73,6 @@ std::unique_ptr<policy::OceanTables> make_tables(const std::vector<OceanCurve>& 
       append(tables->provenance, character, "bytes of provenance");
   }
   return tables;
-}
-
-std::vector<std::uint8_t> sign(const policy::OceanTables& tables, const host::SecretKey& key) {
-  host::require_readable(tables, "the tables");
-  std::vector<std::uint8_t> bytes(policy::max_tables_size());
-  const Result<std::size_t> size = policy::serialise(tables, host::public_key_of(key), bytes);
-  if (!size.ok()) throw BadInput("the tables do not fit the vehicle: a size, depth, frequency or prior is out of range");
-  bytes.resize(size.value());
-  host::sign_at_end(bytes, key);
-  return bytes;
 }
 
 }  // namespace earshot::tables

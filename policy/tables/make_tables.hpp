@@ -1,13 +1,11 @@
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "firmware/core/units.hpp"
-#include "firmware/host/trust/keys.hpp"
 #include "firmware/policy/tables/ocean_tables.hpp"
 #include "policy/tables/ocean_curve.hpp"
 
@@ -24,9 +22,5 @@ namespace earshot::tables {
 [[nodiscard]] std::unique_ptr<policy::OceanTables> make_tables(const std::vector<OceanCurve>& curves, const std::vector<OceanCurve>& all,
                                                                const CurvePlan& plan, Hertz frequency,
                                                                const std::vector<std::pair<std::string, std::string>>& provenance);
-
-/// The bytes of a `.tables` file, signed: Ed25519 over every byte before the signature.
-/// Throws host::BadInput for tables that a vehicle would refuse.
-[[nodiscard]] std::vector<std::uint8_t> sign(const policy::OceanTables& tables, const host::SecretKey& key);
 
 }  // namespace earshot::tables

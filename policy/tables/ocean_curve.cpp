@@ -92,6 +92,11 @@ search::SnrFan fan_about_source(const ocean::Environment& environment, const Cur
 
 }  // namespace
 
+double range_count(Meters furthest, Meters range_step) {
+  constexpr double kRounding = 1e-9;
+  return std::max(1.0, std::ceil(furthest.value / range_step.value - kRounding)) + 1.0;
+}
+
 std::vector<OceanCurve> curves_of(const BelievedOcean& ocean, const CurvePlan& plan) {
   const ocean::Environment& environment = ocean.environment;
   if (!ocean.field_library.empty()) {

@@ -30,6 +30,9 @@ struct CurvePlan {
   [[nodiscard]] Meters furthest() const { return static_cast<double>(range_count - 1) * range_step; }
 };
 
+/// Ranges of a table that reaches so far: the first at 0, the last there or beyond. @param furthest  > 0  @param range_step  > 0
+[[nodiscard]] double range_count(Meters furthest, Meters range_step);
+
 /// What is heard in an ocean. An ocean that is the same on every bearing gives one curve: the values of sonar::compute_snr_curve at the
 /// plan's ranges, as a belief that is told of the ocean has them. One that differs with place gives one for each bearing, from the source
 /// outward, and a field library one for each of its positions and bearings, each as likely as another; where there is no water on the way

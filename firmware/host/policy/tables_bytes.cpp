@@ -20,7 +20,7 @@ using policy::PolicyComplaint;
 using policy::PolicyFault;
 
 /// The most that this program holds; a microcontroller's holds less.
-std::string capacities() {
+std::string capacities_of_tables() {
   return std::to_string(config::kMaxOceanTables) + " tables of " + std::to_string(config::kMaxTableRanges) + " ranges, names of " +
          std::to_string(config::kMaxTableName) + " bytes, " + std::to_string(config::kMaxProvenance) + " bytes of provenance";
 }
@@ -70,7 +70,7 @@ std::string tables_complaint(const PolicyComplaint& complaint, const policy::Oce
   if (complaint.fault == PolicyFault::kUnknownVersion) return name + complaint_about_version(complaint.version);
   const std::string text = name + section_of(complaint) + std::string(policy::to_string(complaint.fault));
   if (complaint.fault == PolicyFault::kOutOfRange) return text + ": " + printable(number_out_of_range(tables));
-  return complaint.fault == PolicyFault::kBadShape ? text + ": " + capacities() : text;
+  return complaint.fault == PolicyFault::kBadShape ? text + ": " + capacities_of_tables() : text;
 }
 
 }  // namespace

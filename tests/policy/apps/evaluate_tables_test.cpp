@@ -7,6 +7,7 @@
 
 #include "firmware/config/capacities.hpp"
 #include "policy/tables/make_tables.hpp"
+#include "policy/tables/signed_tables.hpp"
 #include "tests/policy/apps/programs.hpp"
 #include "tests/support/text/tells.hpp"
 

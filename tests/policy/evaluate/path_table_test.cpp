@@ -1,4 +1,4 @@
-#include "policy/evaluate/path_table.hpp"
+#include "policy/evaluate/output/path_table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-#include "policy/evaluate/table.hpp"
+#include "policy/evaluate/output/table.hpp"
+#include "policy/evaluate/output/table_plot.hpp"
 
 #include <gtest/gtest.h>
 

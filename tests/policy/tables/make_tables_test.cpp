@@ -1,4 +1,5 @@
 #include "policy/tables/make_tables.hpp"
+#include "policy/tables/signed_tables.hpp"
 
 #include <gtest/gtest.h>
 

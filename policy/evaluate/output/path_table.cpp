@@ -1,8 +1,8 @@
-#include "policy/evaluate/path_table.hpp"
+#include "policy/evaluate/output/path_table.hpp"
 
 #include <sstream>
 
-#include "policy/evaluate/csv.hpp"
+#include "policy/evaluate/output/csv.hpp"
 
 namespace earshot::evaluate {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "policy/evaluate/table.hpp"
+#include "policy/evaluate/output/table.hpp"
 #include "policy/evaluate/world_file.hpp"
 #include "sim/search/settings.hpp"
 

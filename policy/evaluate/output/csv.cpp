@@ -1,4 +1,4 @@
-#include "policy/evaluate/csv.hpp"
+#include "policy/evaluate/output/csv.hpp"
 
 namespace earshot::evaluate {
 

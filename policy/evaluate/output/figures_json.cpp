@@ -1,4 +1,4 @@
-#include "policy/evaluate/figures_json.hpp"
+#include "policy/evaluate/output/figures_json.hpp"
 
 #include <cassert>
 #include <nlohmann/json.hpp>

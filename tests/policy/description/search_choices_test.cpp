@@ -1,11 +1,11 @@
-#include "policy/command_line/trained_options.hpp"
+#include "policy/description/search_choices.hpp"
 
 #include <gtest/gtest.h>
 
-namespace earshot::command_line {
+namespace earshot::description {
 namespace {
 
-description::TrainedTask fixed_source() {
+TrainedTask fixed_source() {
   return {.source = search::SourcePlacement::kFixed,
           .start_margin = Meters{0.0},
           .border_width = Meters{500.0},
@@ -13,19 +13,18 @@ description::TrainedTask fixed_source() {
           .vehicle_depth = Meters{250.0}};
 }
 
-TEST(TrainedOptions, AreTheTrainingsWhereNothingIsGiven) {
-  const ScenarioOptions options = with_trained({}, fixed_source());
+TEST(SearchChoicesTest, AreTheTrainingsWhereNothingIsGiven) {
+  const SearchChoices options = with_trained({}, fixed_source());
   EXPECT_EQ(options.source, "fixed");
   EXPECT_EQ(options.start, "domain");
   EXPECT_EQ(options.start_margin_m, std::nullopt);
   EXPECT_EQ(options.border_width_m, 500.0);
   EXPECT_EQ(options.max_steps, 60U);
   EXPECT_EQ(options.vehicle_depth_m, 250.0);
-  EXPECT_EQ(options.environment, std::nullopt);
 }
 
-TEST(TrainedOptions, AreThoseGivenWhateverWasTrained) {
-  const ScenarioOptions options =
+TEST(SearchChoicesTest, AreThoseGivenWhateverWasTrained) {
+  const SearchChoices options =
       with_trained({.vehicle_depth_m = 100.0, .source = "changing", .start = "inside_border", .border_width_m = 2'000.0, .max_steps = 30},
                    fixed_source());
   EXPECT_EQ(options.source, "changing");
@@ -36,16 +35,16 @@ TEST(TrainedOptions, AreThoseGivenWhateverWasTrained) {
   EXPECT_EQ(with_trained({.start_margin_m = 0.0}, fixed_source()).start, std::nullopt) << "of margin and region one is given";
 }
 
-TEST(TrainedOptions, HaveAStartsRegionByItsNameOrItsMarginNeverBoth) {
+TEST(SearchChoicesTest, HaveAStartsRegionByItsNameOrItsMarginNeverBoth) {
   EXPECT_EQ(with_trained({}, {.start_margin = Meters{1'000.0}, .border_width = Meters{1'000.0}}).start, "inside_border");
-  const ScenarioOptions margin = with_trained({}, {.start_margin = Meters{7'500.0}, .border_width = Meters{500.0}});
+  const SearchChoices margin = with_trained({}, {.start_margin = Meters{7'500.0}, .border_width = Meters{500.0}});
   EXPECT_EQ(margin.start, std::nullopt);
   EXPECT_EQ(margin.start_margin_m, 7'500.0);
   EXPECT_EQ(with_trained({}, {.start = search::StartPlacement::kDomain}).start, "domain");
 }
 
-TEST(TrainedOptions, StartInsideTheBorderAndAreSilentOfTheRestWhereTheTrainingIsNotKnown) {
-  const ScenarioOptions options = with_trained({}, {});
+TEST(SearchChoicesTest, StartInsideTheBorderAndAreSilentOfTheRestWhereTheTrainingIsNotKnown) {
+  const SearchChoices options = with_trained({}, {});
   EXPECT_EQ(options.start, "inside_border");
   EXPECT_EQ(options.source, std::nullopt);
   EXPECT_EQ(options.border_width_m, std::nullopt);
@@ -54,4 +53,4 @@ TEST(TrainedOptions, StartInsideTheBorderAndAreSilentOfTheRestWhereTheTrainingIs
 }
 
 }  // namespace
-}  // namespace earshot::command_line
+}  // namespace earshot::description
