@@ -18,9 +18,9 @@
 
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/toml/range.hpp"
-#include "policy/python/array_of.hpp"
-#include "policy/python/checked.hpp"
-#include "policy/python/watch.hpp"
+#include "policy/python/shared/array_of.hpp"
+#include "policy/python/shared/checked.hpp"
+#include "policy/python/shared/watch.hpp"
 #include "sim/ocean/file/environment_file.hpp"
 #include "sim/ocean/with_source.hpp"
 #include "sim/search/scenario/scenario_file.hpp"

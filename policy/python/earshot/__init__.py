@@ -18,9 +18,16 @@ import earshot_name as _name
 
 if _TYPE_CHECKING:
     from earshot import annotations as annotations
+    from earshot.beliefs import Belief as Belief
     from earshot.errors import BadInput as BadInput
     from earshot.errors import BadType as BadType
+    from earshot.evaluations import EvaluationWarning as EvaluationWarning
+    from earshot.evaluations import baselines as baselines
+    from earshot.evaluations import evaluate as evaluate
     from earshot.fields import field as field
+    from earshot.flights import Flight as Flight
+    from earshot.flights import FlightLost as FlightLost
+    from earshot.flights import fly as fly
     from earshot.heard import Completed as Completed
     from earshot.heard import Heard as Heard
     from earshot.heard import RecordingWarning as RecordingWarning
@@ -31,13 +38,19 @@ if _TYPE_CHECKING:
     from earshot.ocean_parts import Layer as Layer
     from earshot.ocean_parts import Munk as Munk
     from earshot.ocean_parts import SeaWater as SeaWater
+    from earshot.ocean_tables import Tables as Tables
+    from earshot.ocean_tables import tables as tables
     from earshot.oceans import Environment as Environment
 
 _OWN = {
     "BadInput": "earshot.errors",
     "BadType": "earshot.errors",
+    "Belief": "earshot.beliefs",
     "Completed": "earshot.heard",
     "Environment": "earshot.oceans",
+    "EvaluationWarning": "earshot.evaluations",
+    "Flight": "earshot.flights",
+    "FlightLost": "earshot.flights",
     "Heard": "earshot.heard",
     "Layer": "earshot.ocean_parts",
     "Listener": "earshot.listening",
@@ -45,9 +58,14 @@ _OWN = {
     "SeaWater": "earshot.ocean_parts",
     "JournalWarning": "earshot.journals",
     "RecordingWarning": "earshot.heard",
+    "Tables": "earshot.ocean_tables",
+    "baselines": "earshot.evaluations",
+    "evaluate": "earshot.evaluations",
     "field": "earshot.fields",
+    "fly": "earshot.flights",
     "listen": "earshot.listening",
     "read_journal": "earshot.journals",
+    "tables": "earshot.ocean_tables",
 }
 # Everything is imported when it is first used: who wants LCM types alone waits for nothing else.
 __all__ = ["annotations", *_OWN, *_name.type_names()]  # noqa: PLE0604  (texts, all of them)

@@ -8,13 +8,17 @@ from earshot.errors import BadInput
 _processor.require(_Path(__file__).with_name("built_for.txt"))
 try:
     from earshot._core import (
+        BeliefState,
         Episodes,
         FrozenPolicy,
         Listening,
         Ocean,
         SoundStream,
+        Tables,
         World,
+        baselines,
         environment_crc32,
+        evaluate,
         journal_fields,
         journal_records,
         listen_to_files,
@@ -33,13 +37,17 @@ except ModuleNotFoundError as missing:
 
 __all__ = [
     "BadInput",
+    "BeliefState",
     "Episodes",
     "FrozenPolicy",
     "Listening",
     "Ocean",
     "SoundStream",
+    "Tables",
     "World",
+    "baselines",
     "environment_crc32",
+    "evaluate",
     "journal_fields",
     "journal_records",
     "listen_to_files",

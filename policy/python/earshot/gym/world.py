@@ -10,10 +10,9 @@ from typing import Any, TypedDict
 
 from earshot.core import BadInput, environment_crc32
 from earshot.core import World as SearchWorld
+from earshot.paper import PAPER_ENVIRONMENT
 
 __all__ = ["PAPER_ENVIRONMENT", "SearchWorld", "WorldOptions", "make_world"]
-
-PAPER_ENVIRONMENT = Path(__file__).parent / "environments" / "munk_flat.toml"
 
 
 class WorldOptions(TypedDict, total=False):

@@ -1,0 +1,201 @@
+"""How well policies find the source, in many simulated searches."""
+
+from __future__ import annotations
+
+import io
+import os
+import re
+import warnings as python_warnings
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Union
+
+from earshot import core
+from earshot.arguments import number, whole_number
+from earshot.errors import BadInput, BadType
+from earshot.ocean_tables import Tables
+from earshot.oceans import Environment
+from earshot.paper import PAPER_ENVIRONMENT
+
+if TYPE_CHECKING:
+    import pandas
+
+__all__ = ["EvaluationWarning", "baselines", "evaluate"]
+
+Path_ = Union[str, "os.PathLike[str]"]
+Choose = Callable[[tuple[float, float], float, bool, int], int]
+
+_UNITS = {"hours": "h", "db": "dB", "us": "us", "steps": "1", "fraction": "1", "reward": "1"}
+
+
+class EvaluationWarning(UserWarning):
+    """A policy is tested otherwise than it was trained."""
+
+
+def baselines() -> dict[str, str]:
+    """Name and purpose of every searcher that is not learned."""
+    return dict(core.baselines())
+
+
+def _bound(name: str, policy: Any) -> tuple[str, tuple[Any, Any, Any]]:
+    choose = getattr(policy, "choose", None) or policy
+    if not callable(choose):
+        raise BadType(
+            f"policies: {name} must be a name, a path, a callable, or an object with choose()",
+            key="policies",
+            value=policy,
+        )
+    return name, (getattr(policy, "begin", None), choose, getattr(policy, "declares_found", None))
+
+
+def _policies(given: Any) -> list[Any]:
+    if isinstance(given, Mapping):
+        return [_bound(str(name), policy) for name, policy in given.items()]
+    each = given if isinstance(given, Sequence) and not isinstance(given, (str, bytes)) else [given]
+    if not each:
+        raise BadInput("policies: must be one or more", key="policies", value=given)
+    found: list[Any] = []
+    for policy in each:
+        if isinstance(policy, Mapping):
+            found += _policies(policy)
+        elif isinstance(policy, (str, os.PathLike)):
+            found.append(os.fspath(policy))
+        else:
+            found.append(_bound(getattr(policy, "__name__", type(policy).__name__), policy))
+    names = [one if isinstance(one, str) else one[0] for one in found]
+    twice = next((name for i, name in enumerate(names) if name in names[:i]), None)
+    if twice is not None:
+        raise BadInput(
+            f"policies: {twice} stands there twice; {{name: policy}} gives names", key="policies", value=given
+        )
+    return found
+
+
+def _ocean(name: str, given: Any) -> Any:
+    if isinstance(given, Environment):
+        if given._path is None:
+            given.to_toml()  # refuses what lacks source or noise
+        return given._path or given._ocean
+    if isinstance(given, (str, os.PathLike)):
+        return Path(given)
+    raise BadType(f"{name}: must be earshot.Environment, or a path", key=name, value=given)
+
+
+def _as_argument(bad: BadInput) -> BadInput:
+    """What is wrong, as the programs say it, with the name of the argument."""
+    text = re.sub("^(--policies:|POLICY) ", "policies: ", str(bad))
+    argument = re.match("(policies|tables): ", text)
+    return BadInput(text, key=argument[1], value=bad.value) if argument else bad
+
+
+def _several(name: str, given: Any) -> list[Any]:
+    if given is None:
+        return []
+    if isinstance(given, (Environment, Tables, str, os.PathLike)):
+        return [given]
+    if not isinstance(given, Sequence):
+        raise BadType(f"{name}: must be one, or a list of them", key=name, value=given)
+    return list(given)
+
+
+def _tables(given: Any) -> list[tuple[str, core.Tables]]:
+    found = []
+    for one in _several("tables", given):
+        if isinstance(one, Tables):
+            found.append((repr(one), one._tables))
+        elif isinstance(one, (str, os.PathLike)):
+            files = sorted(Path(one).glob("*.tables")) if Path(one).is_dir() else [Path(one)]
+            if not files:
+                raise BadInput(f"tables = {one}: holds no file of tables (.tables)", key="tables", value=one)
+            found += [(str(file), Tables.from_file(file)._tables) for file in files]
+        else:
+            raise BadType("tables: must be earshot.Tables, or paths", key="tables", value=one)
+    return found
+
+
+def evaluate(
+    policies: str | os.PathLike[str] | Choose | Sequence[Any] | Mapping[str, Any],
+    worlds: Environment | Path_ | Sequence[Environment | Path_] | None = None,
+    n: int = 300,
+    *,
+    environment: Environment | Path_ = PAPER_ENVIRONMENT,
+    tables: Tables | Path_ | Sequence[Tables | Path_] | None = None,
+    seed: int | None = None,
+    source: str | None = None,
+    start: str | None = None,
+    vehicle_depth: float | None = None,
+    border_width: float | None = None,
+    max_steps: int | None = None,
+    declared: bool = False,
+    progress: Callable[[float], object] | None = None,
+) -> pandas.DataFrame:
+    """Flies `n` simulated searches in each world with each policy: what `earshot evaluate` measures, number by number.
+
+    policies      one, or several: the path of a `.policy` file, a name of `earshot.baselines()`, or a policy written in
+                  Python; or {name: policy in Python}
+    worlds        where they search: `Environment`s, or paths of environments and worlds; None: in `environment`
+    environment   the ocean that baselines go by; the default is the paper's
+    tables        `Tables`, or paths of files or folders, one or several: the oceans that beliefs think possible; of several those for a
+                  world's depth and frequency. None: the environment's own ocean alone
+    seed          of starts, sources and what policies draw; None: a world's own, or 1
+    source        "changing" or "fixed"; start: "domain" or "inside_border"; vehicle_depth, border_width: m;
+                  max_steps. None: as the policies were trained, or "changing", "inside_border", 300 m, 1000 m, 100
+    declared      as at sea: a search of a policy that declares the source found ends when it rightly does
+    progress      called with the share of the work that is done, 0 to 1
+
+    A policy in Python is a function choose(position, snr, too_faint, step) -> action, or an object with that as a
+    method. `position` is (north, east) in m from the area's south-west corner, where navigation believes the vehicle;
+    `snr` in dB is what was heard there, or where `too_faint` the least that could have been measured; `step` is 0 at
+    the start of each search. An action is a compass direction, clockwise, 0 is north, 8 of them where no learned policy
+    has others. The object may have begin(seed), called before each search, and declares_found() -> bool.
+    All policies meet the same searches.
+
+    Returns a DataFrame, a row for each world and policy, with the columns of the program's CSV; times are in hours and
+    in steps, shares from 0 to 1. In `attrs`: `units`, by column. Warns (EvaluationWarning) of policies that are tested
+    otherwise than trained.
+
+    Raises BadInput, BadType, and what a policy in Python raises. KeyboardInterrupt within some tenths of a second.
+
+    >>> def north_then_west(position, snr, too_faint, step):
+    ...     return 0 if step < 10 else 6
+    >>> earshot.evaluate([north_then_west, "bayes"], n=20)[["policy", "found_fraction"]]
+    """
+    import pandas
+
+    if progress is not None and not callable(progress):
+        raise BadType("progress: must be callable, or None", key="progress", value=progress)
+    for name, word in (("source", source), ("start", start)):
+        if word is not None and not isinstance(word, str):
+            raise BadType(f"{name}: must be a text", key=name, value=word)
+    asked = {
+        "policies": _policies(policies),
+        "worlds": [_ocean("worlds", world) for world in _several("worlds", worlds)],
+        "environment": _ocean("environment", environment),
+        "tables": _tables(tables),
+        "episodes": whole_number("n", n),
+        "seed": None if seed is None else whole_number("seed", seed),
+        "vehicle_depth": None if vehicle_depth is None else number("vehicle_depth", vehicle_depth),
+        "source": source,
+        "start": start,
+        "border_width": None if border_width is None else number("border_width", border_width),
+        "max_steps": None if max_steps is None else whole_number("max_steps", max_steps),
+        "declared": bool(declared),
+        "progress": progress,
+    }
+    try:
+        csv, warned = core.evaluate(**asked)
+    except BadInput as bad:
+        raise _as_argument(bad) from None
+    for sentence in warned:
+        python_warnings.warn(sentence, EvaluationWarning, stacklevel=2)
+    frame = pandas.read_csv(
+        io.StringIO(csv),
+        dtype={"world": str, "policy": str},
+        keep_default_na=False,
+        na_values=[""],
+        float_precision="round_trip",
+    )
+    frame.attrs["units"] = {
+        str(column): unit for column in frame for word, unit in _UNITS.items() if word in str(column).split("_")
+    }
+    return frame

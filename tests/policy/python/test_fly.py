@@ -1,0 +1,73 @@
+"""`earshot.fly`: a flight by the programs, and what it leaves.
+
+Run by ctest (run in this folder).
+"""
+
+import os
+import tempfile
+import unittest
+from pathlib import Path
+from typing import Any
+
+import earshot
+
+ROOT = Path(__file__).resolve().parents[3]
+PROGRAMS = os.environ["EARSHOT_PROGRAMS"]
+PAPER = ROOT / "sim/ocean/environments/munk_flat.toml"
+
+
+class AFlight(unittest.TestCase):
+    def test_has_track_decisions_and_journal(self):
+        flight = earshot.fly(seed=7, programs=PROGRAMS)
+        folder = flight.folder
+        self.assertTrue(flight.summary["found"])
+        self.assertEqual(len(flight.decisions), flight.summary["steps"])
+        last = flight.track.iloc[-1]
+        self.assertLess(last.range_m, 1_000.0)
+        source, end = flight.summary["source"], flight.summary["end"]
+        away = ((source["north_m"] - end["north_m"]) ** 2 + (source["east_m"] - end["east_m"]) ** 2) ** 0.5
+        self.assertAlmostEqual(last.range_m, away, places=2)
+        self.assertIn("navigation", flight.journal)
+        del flight
+        self.assertFalse(folder.exists(), "the folder of a flight goes with it")
+
+    def test_is_kept_where_it_is_asked_to_be_and_flies_in_an_ocean_of_arrays(self):
+        ocean = earshot.Environment(
+            sound_speed=earshot.Munk(),
+            bathymetry=3_000.0,
+            sediment=earshot.Layer(1_505.0),
+            frequency=20.0,
+            source_depth=30.0,
+            source_level=189.0,
+            noise_level=90.0,
+        )
+        with tempfile.TemporaryDirectory() as folder:
+            flight = earshot.fly(environment=ocean, seed=2, out=Path(folder) / "kept", programs=PROGRAMS)
+            again = earshot.Flight(Path(folder) / "kept")
+            self.assertEqual(again.summary, flight.summary)
+            self.assertTrue(again.summary["environment"].endswith("given.toml"))
+
+    def test_is_refused_with_the_argument_that_is_wrong(self):
+        with tempfile.TemporaryDirectory() as folder:
+            refused: dict[str, dict[str, Any]] = {
+                "programs": {"programs": folder},
+                "mission": {"mission": "/nowhere/mission.toml"},
+                "environment": {"environment": 3},
+                "source": {"source": "swimming"},
+                "seed": {"seed": -1},
+                "tables": {"tables": 3},
+                "battery_percent": {"battery_percent": "full"},
+                "out": {"out": 3},
+            }
+            for key, wrong in refused.items():
+                with self.subTest(key=key), self.assertRaises(earshot.BadInput) as raised:
+                    earshot.fly(**({"programs": PROGRAMS} | wrong))
+                self.assertEqual(raised.exception.key, key)
+            with self.assertRaisesRegex(earshot.BadInput, "holds no flight"):
+                earshot.Flight(folder)
+            with self.assertRaisesRegex(earshot.BadInput, "--battery-percent"):
+                earshot.fly(battery_percent=200.0, programs=PROGRAMS)
+
+
+if __name__ == "__main__":
+    unittest.main()
