@@ -57,7 +57,7 @@ class Flight:
 
     @functools.cached_property
     def track(self) -> pandas.DataFrame:
-        """A row each second: time, place, depth, heading, speed, SNR, range to the source, state; with units in the names."""
+        """A row each second: time, place, depth, heading, speed, SNR, range to the source, state; names have units."""
         import pandas
 
         return pandas.read_csv(self.folder / "track.csv")
