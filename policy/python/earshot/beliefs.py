@@ -39,8 +39,8 @@ class Belief:
     border_width         m, of the edge that the vehicle had better not enter
     detection_threshold  dB
 
-    Places are (north, east) in m from the area's south-west corner. Before the first measurement every place is as likely as
-    another. Copies and pickles go on as the original would.
+    Places are (north, east) in m from the area's south-west corner. Before the first measurement every place is as
+    likely as another. Copies and pickles go on as the original would.
 
     Raises BadInput with the argument as `key`, BadType for what is of another kind.
 
@@ -144,8 +144,8 @@ class Belief:
 
     @property
     def declaration(self) -> dict[str, Any] | None:
-        """Where the source is declared found at the last measurement: probability, likeliest place, closest_approach (m),
-        least_snr (dB) that is expected so near. Else None."""
+        """Where the source is declared found at the last measurement: probability, likeliest place, closest_approach
+        (m), least_snr (dB) that is expected so near. Else None."""
         return self._state.declaration()
 
     @property

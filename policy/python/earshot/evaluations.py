@@ -135,8 +135,8 @@ def evaluate(
                   Python; or {name: policy in Python}
     worlds        where they search: `Environment`s, or paths of environments and worlds; None: in `environment`
     environment   the ocean that baselines go by; the default is the paper's
-    tables        `Tables`, or paths of files or folders, one or several: the oceans that beliefs think possible; of several those for a
-                  world's depth and frequency. None: the environment's own ocean alone
+    tables        `Tables`, or paths of files or folders, one or several: the oceans that beliefs think possible; of
+                  several those for a world's depth and frequency. None: the environment's own ocean alone
     seed          of starts, sources and what policies draw; None: a world's own, or 1
     source        "changing" or "fixed"; start: "domain" or "inside_border"; vehicle_depth, border_width: m;
                   max_steps. None: as the policies were trained, or "changing", "inside_border", 300 m, 1000 m, 100
