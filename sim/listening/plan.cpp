@@ -53,17 +53,25 @@ std::string band_text(detector::Band band) {
   return text.str();
 }
 
+std::string rate_text(const Sequence& sequence) {
+  std::ostringstream text;
+  text.precision(9);
+  text << "it is sampled at " << sequence.sample_rate().value << " Hz";
+  return text.str();
+}
+
+void require_sample_rate(const Sequence& sequence) {
+  if (sequence.sample_rate() <= kHighestSampleRate) return;
+  std::ostringstream limit;
+  limit.precision(9);
+  limit << ", and no more than " << kHighestSampleRate.value << " Hz are taken: resample it";
+  throw unheard(sequence, rate_text(sequence) + limit.str());
+}
+
 void require_audible(const Sequence& sequence, const detector::SoundSettings& settings, detector::Band asked) {
-  std::ostringstream rate;
-  rate.precision(9);
-  rate << "it is sampled at " << sequence.sample_rate().value << " Hz";
-  if (sequence.sample_rate() > kHighestSampleRate) {
-    rate << ", and no more than " << kHighestSampleRate.value << " Hz are taken: resample it";
-    throw unheard(sequence, rate.str());
-  }
   const detector::SettingsFault fault = detector::check(settings);
   if (fault == detector::SettingsFault::kNone) return;
-  if (settings.band != asked) throw unheard(sequence, rate.str() + ", too slowly for the band of " + band_text(asked));
+  if (settings.band != asked) throw unheard(sequence, rate_text(sequence) + ", too slowly for the band of " + band_text(asked));
   if (fault == detector::SettingsFault::kCalibration)
     throw host::BadInput("--calibration: with it " + name_of(sequence) + " cannot be listened to: " +
                          detector::to_string(detector::check(settings.calibration, Decibels{0.0}, listening_rate(sequence), settings.band,
@@ -104,6 +112,7 @@ Plan plan_for(Sequence sequence, const Request& request) {
   if (request.channel > sequence.channels())
     throw host::BadInput("--channel = " + std::to_string(request.channel) + ": " + name_of(sequence) + " has " +
                          std::to_string(sequence.channels()));
+  require_sample_rate(sequence);
   Plan plan{.sequence = std::move(sequence),
             .channel = request.channel - 1,
             .chain = {},

@@ -156,6 +156,19 @@ TEST(Stream, EndsWhereSomebodyWantsItTo) {
   EXPECT_THROW(stream.push(samples, [](double) { throw std::runtime_error("enough"); }), std::runtime_error);
 }
 
+TEST(Stream, RefusesASampleRateThatNoRecorderHasWithoutSearchingForItsDivisor) {
+  for (const double rate : {1'000'001.0, 1e15, 9007199254740992.0, 9223372036854775808.0, 1e300}) {
+    recording::SoundFormat format = kFloat;
+    format.sample_rate = Hertz{rate};
+    try {
+      (void)plan_for(sequence_of_samples(format, {}), {});
+      ADD_FAILURE() << rate;
+    } catch (const host::BadInput& e) {
+      EXPECT_TRUE(support::tells(e.what(), {"no more than 1000000 Hz"})) << e.what();
+    }
+  }
+}
+
 TEST(Stream, RefusesWhatIsTooShortByItsName) {
   for (const std::size_t count : {0U, 1000U}) {
     Stream stream(plan_for(sequence_of_samples(kFloat, {}), {}), {});
