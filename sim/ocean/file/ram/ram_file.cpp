@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "firmware/host/file/file_checksum.hpp"
+#include "firmware/host/file/printable.hpp"
 #include "firmware/host/text/numbers.hpp"
 #include "sim/ocean/file/ram/ram_input.hpp"
 #include "sim/ocean/file/ram/sediment_below.hpp"
@@ -53,13 +54,11 @@ std::vector<double> depths_of(const std::filesystem::path& path, const RamInput&
   return depth_m;
 }
 
-/// After the first step, and then every ndr-th up to the first at rmax or beyond.
-std::vector<double> ranges_of(const std::filesystem::path& path, const RamInput& input) {
-  const double steps = std::max(1.0, std::ceil(input.max_range_m / input.range_step_m - 1.0 - 1e-6));
-  if (!(steps <= static_cast<double>(kMostReceivers))) refuse(path, "rmax", input.max_range_m, "must not be more than a million steps dr");
+/// After every ndr-th step.
+std::vector<double> ranges_of(const RamInput& input) {
   std::vector<double> range_m;
-  for (std::size_t step = 0; step <= static_cast<std::size_t>(steps); step += input.range_every)
-    range_m.push_back(static_cast<double>(step + 1) * input.range_step_m);
+  for (std::size_t step = input.range_every; step <= input.range_steps; step += input.range_every)
+    range_m.push_back(static_cast<double>(step) * input.range_step_m);
   return range_m;
 }
 
@@ -71,7 +70,7 @@ RadialCase load_ram(const std::filesystem::path& path) {
   const RamInput input = read_ram_input(path);
   RadialCase result;
   Environment& environment = result.environment;
-  environment.name = input.title.empty() ? "RAM" : input.title;
+  environment.name = input.title.empty() ? "RAM" : host::printable(input.title);
   environment.source = {.frequency = Hertz{input.frequency_hz}, .level = {}, .depth = Meters{input.source_depth_m}, .position = {}};
   environment.seabed.depth = input.sea_floor.front().depth;
   if (input.sea_floor.size() > 1) environment.sea_floor_stations = input.sea_floor;
@@ -84,7 +83,7 @@ RadialCase load_ram(const std::filesystem::path& path) {
   environment.file_crc32 = host::crc32_of_file(path);
   environment.files = {path};
   result.receiver_depth_m = depths_of(path, input);
-  result.receiver_range_m = ranges_of(path, input);
+  result.receiver_range_m = ranges_of(input);
   return result;
 }
 

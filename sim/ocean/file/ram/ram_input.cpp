@@ -16,6 +16,7 @@ constexpr double kMaxDepth_m = 12'000.0;
 constexpr double kMaxRange_m = 2'000'000.0;
 constexpr std::size_t kMostPoints = 100'000;
 constexpr std::size_t kMostBlocks = 10'000;
+constexpr double kMostSteps = 1e6;
 
 const Range kSoundSpeed_mps = Range::between(300.0, 8000.0);
 const Range kDensity_g_per_cm3 = Range::between(0.1, 20.0);
@@ -76,6 +77,13 @@ Block read_block(ListReader& file, double range_m, double depth_step_m) {
               read_profile(file, "attenuation of the sediment in dB per wavelength", kAttenuation_db_per_wavelength, depth_step_m)};
 }
 
+/// RAM takes one step beyond the first, and then steps until it is at rmax.
+std::size_t steps_of(const ListReader& file, const RamInput& input) {
+  const double steps = std::max(2.0, std::ceil(input.max_range_m / input.range_step_m - 1e-6));
+  if (!(steps <= kMostSteps)) throw file.error("rmax in m", input.max_range_m, "must not be more than a million steps dr");
+  return static_cast<std::size_t>(steps);
+}
+
 void read_head(ListReader& file, RamInput& input) {
   const auto source = read_line<3>(file, "frequency, source depth and receiver depth");
   file.require("frequency in Hz", source[0], Range::between(1.0, 10'000.0));
@@ -88,7 +96,11 @@ void read_head(ListReader& file, RamInput& input) {
   file.require("dr in m", ranges[1], Range::between(0.01, 10'000.0));
   input.max_range_m = ranges[0];
   input.range_step_m = ranges[1];
+  input.range_steps = steps_of(file, input);
   input.range_every = whole(file, "ndr", ranges[2]);
+  if (input.range_every > input.range_steps)
+    throw file.error("ndr", ranges[2],
+                     "must not exceed the " + std::to_string(input.range_steps) + " steps up to rmax: no range is written");
 
   const auto depths = read_line<4>(file, "zmax, dz, ndz and zmplt");
   file.require("zmax in m", depths[0], Range::above_up_to(0.0, 1e6));

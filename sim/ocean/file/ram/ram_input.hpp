@@ -35,7 +35,8 @@ struct RamInput {
   double source_depth_m;
   double max_range_m;
   double range_step_m;      ///< dr
-  std::size_t range_every;  ///< ndr: steps between two ranges written
+  std::size_t range_every;  ///< ndr: steps between two ranges written; of `range_steps` at most
+  std::size_t range_steps;  ///< dr to the last range, the first at rmax or beyond; 2 at least
   double max_depth_m;       ///< zmax
   double depth_step_m;      ///< dz
   std::size_t depth_every;  ///< ndz

@@ -71,6 +71,10 @@ TEST_F(RamFile, GivesOceanAndSource) {
   EXPECT_TRUE(environment.sediment_stations.empty());
 }
 
+TEST_F(RamFile, ShowsWhatOfItsTitleWouldSteerATerminal) {
+  EXPECT_EQ(load(with(kFlat, "A flat", "A\x1b[31mflat")).environment.name, "A\\x1b[31mflat sea floor");
+}
+
 TEST_F(RamFile, MakesLayersBelowTheSeaFloorOfProfilesFromTheSurface) {
   const auto layers = load(kFlat).environment.seabed.layers;
   ASSERT_EQ(layers.size(), 5U);  // 100 to 120, 160, 180, 200 m, and below
@@ -86,16 +90,16 @@ TEST_F(RamFile, MakesLayersBelowTheSeaFloorOfProfilesFromTheSurface) {
 }
 
 TEST_F(RamFile, HasTheReceiversOfItsGrid) {
-  // RAM writes nodes 4, 8, ... up to 100 / 0.5 - 0.5 = 199, of which the first is at the surface; and steps 1, 3, ... up to 1000 m or
-  // beyond.
+  // RAM writes nodes 4, 8, ... up to 100 / 0.5 - 0.5 = 199, of which the first is at the surface; and the ends of
+  // steps 2, 4, ... up to 1000 m or beyond.
   const RadialCase read = load(kFlat);
   ASSERT_EQ(read.receiver_depth_m.size(), 49U);
   EXPECT_EQ(read.receiver_depth_m.front(), 1.5);
   EXPECT_EQ(read.receiver_depth_m.back(), 97.5);
   ASSERT_EQ(read.receiver_range_m.size(), 50U);
-  EXPECT_EQ(read.receiver_range_m.front(), 10.0);
-  EXPECT_EQ(read.receiver_range_m[1], 30.0);
-  EXPECT_EQ(read.receiver_range_m.back(), 990.0);
+  EXPECT_EQ(read.receiver_range_m.front(), 20.0);
+  EXPECT_EQ(read.receiver_range_m[1], 40.0);
+  EXPECT_EQ(read.receiver_range_m.back(), 1000.0);
   EXPECT_EQ(load(with(kFlat, "0.5 4 100.0", "0.5 1 100.0")).receiver_depth_m.front(), 0.0);
 }
 
@@ -144,6 +148,8 @@ TEST_F(RamFile, RefusesWithItsLineWhatCannotBe) {
   expect_complaint(with(kFlat, "100.0 30.0 50.0", "0.1 30.0 50.0"), "ram.in:2: frequency in Hz = 0.1: must be");
   expect_complaint(with(kFlat, "1000.0 10.0 2", "1000.0 10.0 0"), "ram.in:3: ndr = 0: must be");
   expect_complaint(with(kFlat, "1000.0 10.0 2", "1000.0 10.0 1.5"), "ram.in:3: ndr = 1.5: must be a whole number");
+  expect_complaint(with(kFlat, "1000.0 10.0 2", "1000.0 10.0 101"), "ram.in:3: ndr = 101: must not exceed the 100 steps up to rmax");
+  expect_complaint(with(kFlat, "1000.0 10.0 2", "1e6 0.9 2"), "ram.in:3: rmax in m = 1e+06: must not be more than a million steps dr");
   expect_complaint(with(kFlat, "1500.0 8 1 0.0", "1500.0 8 1 /"), "ram.in:5: c0, np, ns and rs = 3 numbers: must be 4");
   expect_complaint(with(kFlat, "0.0 100.0\n", "10.0 100.0\n"), "ram.in:6: range of the sea floor in m = 10: the first must be 0");
   expect_complaint(with(kFlat, "0.0 100.0\n", "0.0 300.0\n"), "ram.in:6: depth of the sea floor in m = 300: must be");
