@@ -63,6 +63,7 @@ bool is_of_kind(const std::filesystem::path& path, const OutputKind& kind) {
   InputFile file(path, kAnySize);
   const std::string_view text(reinterpret_cast<const char*>(start.data()), file.read(start));
   if (text.empty()) return true;
+  if (!kind.is_recognisable) return false;
   const bool has_beginning = std::ranges::any_of(kind.beginnings, [](std::string_view b) { return !b.empty(); });
   if (has_beginning && std::ranges::none_of(kind.beginnings, [&](std::string_view b) { return !b.empty() && text.starts_with(b); }))
     return false;

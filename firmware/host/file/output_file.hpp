@@ -19,7 +19,8 @@ namespace earshot::host {
 struct OutputKind {
   std::string_view name;  ///< with its article: "a NetCDF file of Earshot"
   std::array<std::string_view, 2> beginnings;
-  std::string_view mark = {};  ///< what stands somewhere in each file that Earshot wrote, at most 64 bytes; empty: the first bytes tell
+  std::string_view mark = {};   ///< what stands somewhere in each file that Earshot wrote, at most 64 bytes; empty: the first bytes tell
+  bool is_recognisable = true;  ///< false where such files of others are the same: none is replaced unasked
 };
 
 /// The mark is how the attribute `source` begins: a chart that somebody downloaded has none.

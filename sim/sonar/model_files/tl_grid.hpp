@@ -1,15 +1,15 @@
 #pragma once
 
 #include <filesystem>
-#include <string_view>
 
 #include "firmware/host/file/output_file.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
 namespace earshot::sonar::model_files {
 
-/// A Fortran file begins with the length of its first record.
-inline constexpr host::OutputKind kGridOutput{"a tl.grid file", {std::string_view("\4\0\0\0", 4), {}}};
+/// RAM's own files are the same, byte for byte, and there is no room for a mark.
+inline constexpr host::OutputKind kGridOutput{
+    .name = "known to be Earshot's, for a tl.grid file does not name its author", .beginnings = {}, .is_recognisable = false};
 
 /// Writes transmission loss in dB as the tl.grid file of RAM 1.5, whole or not at all: a record with the number of depths, then a record
 /// for each range with the loss at each depth, in single precision. Ranges and depths themselves are not in such a file.

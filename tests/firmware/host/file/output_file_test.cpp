@@ -84,6 +84,16 @@ TEST_F(OutputFileTest, KnowsItsOwnByAMarkWhereverItStands) {
   EXPECT_NE(refused(), "");
 }
 
+TEST_F(OutputFileTest, ReplacesNoFileUnaskedWhoseKindDoesNotTellWhoseItIs) {
+  constexpr OutputKind kUntold{.name = "known to be mine", .beginnings = {"note"}, .is_recognisable = false};
+  write_whole(path_, "note: 1");
+  EXPECT_EQ(refusal([&] { require_writable(path_, kUntold, Replace::kOwnKind); }),
+            path_.string() + ": is there already and is not known to be mine; --force replaces it");
+  EXPECT_EQ(refusal([&] { require_writable(path_, kUntold, Replace::kAny); }), "");
+  write_whole(path_, "");
+  EXPECT_EQ(refusal([&] { require_writable(path_, kUntold, Replace::kOwnKind); }), "");
+}
+
 TEST_F(OutputFileTest, TakesAnEmptyFileForItsOwn) {
   write_whole(path_, "");
   EXPECT_EQ(refusal([&] { require_writable(path_, kNotes, Replace::kOwnKind); }), "");
