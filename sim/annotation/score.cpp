@@ -1,7 +1,10 @@
 #include "sim/annotation/score.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <numeric>
+#include <queue>
 #include <utility>
 
 namespace earshot::annotation {
@@ -16,7 +19,9 @@ class Line {
  public:
   explicit Line(std::vector<Interval> intervals) : intervals_(std::move(intervals)), is_taken_(intervals_.size()) {
     std::ranges::sort(intervals_, {}, &Interval::end_s);
-    for (const Interval& interval : intervals_) longest_s_ = std::max(longest_s_, interval.end_s - interval.begin_s);
+    by_begin_.resize(intervals_.size());
+    std::iota(by_begin_.begin(), by_begin_.end(), std::size_t{0});
+    std::ranges::sort(by_begin_, {}, [this](std::size_t i) { return intervals_[i].begin_s; });
   }
 
   [[nodiscard]] bool is_over() const { return first_ == intervals_.size(); }
@@ -25,21 +30,24 @@ class Line {
   bool pass() { return !is_taken_[first_++]; }
 
   /// Takes the one that ends first of those that begin no later. @return whether there was one
+  /// @param time_s  no earlier than before
   bool take_one_begun_by(double time_s) {
-    // Whatever ends later than this begins later than `time_s`.
-    for (std::size_t i = first_; i < intervals_.size() && intervals_[i].end_s <= time_s + longest_s_; ++i) {
-      if (is_taken_[i] || intervals_[i].begin_s > time_s) continue;
-      is_taken_[i] = true;
-      return true;
-    }
-    return false;
+    for (; begun_count_ < by_begin_.size() && intervals_[by_begin_[begun_count_]].begin_s <= time_s; ++begun_count_)
+      begun_.push(by_begin_[begun_count_]);
+    while (!begun_.empty() && begun_.top() < first_) begun_.pop();
+    if (begun_.empty()) return false;
+    is_taken_[begun_.top()] = true;
+    begun_.pop();
+    return true;
   }
 
  private:
   std::vector<Interval> intervals_;
   std::vector<bool> is_taken_;
   std::size_t first_ = 0;
-  double longest_s_ = 0.0;
+  std::vector<std::size_t> by_begin_;
+  std::size_t begun_count_ = 0;
+  std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<>> begun_;  ///< not taken; the one that ends first on top
 };
 
 }  // namespace
