@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "firmware/host/file/distinct_files.hpp"
+#include "firmware/host/file/file_type.hpp"
 #include "sim/plot/gnuplot.hpp"
 #include "sim/sonar/model_files/shade_file.hpp"
 #include "sim/sonar/model_files/tl_grid.hpp"
@@ -204,7 +205,7 @@ sonar::model_files::ReceiverGrid grid_of(const FieldArguments& arguments, const 
 }
 
 OutputFormat format_of(const FieldArguments& arguments) {
-  const std::filesystem::path suffix = std::filesystem::path(arguments.output).extension();
+  const std::string suffix = host::suffix_of(arguments.output);
   if (suffix == ".shd") return OutputFormat::kShade;
   return suffix == ".grid" ? OutputFormat::kGrid : OutputFormat::kNetcdf;
 }

@@ -68,7 +68,7 @@ void require_writable(const FieldArguments& arguments, const ocean::Environment&
 
 enum class OutputFormat : std::uint8_t { kNetcdf, kShade, kGrid };
 
-/// By the output's name: NAME.shd is a shade file, NAME.grid a tl.grid file, all else NetCDF.
+/// By the output's name: NAME.shd is a shade file, NAME.grid a tl.grid file, all else NetCDF; in capitals, too.
 [[nodiscard]] OutputFormat format_of(const FieldArguments& arguments);
 
 /// The option that says what is wrong with a request.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "firmware/host/file/file_checksum.hpp"
+#include "firmware/host/file/printable.hpp"
 #include "firmware/host/text/numbers.hpp"
 #include "sim/ocean/file/acoustics_toolbox/media.hpp"
 #include "sim/ocean/file/acoustics_toolbox/range_files.hpp"
@@ -22,10 +23,11 @@ using host::Range;
 
 constexpr std::size_t kMostMedia = 500;
 
-std::string read_title(ListReader& file) {
-  std::string title;
-  while (title.empty()) title = file.line("title");
-  return title;
+/// The first line that is not blank. An empty title stands in quotes, and the file's name in its place.
+std::string read_title(ListReader& file, const std::filesystem::path& path) {
+  file.skip_blanks();
+  const std::string title = file.line("title");
+  return host::printable(title.empty() ? path.stem().string() : title);
 }
 
 void require_smooth(const ListReader& file, double roughness_m) {
@@ -65,16 +67,17 @@ void add_file(Environment& environment, std::filesystem::path path) {
   environment.files.push_back(std::move(path));
 }
 
-std::filesystem::path beside(std::filesystem::path path, const char* suffix) {
-  return path.replace_extension(suffix);
+/// @param path  NAME.env, or NAME.ENV, beside which the other file's name is in capitals too
+std::filesystem::path beside(std::filesystem::path path, const char* suffix, const char* in_capitals) {
+  return path.replace_extension(path.extension() == ".ENV" ? in_capitals : suffix);
 }
 
 void take_water(Environment& environment, const std::filesystem::path& path, const TopOptions& options, const TabulatedProfile& profile) {
   environment.water = profile;
   if (options.interpolation != Interpolation::kRangesAndDepths) return;
-  environment.water_stations = read_water(beside(path, ".ssp"), profile.depth_m);
+  environment.water_stations = read_water(beside(path, ".ssp", ".SSP"), profile.depth_m);
   environment.water = environment.water_stations.front().profile;
-  add_file(environment, beside(path, ".ssp"));
+  add_file(environment, beside(path, ".ssp", ".SSP"));
 }
 
 }  // namespace
@@ -83,7 +86,7 @@ RadialCase load_env(const std::filesystem::path& path) {
   ListReader file(path);
   RadialCase result;
   Environment& environment = result.environment;
-  environment.name = read_title(file);
+  environment.name = read_title(file, path);
   add_file(environment, path);
   environment.source.frequency = Hertz{file.number("frequency in Hz", Range::between(1.0, 10'000.0))};
   const std::size_t media_count = file.count("number of media", 1, kMostMedia);
@@ -98,13 +101,13 @@ RadialCase load_env(const std::filesystem::path& path) {
   environment.seabed = {.depth = Meters{media.front().back().depth_m}, .layers = fluids.sediment};
   take_water(environment, path, options, fluids.water);
   if (has_bathymetry) {
-    Bathymetry bathymetry = read_bathymetry(beside(path, ".bty"), environment.seabed.depth, options, environment.source.frequency,
+    Bathymetry bathymetry = read_bathymetry(beside(path, ".bty", ".BTY"), environment.seabed.depth, options, environment.source.frequency,
                                             fluids.water_density_g_per_cm3);
     environment.sea_floor_stations = std::move(bathymetry.sea_floor);
     environment.sediment_stations = std::move(bathymetry.sediment);
     environment.seabed.depth = environment.sea_floor_stations.front().depth;
     if (!environment.sediment_stations.empty()) environment.seabed.layers = environment.sediment_stations.front().layers;
-    add_file(environment, beside(path, ".bty"));
+    add_file(environment, beside(path, ".bty", ".BTY"));
   }
   Receivers receivers = read_receivers(file, environment.seabed.depth);
   environment.source.depth = Meters{receivers.source_depth_m.front()};

@@ -14,6 +14,7 @@ using host::Range;
 
 constexpr std::size_t kMostReceivers = 1'000'000;
 constexpr double kMaxRange_km = 2000.0;  // as far as `earshot field` goes
+constexpr double kNearest_m = 0.01;      // and as near
 
 /// How many numbers, then the numbers; the first and the last with a slash behind stand for as many at equal distances.
 std::vector<double> read_numbers(ListReader& file, const std::string& what, Range allowed) {
@@ -64,14 +65,17 @@ Receivers read_receivers(ListReader& file, Meters sea_floor) {
     std::array<double, 2> phase_speeds_mps{};
     file.numbers(phase_speeds_mps, "phase speeds in m/s");
     const double range_km = file.number("maximum range in km", Range::between(0.0, kMaxRange_km));
+    if (range_km > 0.0 && !(1000.0 * range_km >= kNearest_m))
+      throw file.error("maximum range in km", range_km, "must be 0, or 0.00001 or more, 1 cm");
     if (range_km > 0.0) receivers.max_range = Meters{1000.0 * range_km};
   }
   receivers.source_depth_m = read_source_depths(file, sea_floor);
   receivers.depth_m = read_numbers(file, "receiver depths in m", depth_m);
   if (is_of_modes) return receivers;
   receivers.range_m = read_numbers(file, "receiver ranges in km", Range::between(0.0, kMaxRange_km));
+  if (const double last_km = receivers.range_m.back(); !(1000.0 * last_km >= kNearest_m))
+    throw file.error("receiver ranges in km", last_km, "one at least must be 0.00001 or more, 1 cm");
   for (double& range : receivers.range_m) range *= 1000.0;
-  if (!(receivers.range_m.back() > 0.0)) throw file.error("receiver ranges in km", 0.0, "one at least must be above 0");
   require_computable_run(file);
   return receivers;
 }

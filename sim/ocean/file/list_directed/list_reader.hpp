@@ -44,6 +44,8 @@ class ListReader {
   /// The whole next line, whatever it holds, empty too, without quotes about it.
   [[nodiscard]] std::string line(const std::string& what);
 
+  /// Goes to what comes next, on this line or a later one.
+  void skip_blanks();
   /// How many numbers the next line that is not empty begins with.
   [[nodiscard]] std::size_t numbers_ahead() const;
   /// Whether nothing but blanks is left.
@@ -68,7 +70,6 @@ class ListReader {
   /// The next value; nothing behind a slash. Throws at the end of the file.
   std::optional<Item> next_item(const std::string& what);
   [[nodiscard]] std::string quoted(const std::string& what);
-  void skip_blanks();
   void begin();
   void end_of_read();
 

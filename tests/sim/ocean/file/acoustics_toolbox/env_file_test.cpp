@@ -53,6 +53,17 @@ TEST_F(EnvFile, GivesKrakensLayersAndItsMaximumRange) {
   EXPECT_EQ(layers[2].sound_speed, MetersPerSecond{1800.0});
 }
 
+TEST_F(EnvFile, HasItsOwnNameWhereItsTitleIsEmpty) {
+  const Environment environment = load(with(kBellhop, "'A case'\n", "\n  \n ''\n")).environment;
+  EXPECT_EQ(environment.name, "a");
+  EXPECT_EQ(environment.source.frequency, Hertz{200.0});
+  EXPECT_EQ(load(with(kBellhop, "'A case'\n", "\n\n A case\n")).environment.name, "A case");
+}
+
+TEST_F(EnvFile, ShowsWhatOfItsTitleWouldSteerATerminal) {
+  EXPECT_EQ(load(with(kBellhop, "A case", "A\x1b[31mcase")).environment.name, "A\\x1b[31mcase");
+}
+
 TEST_F(EnvFile, GivesAllDepthsOfItsSource) {
   const RadialCase read = load(with(kBellhop, "1\n30.0 /", "3\n30.0 40.0 /"));
   EXPECT_EQ(read.source_depth_m, (std::vector<double>{30.0, 35.0, 40.0}));
@@ -129,6 +140,8 @@ TEST_F(EnvFile, RefusesWithItsLineWhatItHasNoMeaningFor) {
   expect_complaint(with(kBellhop, "100.0 1495.0 /", "110.0 1495.0 /"),
                    "a.env:8: depth in m = 110: a medium must end with a line of its own bottom, 100");
   expect_complaint(with(kBellhop, "0.0 1500.0 /", "5.0 1500.0 /"), "a.env:6: depth in m = 5: a medium must begin where");
+  expect_complaint(with(kBellhop, "0.5 1.0 1.5", "0 1e-9 4e-9"),
+                   "a.env:16: receiver ranges in km = 4e-09: one at least must be 0.00001 or more");
   expect_complaint(with(kBellhop, "0.5 1.0 1.5", "0.5 1.5 1.0"), "a.env:16: receiver ranges in km = 1: must increase");
   expect_complaint(with(kBellhop, "5\n0 80 /", "5\n0 40 80 /"), "receiver depths in m = 3 numbers: must be 5, or the first and the last");
   expect_complaint("", "a.env:1: title = nothing: the file ends too early");
