@@ -76,6 +76,10 @@ void Writer::attribute(const std::string& name, const std::string& value) {
   check(nc_put_att_text(file_, NC_GLOBAL, name.c_str(), value.size(), value.data()), name);
 }
 
+void Writer::attribute(const std::string& name, double value) {
+  check(nc_put_att_double(file_, NC_GLOBAL, name.c_str(), NC_DOUBLE, 1, &value), name);
+}
+
 void Writer::attribute(const std::string& variable, const std::string& name, double value) {
   const int id = variable_id(variable);
   nc_type type = NC_NAT;

@@ -41,6 +41,7 @@ class Writer {
   /// Without loss, before its values are written: chunks of 64 KiB that hold whole rows, so that no more than a chunk is read for a row.
   void compress(const std::string& variable);
   void attribute(const std::string& name, const std::string& value);  ///< of the file
+  void attribute(const std::string& name, double value);              ///< of the file
   void attribute(const std::string& variable, const std::string& name, double value);
   void write(const std::string& variable, std::span<const double> values);  ///< all of it, row-major; converted to the variable's type
   void write(const std::string& variable, std::span<const float> values);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 #include <vector>
 
 #include "sim/pe/depth_grid.hpp"
@@ -164,6 +165,17 @@ GridChoice choose_grid(const ocean::Section& section, Hertz frequency, Meters ma
   choice.terms = choose_terms(s, choice.range_step.value, kStepShare * accuracy.value);
   choice.predicted_error_db = error_db(s, choice.depth_step.value, choice.range_step.value);
   return choice;
+}
+
+std::optional<std::string> doubt_of(double predicted_error_db, Decibels accuracy) {
+  constexpr double kTimes = 10.0;
+  constexpr Decibels kMore{1.0};
+  if (!(predicted_error_db > std::max(kTimes * accuracy, accuracy + kMore).value)) return std::nullopt;
+  std::ostringstream text;
+  text.precision(3);
+  text << "the error of transmission loss is predicted to be " << predicted_error_db << " dB in the mean where " << accuracy.value
+       << " dB was asked for: the sea floor is too rough for the solver's steps";
+  return text.str();
 }
 
 }  // namespace earshot::pe

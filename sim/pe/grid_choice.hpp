@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <string>
 
 #include "firmware/core/units.hpp"
 #include "sim/ocean/section.hpp"
@@ -30,5 +32,12 @@ struct GridChoice {
 /// @param max_range  > 0
 /// Oracle: GridChoice.*, AutomaticGrid.*
 [[nodiscard]] GridChoice choose_grid(const ocean::Section& section, Hertz frequency, Meters max_range, Decibels accuracy);
+
+/// Beyond it a field is no prediction: over a sea floor that goes up and down within a step, sound may even grow.
+inline constexpr Decibels kWorstError{10.0};
+
+/// What must be known of a field whose error is predicted to be ten times what was asked, and 1 dB more than it; else nothing.
+/// @param predicted_error_db  NaN where the caller chose the grid: then nothing is known
+[[nodiscard]] std::optional<std::string> doubt_of(double predicted_error_db, Decibels accuracy);
 
 }  // namespace earshot::pe

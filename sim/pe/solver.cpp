@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -122,6 +123,13 @@ void require_serves(const Propagator& propagator, std::size_t terms, double step
   throw std::invalid_argument(text.str());
 }
 
+/// @param predicted_error_db  NaN where nothing is known
+void require_predictable(double predicted_error_db, Decibels accuracy) {
+  const std::optional<std::string> doubt = doubt_of(predicted_error_db, accuracy);
+  if (doubt && predicted_error_db > kWorstError.value)
+    throw std::invalid_argument(*doubt + ": smooth it, or choose the range step yourself");
+}
+
 /// One march: the field at every receiver within a step from the solutions of that step.
 class March {
  public:
@@ -238,6 +246,9 @@ Field solve(const ocean::Section& section, const PointSource& source, const Opti
   const Propagator propagator = propagator_of(section, grid, source.frequency, stepping, terms);
   const bool is_chosen_here = is_automatic(choice, terms, stepping.step_m);
   if (!is_chosen_here) require_serves(propagator, terms, stepping.step_m, max_range);
+  const double predicted_error_db =
+      is_chosen_here && !options.depth_step ? choice.predicted_error_db : std::numeric_limits<double>::quiet_NaN();
+  require_predictable(predicted_error_db, options.accuracy);
   March march(section, source, grid, stepping, propagator, options.starter, receiver_depth_m);
   Field field{.range_step = Meters{stepping.row_m()},
               .depth_m = {receiver_depth_m.begin(), receiver_depth_m.end()},
@@ -245,8 +256,7 @@ Field solve(const ocean::Section& section, const PointSource& source, const Opti
               .grid = {.depth_step = Meters{grid.step_m},
                        .range_step = Meters{stepping.step_m},
                        .terms = terms,
-                       .predicted_error_db =
-                           is_chosen_here && !options.depth_step ? choice.predicted_error_db : std::numeric_limits<double>::quiet_NaN(),
+                       .predicted_error_db = predicted_error_db,
                        .reference_wavenumber_per_m = grid.reference_wavenumber_per_m}};
   const double rows = std::max(1.0, std::floor(max_range.value / stepping.row_m() + 1e-9));
   field.pressure.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(receiver_depth_m.size()));

@@ -44,7 +44,8 @@ struct PointSource {
 ///
 /// @param receiver_depth_m  each from 0 to 12000 m, below the sea floor too; no deeper than the half-space
 /// Throws std::invalid_argument that names what lies outside its range, and for terms or a range step of the caller's over which sound
-/// would be off by more than 3 dB at `max_range`, or grow.
+/// would be off by more than 3 dB at `max_range`, or grow; and where the grid that is chosen here would be off by more than kWorstError
+/// in the mean, and is much more than what was asked for: doubt_of().
 /// Source: Collins, J. Acoust. Soc. Am. 93 (1993) 1736; energy-conserving form: Collins & Westwood, J. Acoust. Soc. Am. 89 (1991) 1068.
 /// Oracle: Solver.*
 [[nodiscard]] Field solve(const ocean::Section& section, const PointSource& source, const Options& options,

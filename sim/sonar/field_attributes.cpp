@@ -32,6 +32,10 @@ void write_unmeasured(Writer& file, const std::optional<ocean::UnmeasuredWater>&
   if (water) file.attribute("unmeasured_water", to_string(*water));
 }
 
+void write_predicted_error(Writer& file, const std::optional<pe::MarchGrid>& grid) {
+  if (grid && !std::isnan(grid->predicted_error_db)) file.attribute("predicted_error_db", grid->predicted_error_db);
+}
+
 void write_scalar(Writer& file, const std::string& name, const std::string& long_name, const std::string& units, double value) {
   file.variable(name, Type::kDouble, {}, {{"long_name", long_name}, {"units", units}});
   file.write(name, std::span(&value, 1));

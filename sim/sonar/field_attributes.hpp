@@ -7,6 +7,7 @@
 
 #include "sim/netcdf/writer.hpp"
 #include "sim/ocean/environment.hpp"
+#include "sim/pe/solver.hpp"
 #include "sim/sonar/radial.hpp"
 
 namespace earshot::sonar {
@@ -19,6 +20,9 @@ void write_provenance(netcdf::Writer& file, const std::string& title, const ocea
 
 /// The attribute "unmeasured_water" of the whole file, where there is any.
 void write_unmeasured(netcdf::Writer& file, const std::optional<ocean::UnmeasuredWater>& water);
+
+/// The attribute "predicted_error_db" of the whole file: mean error of transmission loss, where the solver chose its grid.
+void write_predicted_error(netcdf::Writer& file, const std::optional<pe::MarchGrid>& grid);
 
 void write_scalar(netcdf::Writer& file, const std::string& name, const std::string& long_name, const std::string& units, double value);
 

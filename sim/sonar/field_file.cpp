@@ -48,6 +48,7 @@ void write_field(const std::filesystem::path& path, const SonarField& field, con
   Writer file(path);
   write_provenance(file, "Sound field of one source", environment, history);
   write_unmeasured(file, field.unmeasured);
+  write_predicted_error(file, field.grid);
   write_axes(file, field);
   write_scene(file, environment, band);
   write_scalar(file, "bearing", "bearing of the radial from the source, clockwise from grid north", "degree",

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "sim/ocean/section_along.hpp"
+#include "sim/pe/grid_choice.hpp"
 #include "sim/sonar/sonar_equation.hpp"
 
 namespace earshot::sonar {
@@ -21,6 +22,10 @@ float SonarField::snr_db(std::size_t range, std::size_t depth) const {
   const float loss_db = at(range, depth);
   if (std::isnan(loss_db)) return loss_db;  // no water
   return static_cast<float>(signal_to_noise(source_level, Decibels{static_cast<double>(loss_db)}, noise_level).value);
+}
+
+std::optional<std::string> doubt_of(const SonarField& field, Decibels accuracy) {
+  return field.grid ? pe::doubt_of(field.grid->predicted_error_db, accuracy) : std::nullopt;
 }
 
 std::vector<float> rounded_loss_db(std::span<const float> loss_db) {

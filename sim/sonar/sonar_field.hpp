@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "firmware/core/units.hpp"
@@ -38,6 +39,9 @@ struct SonarField {
   /// SL - TL - N at one range and depth; NaN where there is no water.
   [[nodiscard]] float snr_db(std::size_t range, std::size_t depth) const;
 };
+
+/// What must be known of a field whose error is predicted to be much larger than what was asked for: pe::doubt_of.
+[[nodiscard]] std::optional<std::string> doubt_of(const SonarField& field, Decibels accuracy);
 
 /// To 1/256 dB, as files hold it.
 [[nodiscard]] std::vector<float> rounded_loss_db(std::span<const float> loss_db);

@@ -1,15 +1,18 @@
 #include <cmath>
 #include <iostream>
 #include <numbers>
+#include <optional>
 #include <ostream>
 #include <sstream>
 
+#include "firmware/host/file/printable.hpp"
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "sim/apps/field/modes.hpp"
 #include "sim/plot/field_plot.hpp"
 #include "sim/sonar/field_file.hpp"
 #include "sim/sonar/grid_check.hpp"
+#include "sim/sonar/model_files/receiver_grid.hpp"
 #include "sim/sonar/model_files/shade_file.hpp"
 #include "sim/sonar/model_files/tl_grid.hpp"
 #include "sim/sonar/radial_request.hpp"
@@ -38,20 +41,24 @@ void warn_of_land(const ocean::Section& section, Meters last_range) {
   warn(text.str());
 }
 
+void warn_of_doubt(const std::optional<std::string>& doubt) {
+  if (doubt) warn(*doubt + ": smooth it, or check the field with other steps (--check)");
+}
+
 Radians bearing_of(const FieldArguments& arguments) {
   return Radians{arguments.bearing_deg * std::numbers::pi / 180.0};
 }
 
 void write_output(const FieldArguments& arguments, const sonar::SonarField& field, const ocean::Environment& environment,
-                  const ocean::Band& band, const sonar::model_files::ReceiverGrid& grid) {
+                  const ocean::Band& band) {
   using namespace sonar::model_files;
   switch (format_of(arguments)) {
     case OutputFormat::kShade:
-      return write_shade(arguments.output, at_receivers(field, grid),
+      return write_shade(arguments.output, field,
                          {.title = environment.name, .frequency = environment.source.frequency, .depth = environment.source.depth},
                          arguments.shd_layout == "single" ? ShadeLayout::kSingle : ShadeLayout::kDouble);
     case OutputFormat::kGrid:
-      return write_tl_grid(arguments.output, at_receivers(field, grid));
+      return write_tl_grid(arguments.output, field);
     case OutputFormat::kNetcdf:
       return sonar::write_field(arguments.output, field, environment, bearing_of(arguments), band, arguments.history);
   }
@@ -76,7 +83,7 @@ std::string depths_to_string(const sonar::SonarField& field) {
 
 std::string ocean_to_string(const ocean::Environment& environment, const ocean::Band& band) {
   std::ostringstream text;
-  text << environment.name << ", source of " << band.low.value;
+  text << host::printable(environment.name) << ", source of " << band.low.value;
   if (band.high > band.low) text << " to " << band.high.value;
   text << " Hz at " << environment.source.depth.value << " m";
   return text.str();
@@ -102,21 +109,28 @@ void write_radial(const FieldArguments& arguments) {
   const ocean::Section& section = radial.section;
   const sonar::RadialPlan& plan = radial.plan;
 
-  const auto field = [&] {
+  // Between two ranges of the march pressure is had from pressure alone.
+  const bool keeps_pressure = arguments.band_hz.empty() && (format_of(arguments) != OutputFormat::kNetcdf || !grid.range_m.empty());
+  const sonar::SonarField computed = [&] {
     program::ProgressBar bar("field");
     return sonar::compute_sonar_field(
         environment, section, plan, [&bar](double fraction) { bar.update(fraction); },
-        arguments.band_hz.empty() && format_of(arguments) != OutputFormat::kNetcdf ? sonar::Pressure::kKept : sonar::Pressure::kLeftOut);
+        keeps_pressure ? sonar::Pressure::kKept : sonar::Pressure::kLeftOut);
   }();
-  write_output(arguments, field, environment, plan.band, grid);
+  const bool is_at_receivers = !grid.depth_m.empty() || !grid.range_m.empty();
+  const std::optional<sonar::SonarField> at_receivers =
+      is_at_receivers ? std::optional(sonar::model_files::at_receivers(computed, grid)) : std::nullopt;
+  const sonar::SonarField& field = at_receivers ? *at_receivers : computed;
+  write_output(arguments, field, environment, plan.band);
   if (!arguments.plot.empty())
-    plot::plot_field(arguments.plot, field, environment, plan.band, bearing, Decibels{arguments.detection_threshold_db});
+    plot::plot_field(arguments.plot, computed, environment, plan.band, bearing, Decibels{arguments.detection_threshold_db});
 
   program::print() << "ocean:   " << ocean_to_string(environment, plan.band) << '\n'
                    << "field:   " << ranges_to_string(field) << ", " << depths_to_string(field) << '\n';
   print_level_note(arguments);
   program::print() << "written: " << arguments.output << (arguments.plot.empty() ? "" : ", " + arguments.plot) << '\n';
   warn(field.unmeasured);
+  warn_of_doubt(doubt_of(computed, plan.options.accuracy));
   warn_of_land(section, plan.max_range());
   if (arguments.check) print_check(section, environment.name, plan);
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <sstream>
 #include <vector>
 
 #include "tests/sim/apps/field/field_program.hpp"
@@ -47,6 +48,28 @@ std::vector<float> values_of(const std::string& path, const char* name, std::siz
   return values;
 }
 
+double predicted_error_db(const std::string& path) {
+  int file = -1;
+  EXPECT_EQ(nc_open(path.c_str(), NC_NOWRITE, &file), NC_NOERR);
+  double value = std::nan("");
+  EXPECT_EQ(nc_get_att_double(file, NC_GLOBAL, "predicted_error_db", &value), NC_NOERR);
+  nc_close(file);
+  return value;
+}
+
+/// Of a tl.grid file, [n_range x n_depth].
+std::vector<std::vector<float>> losses_of(const std::string& path) {
+  const std::string bytes = read(path);
+  std::int32_t depths = 0;
+  std::memcpy(&depths, bytes.data() + 4, sizeof(depths));
+  std::vector<std::vector<float>> losses;
+  for (std::size_t at = 12; at < bytes.size(); at += 8 + 4 * static_cast<std::size_t>(depths)) {
+    losses.emplace_back(static_cast<std::size_t>(depths));
+    std::memcpy(losses.back().data(), bytes.data() + at + 4, 4 * static_cast<std::size_t>(depths));
+  }
+  return losses;
+}
+
 class ModelFiles : public FieldProgram {
  protected:
   [[nodiscard]] std::string shade() const { return (folder_ / "out" / "field.shd").string(); }
@@ -67,6 +90,46 @@ TEST_F(ModelFiles, OfTheSameOceanGiveTheSameBitsAsAnEnvironmentFile) {
   ASSERT_EQ(run(write("pekeris.toml", kPekerisToml) + " -o " + output() + " --max-range-km 10 --output-step-m 100 --depth" + depths), 0)
       << errors();
   EXPECT_EQ(loss_db, values_of(output(), "transmission_loss", 4900));
+}
+
+TEST_F(ModelFiles, GiveNetcdfTheReceiversOfTheFile) {
+  std::string uneven = read(kPekeris);
+  uneven.replace(uneven.find("100              !"), 3, "4  ");
+  uneven.replace(uneven.find("0.1  10.0 /"), 11, "0 1.0033 2.71828 5.00017 /");
+  uneven.replace(uneven.find("49               !"), 2, "3 ");
+  uneven.replace(uneven.find("2.0  98.0 /"), 11, "0 50 150 /");
+  const std::string path = write("uneven.env", uneven);
+  ASSERT_EQ(run(path + " -o " + output()), 0) << errors();
+  EXPECT_NE(said().find("4 ranges to 5.00017 km, 3 depths from 0 to 150 m"), std::string::npos) << said();
+  const std::vector<float> range_m = values_of(output(), "range", 4);
+  EXPECT_EQ(range_m, (std::vector{0.0F, 1003.3F, 2718.28F, 5000.17F}));
+  EXPECT_EQ(values_of(output(), "depth", 3), (std::vector{0.0F, 50.0F, 150.0F}));
+  const std::vector<float> loss_db = values_of(output(), "transmission_loss", 12);
+  EXPECT_TRUE(std::isnan(loss_db[1])) << "at the source";
+  EXPECT_TRUE(std::isnan(loss_db[5])) << "below the sea floor";
+  EXPECT_EQ(loss_db[3], 300.0F) << "at the surface";
+  ASSERT_EQ(run(path + " -o " + grid()), 0) << errors();
+  const auto of_grid = losses_of(grid());
+  for (std::size_t range = 1; range < 4; ++range) EXPECT_NEAR(loss_db[3 * range + 1], of_grid[range][1], 0.5F / 256.0F);
+}
+
+TEST_F(ModelFiles, AreKnownByTheirNamesInCapitalsToo) {
+  const std::string path = write("A.ENV", read(kPekeris));
+  const std::filesystem::path out = folder_ / "out";
+  ASSERT_EQ(run(path + " -o " + (out / "A.SHD").string()), 0) << errors();
+  ASSERT_EQ(run(path + " -o " + (out / ".shd").string()), 0) << errors();
+  EXPECT_EQ(read(out / "A.SHD"), read(out / ".shd"));
+  ASSERT_EQ(run(path + " -o " + (out / "A.GRID").string()), 0) << errors();
+  EXPECT_EQ(losses_of((out / "A.GRID").string()).size(), 100U);
+  ASSERT_EQ(run(write("A.IN", read(kSlope)) + " -o " + output() + " --max-range-km 1"), 0) << errors();
+}
+
+TEST_F(ModelFiles, OfATitleThatWouldSteerATerminalShowWhatItIs) {
+  std::string text = kPekerisToml;
+  text.replace(text.find("Pekeris"), 7, "P\\u001b[31m");
+  ASSERT_EQ(run(write("p.toml", text) + " -o " + output() + " --max-range-km 1"), 0) << errors();
+  EXPECT_EQ(said().find('\x1b'), std::string::npos) << said();
+  EXPECT_NE(said().find("P\\x1b[31m"), std::string::npos) << said();
 }
 
 TEST_F(ModelFiles, GiveOptionsTheLastWord) {
@@ -108,29 +171,62 @@ TEST_F(ModelFiles, HoldTheLossOfTheFieldAsPressure) {
   }
 }
 
-/// Of a tl.grid file, [n_range x n_depth].
-std::vector<std::vector<float>> losses_of(const std::string& path) {
-  const std::string bytes = read(path);
-  std::int32_t depths = 0;
-  std::memcpy(&depths, bytes.data() + 4, sizeof(depths));
-  std::vector<std::vector<float>> losses;
-  for (std::size_t at = 12; at < bytes.size(); at += 8 + 4 * static_cast<std::size_t>(depths)) {
-    losses.emplace_back(static_cast<std::size_t>(depths));
-    std::memcpy(losses.back().data(), bytes.data() + at + 4, 4 * static_cast<std::size_t>(depths));
-  }
-  return losses;
-}
-
 TEST_F(ModelFiles, OfRamGiveItsGrid) {
   ASSERT_EQ(run(kSlope + " -o " + grid()), 0) << errors();
   const auto losses = losses_of(grid());
-  ASSERT_EQ(losses.size(), 80U);               // every fifth of 400 steps of 20 m
+  ASSERT_EQ(losses.size(), 80U);               // 100, 200, ... 8000 m: every fifth of 400 steps of 20 m
   ASSERT_EQ(losses.front().size(), 74U);       // nodes 4, 8, ... 299: 3, 7, ... 295 m
   EXPECT_TRUE(std::isnan(losses.back()[20]));  // 83 m, the floor there is at 62 m
   EXPECT_FALSE(std::isnan(losses.back()[10]));
-  // The same field at a range and depth of the grid, from the command's own words: 1020 m, 43 m.
-  ASSERT_EQ(run(kSlope + " -o " + output() + " --depth 43 --max-range-km 1.02 --output-step-m 20"), 0) << errors();
-  EXPECT_NEAR(losses[10][10], values_of(output(), "transmission_loss", 51).back(), 0.05F);  // grids of another length of the march
+  // The same field at a range and depth of the grid, from the command's own words: 1100 m, 43 m.
+  ASSERT_EQ(run(kSlope + " -o " + output() + " --depth 43 --max-range-km 1.1 --output-step-m 20"), 0) << errors();
+  EXPECT_NEAR(losses[10][10], values_of(output(), "transmission_loss", 55).back(), 0.05F);  // grids of another length of the march
+}
+
+TEST_F(ModelFiles, OfRamAreNotReplacedUnasked) {
+  // What RAM itself writes: a record with the number of depths, then the losses.
+  const std::string of_ram("\4\0\0\0\1\0\0\0\4\0\0\0\4\0\0\0\0\0\240A\4\0\0\0", 24);
+  std::ofstream(grid(), std::ios::binary) << of_ram;
+  EXPECT_EQ(run(kSlope + " -o " + grid()), 2);
+  EXPECT_NE(errors().find("is there already and is not known to be Earshot's"), std::string::npos) << errors();
+  EXPECT_EQ(read(grid()), of_ram);
+  EXPECT_EQ(run(kSlope + " --force -o " + grid()), 0) << errors();
+  EXPECT_NE(read(grid()), of_ram);
+}
+
+/// A sea floor that goes up and down by 20 m every 5 m.
+TEST_F(ModelFiles, OverARoughSeaFloorAreRefused) {
+  std::string rough = read(kPekeris);
+  std::ostringstream floor;
+  floor << "'L'\n2001\n";
+  for (int i = 0; i <= 2000; ++i) floor << 0.005 * i << ' ' << (i % 2 == 0 ? 100 : 80) << '\n';
+  rough.replace(rough.find("'A'  0.0"), 8, "'A~' 0.0");
+  write("rough.bty", floor.str());
+  const std::string path = write("rough.env", rough);
+  expect_refused(path + " -o " + output(),
+                 " dB in the mean where 0.02 dB was asked for: the sea floor is too rough for the solver's steps");
+  expect_refused(path + " -o " + shade(), "smooth it, or choose the range step yourself");
+  EXPECT_EQ(run(path + " -o " + output() + " --range-step 5"), 0) << errors();
+}
+
+TEST_F(ModelFiles, OverARoughishSeaFloorAreWarnedOf) {
+  std::string hilly = kPekerisToml;
+  hilly += "[bathymetry]\nlayout = \"section\"\nrange_m = [0.0";
+  std::string depths = "100.0";
+  for (int i = 1; i <= 200; ++i) {
+    hilly += ", " + std::to_string(50 * i) + ".0";
+    depths += i % 2 == 0 ? ", 100.0" : ", 80.0";
+  }
+  const std::string keyed = "depth_m = 100.0\n[[";
+  hilly += "]\ndepth_m = [" + depths + "]\n";
+  hilly.replace(hilly.find(keyed), keyed.size(), "[[");
+  ASSERT_EQ(run(write("hilly.toml", hilly) + " -o " + output() + " --max-range-km 10"), 0) << errors();
+  EXPECT_NE(errors().find("warning: the error of transmission loss is predicted to be "), std::string::npos) << errors();
+  // 0.2 dB integral of tan^2 / depth: (20 / 50)^2 / 89.6 m over 10 km, by hand; depth in the harmonic mean.
+  EXPECT_NEAR(predicted_error_db(output()), 3.57, 0.1);
+  ASSERT_EQ(run(kPekeris + " -o " + output()), 0) << errors();
+  EXPECT_EQ(errors(), "");
+  EXPECT_LE(predicted_error_db(output()), 0.02);
 }
 
 TEST_F(ModelFiles, AreRefusedWithFileAndLine) {
