@@ -20,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+#include "firmware/host/file/printable.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/python/shared/array_of.hpp"
 #include "policy/python/shared/checked.hpp"
@@ -48,6 +49,17 @@ constexpr std::int64_t kNoTime = std::numeric_limits<std::int64_t>::min();
 
 std::vector<py::ssize_t> shape_of(std::initializer_list<std::size_t> sizes) {
   return {sizes.begin(), sizes.end()};
+}
+
+/// As os.fsdecode gives it: what it is given back for is the same bytes.
+py::str text_of(const std::filesystem::path& path) {
+  const std::string& bytes = path.native();
+  return py::reinterpret_steal<py::str>(PyUnicode_DecodeFSDefaultAndSize(bytes.data(), static_cast<py::ssize_t>(bytes.size())));
+}
+
+std::vector<std::string> printable(std::vector<std::string> sentences) {
+  for (std::string& sentence : sentences) sentence = host::printable(sentence);
+  return sentences;
 }
 
 /// What is asked of any sound, as Python gives it.
@@ -122,7 +134,7 @@ py::dict rows_of(const std::vector<listening::Row>& rows, const Plan& plan) {
   columns["file_offset_s"] = column<double>(rows, [](const Row& row) { return row.place.offset.to_seconds(); });
   columns["is_clipped"] = column<std::uint8_t>(rows, [](const Row& row) { return static_cast<std::uint8_t>(row.is_clipped); });
   py::list files;
-  for (const Row& row : rows) files.append(py::cast(plan.sequence.parts()[row.place.part].path.string()));
+  for (const Row& row : rows) files.append(text_of(plan.sequence.parts()[row.place.part].path));
   columns["file"] = files;
   return columns;
 }
@@ -148,8 +160,8 @@ py::object dictionary_of(const spectrum::BandLevels* all, const Plan& plan, std:
 py::list files_of(const Plan& plan) {
   py::list files;
   for (const recording::Part& part : plan.sequence.parts())
-    files.append(py::make_tuple(part.path.string(), (plan.sequence.time_of(part.begin) - Time{}).to_seconds(), part.first_frame,
-                                part.frames, part.notes.start ? part.notes.start->us : kNoTime, part.notes.recorder));
+    files.append(py::make_tuple(text_of(part.path), (plan.sequence.time_of(part.begin) - Time{}).to_seconds(), part.first_frame,
+                                part.frames, part.notes.start ? part.notes.start->us : kNoTime, host::printable(part.notes.recorder)));
   return files;
 }
 
@@ -159,7 +171,7 @@ py::dict settings_of(const Plan& plan) {
   settings["level_unit"] = plan.chain.unit();
   settings["is_calibrated"] = plan.chain.is_calibrated();
   settings["full_scale_level_db"] = plan.chain.full_scale_level ? py::cast(plan.chain.full_scale_level->value) : py::none();
-  settings["calibration"] = plan.chain.from;
+  settings["calibration"] = host::printable(plan.chain.from);
   settings["sample_rate_hz"] = plan.sequence.sample_rate().value;
   settings["band_hz"] = py::make_tuple(plan.settings.band.low.value, plan.settings.band.high.value);
   settings["threshold_db"] = plan.settings.detection_threshold.value;
@@ -181,7 +193,7 @@ py::dict dictionary_of(const listening::Heard& heard, const Plan& plan, std::siz
   dictionary["not_heard_s"] = not_heard;
   std::vector<std::string> remarks = plan.remarks;
   if (heard.missing_frames > 0) remarks.push_back(missing_to_string(heard));
-  dictionary["remarks"] = remarks;
+  dictionary["remarks"] = printable(std::move(remarks));
   return dictionary;
 }
 
@@ -206,11 +218,11 @@ py::dict listen_to_files(const std::vector<std::filesystem::path>& files, const 
 /// Sound in memory, block by block.
 class SoundStream {
  public:
-  SoundStream(double rate, int bits, double largest_magnitude, const std::optional<std::string>& begin, Asked asked) {
+  SoundStream(double rate, std::int64_t bits, double largest_magnitude, const std::optional<std::string>& begin, Asked asked) {
     checked("rate", rate, Range::above(0.0));
-    checked("bits", bits, Range::between(8.0, 32.0));
+    const int stored = static_cast<int>(checked("bits", static_cast<double>(bits), Range::between(8.0, 32.0)));
     asked.channel = 1;  // a stream has one
-    const recording::SoundFormat format{.sample_rate = Hertz{rate}, .channels = 1, .bits = bits, .stored_bits = bits};
+    const recording::SoundFormat format{.sample_rate = Hertz{rate}, .channels = 1, .bits = stored, .stored_bits = stored};
     Plan plan = listening::plan_for(listening::sequence_of_samples(format, time_of(begin)), request_of(asked));
     plan.chain.divisor = listening::divisor_for(checked("largest_magnitude", largest_magnitude, Range::above(0.0)));
     stream_ = std::make_unique<listening::Stream>(std::move(plan), wanted_of(asked));
@@ -266,13 +278,17 @@ class SoundStream {
 };
 
 /// begin and end, s; low and high, Hz, 0 where not given; channel or 0; file or ""; offset in the file, s, or nothing
-using Selected = std::tuple<double, double, double, double, int, std::string, std::optional<double>>;
+using Selected = std::tuple<double, double, double, double, int, std::filesystem::path, std::optional<double>>;
 
-std::vector<Selected> selections(const std::filesystem::path& path) {
-  std::vector<Selected> selected;
-  for (const annotation::Selection& s : annotation::read_selection_table(path).selections)
-    selected.emplace_back(s.begin_s, s.end_s, s.low_hz, s.high_hz, s.names_channel ? s.channel : 0, s.begin_file,
-                          s.names_offset ? std::optional(s.file_offset_s) : std::nullopt);
+py::list selections(const std::filesystem::path& path) {
+  const annotation::SelectionTable table = [&] {
+    const py::gil_scoped_release without_python;
+    return annotation::read_selection_table(path);
+  }();
+  py::list selected;
+  for (const annotation::Selection& s : table.selections)
+    selected.append(py::make_tuple(s.begin_s, s.end_s, s.low_hz, s.high_hz, s.names_channel ? s.channel : 0, text_of(s.begin_file),
+                                   s.names_offset ? std::optional(s.file_offset_s) : std::nullopt));
   return selected;
 }
 
@@ -280,9 +296,10 @@ using Interval = std::pair<double, double>;
 /// path, number of the first frame in the file, frames
 using FilePart = std::tuple<std::filesystem::path, std::uint64_t, std::uint64_t>;
 
-std::pair<std::vector<Interval>, std::vector<std::string>> placed(const std::vector<Selected>& selected, const std::string& name,
+std::pair<std::vector<Interval>, std::vector<std::string>> placed(const std::vector<Selected>& selected, const std::filesystem::path& name,
                                                                   const std::vector<FilePart>& files, double rate, std::size_t channel,
                                                                   std::pair<double, double> band_hz) {
+  const py::gil_scoped_release without_python;
   annotation::SelectionTable table;
   for (const auto& [begin_s, end_s, low_hz, high_hz, of_channel, file, offset_s] : selected)
     table.selections.push_back({.begin_s = begin_s,
@@ -290,7 +307,7 @@ std::pair<std::vector<Interval>, std::vector<std::string>> placed(const std::vec
                                 .low_hz = low_hz,
                                 .high_hz = high_hz,
                                 .channel = of_channel,
-                                .begin_file = file,
+                                .begin_file = file.string(),
                                 .file_offset_s = offset_s.value_or(0.0),
                                 .values = {},
                                 .names_channel = of_channel > 0,
@@ -305,11 +322,12 @@ std::pair<std::vector<Interval>, std::vector<std::string>> placed(const std::vec
     parts.push_back(std::move(part));
   }
   const recording::Sequence sequence = recording::Sequence::of_parts(std::move(parts));
-  const listening::Truth truth = listening::truth_of(
-      table, name, {.sequence = sequence, .channel = channel, .band = {.low = Hertz{band_hz.first}, .high = Hertz{band_hz.second}}});
+  const listening::Truth truth =
+      listening::truth_of(table, name.string(),
+                          {.sequence = sequence, .channel = channel, .band = {.low = Hertz{band_hz.first}, .high = Hertz{band_hz.second}}});
   std::vector<Interval> intervals;
   for (const annotation::Interval& interval : truth.intervals) intervals.emplace_back(interval.begin_s, interval.end_s);
-  return {intervals, truth.remarks};
+  return {intervals, printable(truth.remarks)};
 }
 
 std::vector<annotation::Interval> intervals_of(const std::vector<Interval>& pairs) {
@@ -320,7 +338,10 @@ std::vector<annotation::Interval> intervals_of(const std::vector<Interval>& pair
 
 py::dict score(const std::vector<Interval>& truth, const std::vector<Interval>& found, double tolerance_s, double listened_s) {
   checked("tolerance_s", tolerance_s, listening::kTolerances_s);
-  const annotation::Score score = annotation::score(intervals_of(truth), intervals_of(found), tolerance_s, listened_s / 3600.0);
+  const annotation::Score score = [&] {
+    const py::gil_scoped_release without_python;
+    return annotation::score(intervals_of(truth), intervals_of(found), tolerance_s, listened_s / 3600.0);
+  }();
   using py::literals::operator""_a;
   return py::dict("selections"_a = score.truths, "detections"_a = score.detections, "hits"_a = score.hits, "misses"_a = score.misses(),
                   "false_alarms"_a = score.false_alarms(), "recall"_a = score.recall(), "precision"_a = score.precision(),
@@ -348,14 +369,16 @@ void add_listening(py::module_& module) {
   module.def("listen_to_files", &listen_to_files, py::kw_only(), py::arg("files"), py::arg("begin"), py::arg("time_format"),
              py::arg("asked"), py::arg("progress"));
   py::class_<SoundStream>(module, "SoundStream")
-      .def(py::init<double, int, double, const std::optional<std::string>&, Asked>(), py::kw_only(), py::arg("rate"), py::arg("bits"),
-           py::arg("largest_magnitude"), py::arg("begin"), py::arg("asked"))
+      .def(py::init<double, std::int64_t, double, const std::optional<std::string>&, Asked>(), py::kw_only(), py::arg("rate"),
+           py::arg("bits"), py::arg("largest_magnitude"), py::arg("begin"), py::arg("asked"))
       .def("push", &SoundStream::push, py::arg("samples").noconvert(), py::arg("progress"))
       .def("finish", &SoundStream::finish)
       .def_property_readonly("settings", &SoundStream::settings);
   module.def("selections", &selections, py::arg("path"));
   module.def("placed", &placed, py::kw_only(), py::arg("selected"), py::arg("name"), py::arg("files"), py::arg("rate"), py::arg("channel"),
              py::arg("band"));
+  module.def(
+      "printable", [](const std::filesystem::path& path) { return host::printable(path.string()); }, py::arg("path"));
   module.def("score", &score, py::kw_only(), py::arg("truth"), py::arg("found"), py::arg("tolerance_s"), py::arg("listened_s"));
 }
 

@@ -332,13 +332,16 @@ def selections(path: os.PathLike[str] | str) -> list[Selected]: ...
 def placed(
     *,
     selected: list[Selected],
-    name: str,
+    name: os.PathLike[str] | str,
     files: list[tuple[str, int, int]],
     rate: float,
     channel: int,
     band: tuple[float, float],
 ) -> tuple[list[tuple[float, float]], list[str]]:
     """Where selections lie in a recording, s, and what is not counted. Files are (path, first frame, frames)."""
+
+def printable(path: os.PathLike[str] | str) -> str:
+    """A path as messages show it."""
 
 def score(
     *, truth: list[tuple[float, float]], found: list[tuple[float, float]], tolerance_s: float, listened_s: float

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 
-from earshot import core
-from earshot.arguments import number
+from earshot import arguments, core
+from earshot.arguments import is_path, number
 from earshot.errors import BadInput, BadType
 from earshot.heard import Heard, RecordingWarning
 
@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     import pandas
 
 __all__ = ["Score", "read", "score"]
+
+_MOST_CHANNELS = 65_535
 
 Selections = Union[str, "os.PathLike[str]", "pandas.DataFrame"]
 
@@ -57,9 +59,11 @@ def read(path: str | os.PathLike[str]) -> pandas.DataFrame:
     """
     import pandas
 
-    if not isinstance(path, (str, os.PathLike)):
-        raise BadType("path: must be a text or a path", key="path", value=path)
-    rows = core.selections(path)
+    file = arguments.path("path", path)
+    try:
+        rows = core.selections(file)
+    except BadInput as bad:
+        raise bad.about(core.printable(file), key="path", value=path) from None
     begins, ends, lows, highs, channels, files, offsets = map(list, zip(*rows)) if rows else ([] for _ in range(7))
     has_frequency = np.array(highs, dtype=float) > 0.0
     table = pandas.DataFrame(
@@ -119,17 +123,21 @@ def score(
     return Score(**core.score(truth=intervals, found=found, tolerance_s=tolerance, listened_s=listened))
 
 
-def _intervals(name: str, table: pandas.DataFrame) -> list[tuple[float, float]]:
-    def column(of: str) -> Any:
-        if of not in table:
-            raise BadInput(f"{name}: has no column {of}", key=name)
-        try:
-            return table[of].to_numpy(dtype=float)
-        except (TypeError, ValueError):
-            raise BadType(f"{name}: {of} must be numbers", key=name) from None
+def _column(name: str, table: pandas.DataFrame, of: str) -> Any:
+    """Numbers, NaN where one is not known."""
+    if of not in table:
+        raise BadInput(f"{name}: has no column {of}", key=name)
+    if table[of].ndim != 1:
+        raise BadInput(f"{name}: has two columns {of}", key=name)
+    try:
+        return table[of].to_numpy(dtype=float, na_value=np.nan)
+    except (TypeError, ValueError):
+        raise BadType(f"{name}: {of} must be numbers", key=name) from None
 
-    begins = column("begin_s")
-    ends = column("end_s") if "end_s" in table else begins + column("duration_s")
+
+def _intervals(name: str, table: pandas.DataFrame) -> list[tuple[float, float]]:
+    begins = _column(name, table, "begin_s")
+    ends = _column(name, table, "end_s") if "end_s" in table else begins + _column(name, table, "duration_s")
     if not np.all((begins >= 0.0) & (begins <= ends) & np.isfinite(ends)):
         raise BadInput(f"{name}: each must begin at 0 s or later, and end no earlier than it begins", key=name)
     return list(zip(begins.tolist(), ends.tolist()))
@@ -141,30 +149,35 @@ def _placed(
     """Where the selections lie in what was heard, without those that do not count."""
     import pandas
 
-    def optional(name: str, unknown: Any) -> list[Any]:
-        return table[name].tolist() if name in table else [unknown] * len(table)
+    def numbers(name: str) -> Any:
+        return _column("truth", table, name) if name in table else np.full(len(table), np.nan)
 
-    def known(value: Any, unknown: Any) -> Any:
-        return unknown if pandas.isna(value) else value
-
-    is_of_files = heard.files["path"].iloc[0] != ""
-    columns = zip(
-        intervals,
-        *(optional(name, None) for name in ("low_hz", "high_hz", "channel", "begin_file", "file_offset_s")),
-    )
+    lows, highs, offsets = (numbers(name) for name in ("low_hz", "high_hz", "file_offset_s"))
+    for column, values in (("low_hz", lows), ("high_hz", highs), ("file_offset_s", offsets)):
+        if np.isinf(values).any():
+            raise BadInput(f"truth: {column} must be finite, or NaN where it is not known", key="truth")
+    channels = np.nan_to_num(numbers("channel"), nan=0.0, posinf=-1.0)
+    if not np.all((channels >= 0.0) & (channels <= _MOST_CHANNELS) & (channels == np.floor(channels))):
+        raise BadInput(f"truth: channel must be a whole number, 1 to {_MOST_CHANNELS}", key="truth")
+    names = [""] * len(table)
+    if heard.files["path"].iloc[0] != "" and "begin_file" in table:
+        if table["begin_file"].ndim != 1:
+            raise BadInput("truth: has two columns begin_file", key="truth")
+        names = ["" if pandas.isna(file) else str(file) for file in table["begin_file"].tolist()]
+        for file in filter(None, names):
+            arguments.path("truth", file)
     selected = [
-        (
-            begin,
-            end,
-            float(known(low, 0.0)),
-            float(known(high, 0.0)),
-            int(known(channel, 0)),
-            str(known(file, "")) if is_of_files else "",
-            None if known(offset, None) is None else float(offset),
+        (begin, end, max(low, 0.0), max(high, 0.0), int(channel), file, None if np.isnan(offset) else offset)
+        for (begin, end), low, high, channel, file, offset in zip(
+            intervals,
+            np.nan_to_num(lows).tolist(),
+            np.nan_to_num(highs).tolist(),
+            channels.tolist(),
+            names,
+            offsets.tolist(),
         )
-        for (begin, end), low, high, channel, file, offset in columns
     ]
-    name = "truth" if not isinstance(truth, (str, os.PathLike)) else os.fspath(truth)
+    name = arguments.path("truth", truth) if is_path(truth) else "truth"
     files = heard.files
     try:
         placed, remarks = core.placed(

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any, Union
 
 import numpy as np
@@ -10,7 +12,7 @@ from numpy.typing import NDArray
 
 from earshot.errors import BadInput, BadType
 
-__all__ = ["Numbers", "axis", "is_labelled", "number", "whole_number"]
+__all__ = ["Numbers", "axis", "is_labelled", "is_path", "number", "path", "text", "truth_value", "whole_number"]
 
 Numbers = Union[float, Sequence[float], NDArray[Any]]
 
@@ -50,6 +52,12 @@ def whole_number(name: str, value: Any) -> int:
     return int(found)
 
 
+def truth_value(name: str, value: Any) -> bool:
+    if not isinstance(value, (bool, np.bool_)):
+        raise BadType(f"{name}: must be True or False", key=name, value=value)
+    return bool(value)
+
+
 def axis(name: str, value: Any, dimensions: int = 1) -> NDArray[np.float64]:
     """Numbers with `dimensions` axes, at least one number; float64, contiguous, a copy where it has to be."""
     found = _floats(name, value)
@@ -60,3 +68,37 @@ def axis(name: str, value: Any, dimensions: int = 1) -> NDArray[np.float64]:
     if found.size == 0:
         raise BadInput(f"{name}: must hold one number or more", key=name, value=value)
     return found
+
+
+def text(name: str, value: Any) -> str:
+    """A text that others can be given, in UTF-8."""
+    if not isinstance(value, str):
+        raise BadType(f"{name}: must be a text", key=name, value=value)
+    try:
+        value.encode()
+    except UnicodeEncodeError:
+        raise BadInput(
+            f"{name} = {value!r}: must be a text without halves of characters", key=name, value=value
+        ) from None
+    return value
+
+
+def is_path(value: Any) -> bool:
+    return isinstance(value, (str, os.PathLike))
+
+
+def path(name: str, value: Any) -> Path:
+    """A file's or a folder's name, whether it is there or not."""
+    if not is_path(value):
+        raise BadType(f"{name}: must be a text or a path", key=name, value=value)
+    try:
+        given = os.fsdecode(value)
+    except TypeError:  # a PathLike that gives neither
+        raise BadType(f"{name}: must be a text or a path", key=name, value=value) from None
+    try:
+        os.fsencode(given)
+    except UnicodeEncodeError:
+        given = ""
+    if not given or "\0" in given:
+        raise BadInput(f"{name} = {value!r}: must be the name of a file or a folder", key=name, value=value)
+    return Path(given)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from earshot.arguments import axis, number, whole_number
+from earshot.arguments import axis, is_path, number, path, truth_value, whole_number
 from earshot.core import BeliefState
 from earshot.errors import BadInput, BadType
 from earshot.ocean_tables import Tables
@@ -60,9 +60,9 @@ class Belief:
         detection_threshold: float = 10.0,
     ) -> None:
         if not isinstance(tables, Tables):
-            if not isinstance(tables, (str, os.PathLike)):
+            if not is_path(tables):
                 raise BadType("tables: must be earshot.Tables, or a path", key="tables", value=tables)
-            tables = Tables.from_file(tables)
+            tables = Tables.from_file(path("tables", tables))
         self._state = BeliefState(
             tables=tables._tables,
             area=_pair("area", area),
@@ -96,11 +96,8 @@ class Belief:
                     "bearing: must be direction, deviation, and an axis or none", key="bearing", value=bearing
                 )
             heard = (float(angles[0]), float(angles[1]), float(angles[2]) if angles.size == 3 else None)
-        if not isinstance(too_faint, (bool, np.bool_)):
-            raise BadType("too_faint: must be True or False", key="too_faint", value=too_faint)
-        self._state.update(
-            _pair("position", position), snr=number("snr", snr), too_faint=bool(too_faint), bearing=heard
-        )
+        is_faint = truth_value("too_faint", too_faint)
+        self._state.update(_pair("position", position), snr=number("snr", snr), too_faint=is_faint, bearing=heard)
 
     @property
     def measurements(self) -> int:

@@ -7,11 +7,12 @@ from typing import Any
 
 __all__ = ["BadInput", "BadType"]
 
-# "FILE:LINE: KEY = VALUE: what is allowed", as all of Earshot says it; file, line and value may be left out.
-_PROBLEM = re.compile(
-    r"(?:(?P<file>[^\n]*?):(?:(?P<line>\d+):)? )?"
-    r"(?P<key>[\w.\[\]() ,]+?)(?: = (?P<value>[^\n]+?))?(?:: | is missing: )(?P<what>[^\n]+)"
-)
+# All of Earshot says "FILE:LINE: KEY = VALUE: what is allowed", and leaves out what it does not know.
+_PLACE = re.compile(r"(?P<file>[^\n]*?):(?P<line>\d+): ")
+_FILE = re.compile(r"(?P<file>[^\n:]*[/.][^\n:]*): (?=[\w.\[\]]+ (?:= |is missing: ))")  # no argument has such a name
+_KEY = re.compile(r"(?P<key>[\w.\[\]() ,-]+?)(?: = (?P<value>[^\n]+?): | is missing: )")
+_BARE_KEY = re.compile(r"(?P<key>[\w.\[\]() ,-]+?): ")
+_ARGUMENT = re.compile(r"(?P<key>[a-z][a-z_0-9]*): ")
 
 
 class BadInput(ValueError):
@@ -29,11 +30,38 @@ class BadInput(ValueError):
 
     def __init__(self, message: str, *, key: str | None = None, value: Any = None) -> None:
         super().__init__(message)
-        found = _PROBLEM.match(message) if key is None else None
-        self.file = found["file"] if found else None
-        self.line = int(found["line"]) if found and found["line"] else None
-        self.key = found["key"] if found else key
-        self.value = found["value"] if found else value
+        self.file, self.line, self.key, self.value = None, None, key, value
+        if key is None:
+            self._read(message)
+
+    def _read(self, message: str, file: str | None = None) -> None:
+        """Takes from the message what is certain; `file`: how it begins where it is about that file."""
+        if file is not None and message.startswith(f"{file}: "):
+            self.file, rest = file, message[len(file) + 2 :]
+        elif place := _PLACE.match(message):
+            self.file, self.line, rest = place["file"], int(place["line"]), message[place.end() :]
+        else:
+            found = _FILE.match(message)
+            self.file, rest = (found["file"], message[found.end() :]) if found else (None, message)
+        if found := _KEY.match(rest):
+            self.key, self.value = found["key"], found["value"]
+            if self.value is not None and len(self.value) > 1 and self.value[0] == self.value[-1] == '"':
+                self.value = self.value[1:-1]
+        elif self.line is not None:
+            found = _BARE_KEY.match(rest)
+            self.key = found["key"] if found else None
+        elif self.file is None:
+            found = _ARGUMENT.match(rest)
+            self.key = found["key"] if found else None
+
+    def about(self, file: str, *, key: str, value: Any) -> BadInput:
+        """The same, where a file was read: what is wrong with all of that is wrong with the argument that names it."""
+        refusal = BadInput(str(self))
+        refusal.file = refusal.line = refusal.key = refusal.value = None
+        refusal._read(str(self), file)
+        if refusal.file is None or refusal.key is None:
+            refusal.key, refusal.value = key, value
+        return refusal
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), self.args, self.__dict__

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Union
 
 from earshot import core
-from earshot.arguments import number, whole_number
+from earshot.arguments import is_path, number, path, text, truth_value, whole_number
 from earshot.errors import BadInput, BadType
 from earshot.ocean_tables import Tables
 from earshot.oceans import Environment
@@ -50,7 +50,7 @@ def _bound(name: str, policy: Any) -> tuple[str, tuple[Any, Any, Any]]:
 
 def _policies(given: Any) -> list[Any]:
     if isinstance(given, Mapping):
-        return [_bound(str(name), policy) for name, policy in given.items()]
+        return [_bound(text("policies", name), policy) for name, policy in given.items()]
     each = given if isinstance(given, Sequence) and not isinstance(given, (str, bytes)) else [given]
     if not each:
         raise BadInput("policies: must be one or more", key="policies", value=given)
@@ -58,10 +58,10 @@ def _policies(given: Any) -> list[Any]:
     for policy in each:
         if isinstance(policy, Mapping):
             found += _policies(policy)
-        elif isinstance(policy, (str, os.PathLike)):
-            found.append(os.fspath(policy))
+        elif is_path(policy):
+            found.append(text("policies", str(path("policies", policy))))
         else:
-            found.append(_bound(getattr(policy, "__name__", type(policy).__name__), policy))
+            found.append(_bound(str(getattr(policy, "__name__", type(policy).__name__)), policy))
     names = [one if isinstance(one, str) else one[0] for one in found]
     twice = next((name for i, name in enumerate(names) if name in names[:i]), None)
     if twice is not None:
@@ -76,16 +76,20 @@ def _ocean(name: str, given: Any) -> Any:
         if given._path is None:
             given.to_toml()  # refuses what lacks source or noise
         return given._path or given._ocean
-    if isinstance(given, (str, os.PathLike)):
-        return Path(given)
+    if is_path(given):
+        return path(name, given)
     raise BadType(f"{name}: must be earshot.Environment, or a path", key=name, value=given)
 
 
-def _as_argument(bad: BadInput) -> BadInput:
+def _as_argument(bad: BadInput, files: Sequence[tuple[str, Path]]) -> BadInput:
     """What is wrong, as the programs say it, with the name of the argument."""
-    text = re.sub("^(--policies:|POLICY) ", "policies: ", str(bad))
-    argument = re.match("(policies|tables): ", text)
-    return BadInput(text, key=argument[1], value=bad.value) if argument else bad
+    refusal = re.sub("^(--policies:|POLICY) ", "policies: ", str(bad))
+    if argument := re.match("(policies|tables): ", refusal):
+        return BadInput(refusal, key=argument[1], value=bad.value)
+    for name, file in files:
+        if refusal.startswith(f"{core.printable(file)}:"):
+            return bad.about(core.printable(file), key=name, value=file)
+    return bad
 
 
 def _several(name: str, given: Any) -> list[Any]:
@@ -103,11 +107,12 @@ def _tables(given: Any) -> list[tuple[str, core.Tables]]:
     for one in _several("tables", given):
         if isinstance(one, Tables):
             found.append((repr(one), one._tables))
-        elif isinstance(one, (str, os.PathLike)):
-            files = sorted(Path(one).glob("*.tables")) if Path(one).is_dir() else [Path(one)]
+        elif is_path(one):
+            place = path("tables", one)
+            files = sorted(place.glob("*.tables")) if place.is_dir() else [place]
             if not files:
                 raise BadInput(f"tables = {one}: holds no file of tables (.tables)", key="tables", value=one)
-            found += [(str(file), Tables.from_file(file)._tables) for file in files]
+            found += [(core.printable(file), Tables.from_file(file)._tables) for file in files]
         else:
             raise BadType("tables: must be earshot.Tables, or paths", key="tables", value=one)
     return found
@@ -164,10 +169,7 @@ def evaluate(
 
     if progress is not None and not callable(progress):
         raise BadType("progress: must be callable, or None", key="progress", value=progress)
-    for name, word in (("source", source), ("start", start)):
-        if word is not None and not isinstance(word, str):
-            raise BadType(f"{name}: must be a text", key=name, value=word)
-    asked = {
+    asked: dict[str, Any] = {
         "policies": _policies(policies),
         "worlds": [_ocean("worlds", world) for world in _several("worlds", worlds)],
         "environment": _ocean("environment", environment),
@@ -175,17 +177,20 @@ def evaluate(
         "episodes": whole_number("n", n),
         "seed": None if seed is None else whole_number("seed", seed),
         "vehicle_depth": None if vehicle_depth is None else number("vehicle_depth", vehicle_depth),
-        "source": source,
-        "start": start,
+        "source": None if source is None else text("source", source),
+        "start": None if start is None else text("start", start),
         "border_width": None if border_width is None else number("border_width", border_width),
         "max_steps": None if max_steps is None else whole_number("max_steps", max_steps),
-        "declared": bool(declared),
+        "declared": truth_value("declared", declared),
         "progress": progress,
     }
     try:
         csv, warned = core.evaluate(**asked)
+    except BadType:
+        raise  # of a policy in Python
     except BadInput as bad:
-        raise _as_argument(bad) from None
+        of = [("environment", asked["environment"]), *(("worlds", world) for world in asked["worlds"])]
+        raise _as_argument(bad, [(name, file) for name, file in of if isinstance(file, Path)]) from None
     for sentence in warned:
         python_warnings.warn(sentence, EvaluationWarning, stacklevel=2)
     frame = pandas.read_csv(

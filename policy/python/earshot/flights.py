@@ -13,7 +13,7 @@ import weakref
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Union
 
-from earshot.arguments import number, whole_number
+from earshot.arguments import number, path, text, truth_value, whole_number
 from earshot.errors import BadInput, BadType
 from earshot.journals import read_journal
 from earshot.ocean_tables import Tables
@@ -41,9 +41,7 @@ class Flight:
     """
 
     def __init__(self, folder: Path_) -> None:
-        if not isinstance(folder, (str, os.PathLike)):
-            raise BadType("folder: must be a text or a path", key="folder", value=folder)
-        self.folder = Path(folder)
+        self.folder = path("folder", folder)
         if not (self.folder / "summary.json").is_file():
             raise BadInput(
                 f"folder = {self.folder}: holds no flight, for it has no summary.json", key="folder", value=folder
@@ -80,7 +78,7 @@ class Flight:
 def _program(programs: Path_ | None) -> str:
     folder = programs if programs is not None else os.environ.get("EARSHOT_PROGRAMS")
     if folder is not None:
-        program = Path(folder) / _PROGRAM
+        program = path("programs", folder) / _PROGRAM
         if not os.access(program, os.X_OK):
             raise BadInput(f"programs = {folder}: holds no program {_PROGRAM}", key="programs", value=folder)
         return str(program)
@@ -95,9 +93,7 @@ def _program(programs: Path_ | None) -> str:
 
 
 def _path(name: str, value: Any) -> str:
-    if not isinstance(value, (str, os.PathLike)):
-        raise BadType(f"{name}: must be a text or a path", key=name, value=value)
-    return os.fspath(os.path.abspath(value))
+    return os.path.abspath(path(name, value))
 
 
 def _in_file(name: str, value: Any, folder: Path) -> str:
@@ -105,7 +101,7 @@ def _in_file(name: str, value: Any, folder: Path) -> str:
     if isinstance(value, Environment):
         if value._path is not None:
             return str(value._path)
-        (folder / "given.toml").write_text(value.to_toml())
+        (folder / "given.toml").write_text(value.to_toml(), encoding="utf-8")
         return str(folder / "given.toml")
     return _path(name, value)
 
@@ -194,8 +190,8 @@ def fly(
         if battery_percent is not None:
             command += ["--battery-percent", repr(number("battery_percent", battery_percent))]
         if lcm_url is not None:
-            command += ["--lcm-url", str(lcm_url)]
-        if ignore_source:
+            command += ["--lcm-url", text("lcm_url", lcm_url)]
+        if truth_value("ignore_source", ignore_source):
             command.append("--ignore-source")
         _run(command, argument_of)
         flight = Flight(folder)

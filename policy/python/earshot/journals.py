@@ -7,8 +7,9 @@ import os
 import warnings
 from typing import TYPE_CHECKING, Any
 
-from earshot.core import journal_fields, journal_records
-from earshot.errors import BadInput, BadType
+from earshot import arguments
+from earshot.core import journal_fields, journal_records, printable
+from earshot.errors import BadInput
 
 if TYPE_CHECKING:
     import pandas
@@ -70,11 +71,11 @@ def read_journal(path: str | os.PathLike[str]) -> dict[str, pandas.DataFrame]:
     """
     import pandas
 
-    if not isinstance(path, (str, os.PathLike)):
-        raise BadType("path: must be a text or a path", key="path", value=path)
-    if "\0" in os.fsdecode(path):
-        raise BadInput("path: must hold no zero character", key="path", value=path)
-    journal = journal_records(path)
+    file = arguments.path("path", path)
+    try:
+        journal = journal_records(file)
+    except BadInput as bad:
+        raise bad.about(printable(file), key="path", value=path) from None
     lacks = [
         f"{journal[name]} {what}"
         for name, what in (("missing_records", "records are missing"), ("damaged_bytes", "bytes are damaged"))
@@ -103,5 +104,5 @@ def read_journal(path: str | os.PathLike[str]) -> dict[str, pandas.DataFrame]:
         frames[topic] = frame
     lacks += [f"{undated} times lie outside of the years 1678 to 2261 and are NaT"] if undated else []
     if lacks:
-        warnings.warn(f"{os.fsdecode(path)}: {', '.join(lacks)}", JournalWarning, stacklevel=2)
+        warnings.warn(f"{printable(file)}: {', '.join(lacks)}", JournalWarning, stacklevel=2)
     return frames

@@ -13,8 +13,8 @@ from typing import Any, Union
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-from earshot.arguments import axis, number, whole_number
-from earshot.core import Listening, SoundStream, listen_to_files
+from earshot.arguments import axis, is_path, number, path, text, whole_number
+from earshot.core import Listening, SoundStream, listen_to_files, printable
 from earshot.errors import BadInput, BadType
 from earshot.heard import Completed, Heard, completed_of, heard_of, in_python, joined
 from earshot.sounds import array, bits_of, blocks_of, files_of, largest_magnitude, one_channel, scaled
@@ -97,18 +97,21 @@ def listen(
             raise BadInput("samples: must hold one sample or more", key="samples", value=samples)
         stream = _stream(rate, sound.dtype, bits, begin, asked, largest_magnitude("samples", sound), calibration)
         with _refusals("samples", samples, calibration):
-            return heard_of(joined([*_pushed(stream, sound, progress), stream.finish()]), channel)
+            parts = [*_pushed(stream, sound, progress), stream.finish()]
+        if progress is not None:
+            progress(1.0)
+        return heard_of(joined(parts), channel)
     for name, value in (("rate", rate), ("bits", bits)):
         if value is not None:
             raise BadInput(f"{name}: not with a file, which states it", key=name, value=value)
-    if time_format is not None and not isinstance(time_format, str):
-        raise BadType("time_format: must be a text", key="time_format", value=time_format)
     if begin is not None and time_format is not None:
         raise BadInput("begin: not beside time_format", key="begin", value=begin)
-    with _refusals("samples", samples, calibration):
-        heard = listen_to_files(
-            files=files, begin=_begin(begin), time_format=time_format, asked=asked, progress=progress
-        )
+    named = None if time_format is None else text("time_format", time_format)
+    first = _begin(begin)
+    with _refusals("samples", samples, calibration, files):
+        heard = listen_to_files(files=files, begin=first, time_format=named, asked=asked, progress=progress)
+    if progress is not None:
+        progress(1.0)
     return heard_of(heard, channel, is_of_files=True)
 
 
@@ -149,8 +152,8 @@ class Listener:
     ) -> None:
         try:
             self._dtype = np.dtype(dtype)
-        except TypeError as wrong:
-            raise BadType(f"dtype: {wrong}", key="dtype", value=dtype) from None
+        except (TypeError, ValueError, SyntaxError, RecursionError) as wrong:  # whatever NumPy makes of it
+            raise BadType(f"dtype: must be of NumPy: {wrong}", key="dtype", value=dtype) from None
         if self._dtype.kind not in "iuf":
             raise BadType("dtype: must be of integers or of floating point", key="dtype", value=dtype)
         asked = _asked(preset, band, threshold_db, channel, calibration, full_scale_db, levels_interval)
@@ -185,44 +188,53 @@ class Listener:
 def _asked(
     preset: Any, band: Any, threshold_db: Any, channel: Any, calibration: Any, full_scale_db: Any, levels_interval: Any
 ) -> Listening:
-    if not isinstance(preset, str):
-        raise BadType("preset: must be a text", key="preset", value=preset)
     if calibration is not None and full_scale_db is not None:
         raise BadInput("full_scale_db: not beside a calibration", key="full_scale_db", value=full_scale_db)
     edges = None if band is None else axis("band", band)
     if edges is not None and edges.size != 2:
         raise BadInput("band: must be the low and the high frequency", key="band", value=band)
-    path: Any = calibration
-    text = None
+    file = None
+    toml = None
     if isinstance(calibration, Mapping):
-        path = "calibration"  # stands for a file in what is wrong with the text
-        text = "".join(f"{key} = {number(str(key), value)!r}\n" for key, value in calibration.items())
-    elif calibration is not None and not isinstance(calibration, (str, os.PathLike)):
-        raise BadType("calibration: must be a path, or keys and values", key="calibration", value=calibration)
+        file = Path("calibration")  # stands for a file in what is wrong with the text
+        toml = "".join(
+            f"{_key_of_calibration(key, calibration)} = {number(key, calibration[key])!r}\n" for key in calibration
+        )
+    elif calibration is not None:
+        if not is_path(calibration):
+            raise BadType("calibration: must be a path, or keys and values", key="calibration", value=calibration)
+        file = path("calibration", calibration)
     return Listening(
-        preset=preset,
+        preset=text("preset", preset),
         band=None if edges is None else (float(edges[0]), float(edges[1])),
         threshold_db=None if threshold_db is None else number("threshold_db", threshold_db),
         channel=whole_number("channel", channel),
-        calibration=None if path is None else Path(path),
-        calibration_text=text,
+        calibration=file,
+        calibration_text=toml,
         full_scale_db=None if full_scale_db is None else number("full_scale_db", full_scale_db),
         levels_interval=None if levels_interval is None else number("levels_interval", levels_interval),
     )
+
+
+def _key_of_calibration(key: Any, calibration: Any) -> str:
+    if not isinstance(key, str) or key not in _KEYS_OF_CALIBRATION:
+        allowed = ", ".join(sorted(_KEYS_OF_CALIBRATION))
+        raise BadInput(
+            f"calibration: has the key {key!r}; may have {allowed}",
+            key=key if isinstance(key, str) else "calibration",
+            value=calibration,
+        )
+    return key
 
 
 def _stream(
     rate: Any, dtype: np.dtype[Any], bits: Any, begin: Begin, asked: Listening, largest: float, calibration: Calibration
 ) -> SoundStream:
     given = number("rate", rate)
+    carried = bits_of(dtype) if bits is None else whole_number("bits", bits)
+    first = _begin(begin)
     with _refusals("rate", rate, calibration):
-        return SoundStream(
-            rate=given,
-            bits=bits_of(dtype) if bits is None else whole_number("bits", bits),
-            largest_magnitude=largest,
-            begin=_begin(begin),
-            asked=asked,
-        )
+        return SoundStream(rate=given, bits=carried, largest_magnitude=largest, begin=first, asked=asked)
 
 
 def _pushed(
@@ -240,31 +252,42 @@ def _pushed(
 
 def _begin(begin: Begin) -> str | None:
     if isinstance(begin, datetime.datetime):
-        utc = begin if begin.tzinfo is None else begin.astimezone(datetime.timezone.utc).replace(tzinfo=None)
+        try:
+            utc = begin if begin.tzinfo is None else begin.astimezone(datetime.timezone.utc).replace(tzinfo=None)
+        except OverflowError:
+            raise BadInput(f"begin = {begin}: in UTC its year must be 1 to 9999", key="begin", value=begin) from None
         return utc.isoformat()
     if begin is not None and not isinstance(begin, str):
         raise BadType("begin: must be a datetime, or a text", key="begin", value=begin)
-    return begin
+    return None if begin is None else text("begin", begin)
 
 
 @contextlib.contextmanager
-def _refusals(name: str, value: Any, calibration: Calibration) -> Iterator[None]:
-    """Within it, what is refused is refused as an argument: this one, unless the message names another."""
+def _refusals(name: str, value: Any, calibration: Calibration, files: Sequence[Path] = ()) -> Iterator[None]:
+    """Within it, what the C++ module refuses is refused as an argument: this one, unless the message names another."""
     try:
         yield
+    except BadType:
+        raise  # of the callback that shows the progress
     except BadInput as bad:
-        raise _as_argument(bad, name, value, calibration) from None
+        raise _as_argument(bad, name, value, calibration, files) from None
 
 
-def _as_argument(bad: BadInput, name: str, value: Any, calibration: Calibration) -> BadInput:
-    text = in_python(str(bad))
-    found = BadInput(text)
-    if found.line is not None or found.key in _KEYS_OF_CALIBRATION:  # of a calibration
-        return found
-    if argument := _ARGUMENT.match(text):
-        return BadInput(text, key=argument[1], value=found.value)
-    if calibration is not None and text.startswith(f"{calibration}:"):
-        name, value = "calibration", calibration
-    named = BadInput(text, key=name, value=value)
-    named.file = None if found.file == "samples" else found.file
+def _as_argument(bad: BadInput, name: str, value: Any, calibration: Calibration, files: Sequence[Path]) -> BadInput:
+    refusal = BadInput(in_python(str(bad)))
+    chain = "calibration" if isinstance(calibration, Mapping) else None
+    if is_path(calibration):
+        chain = printable(path("calibration", calibration))
+    if chain is not None and str(refusal).startswith(f"{chain}:"):
+        refusal = refusal.about(chain, key="calibration", value=calibration)
+        if isinstance(calibration, Mapping):
+            refusal.file = refusal.line = None
+        return refusal
+    if argument := _ARGUMENT.match(str(refusal)):
+        refusal.key, refusal.file = argument[1], None
+        return refusal
+    shown = [printable(file) for file in files]
+    file = next((file for file in shown if re.match(re.escape(file) + "(/[^\n]*?)?: ", str(refusal))), None)
+    named = BadInput(str(refusal), key=name, value=value)
+    named.file = None if file is None else str(refusal)[: str(refusal).index(": ", len(file))]
     return named

@@ -200,6 +200,8 @@ def _layers_of_dataset(dataset: Any) -> list[Layer]:
             f"sediment: must have the variables {tuple(_LAYER_KEYS)}, has {unknown}", key="sediment", value=unknown
         )
     columns = {str(name): axis(f"sediment.{name}", dataset[name].values) for name in dataset.data_vars}
+    if np.isnan(columns["sound_speed"]).any():
+        raise BadInput("sediment: sound_speed must be known of every layer", key="sediment", value=dataset)
     rows = zip(*columns.values())
     return [Layer(**{k: float(v) for k, v in zip(columns, row) if not np.isnan(v)}) for row in rows]
 

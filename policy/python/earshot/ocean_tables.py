@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 
-from earshot import core
+from earshot import arguments, core
 from earshot.arguments import number, whole_number
 from earshot.errors import BadInput, BadType
 from earshot.oceans import Environment
@@ -38,9 +38,11 @@ class Tables:
     @classmethod
     def from_file(cls, path: str | os.PathLike[str]) -> Tables:
         """The tables of a file, whoever signed it. Raises BadInput for what is none, BadType for no path."""
-        if not isinstance(path, (str, os.PathLike)):
-            raise BadType("path: must be a text or a path", key="path", value=path)
-        return cls(core.Tables.from_file(path))
+        file = arguments.path("path", path)
+        try:
+            return cls(core.Tables.from_file(file))
+        except BadInput as bad:
+            raise bad.about(core.printable(file), key="path", value=path) from None
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes a `.tables` file, whole or not at all, in place of one of that name.
@@ -48,9 +50,7 @@ class Tables:
         Every tool on a desk reads it. A vehicle refuses tables that `earshot.tables` made, for they are not signed:
         `earshot tables ... --key` makes signed ones.
         """
-        if not isinstance(path, (str, os.PathLike)):
-            raise BadType("path: must be a text or a path", key="path", value=path)
-        target = Path(path)
+        target = arguments.path("path", path)
         if target.exists() and not target.is_file():
             raise BadInput(f"path = {target}: must be a file, or not be there yet", key="path", value=path)
         with tempfile.NamedTemporaryFile(dir=target.parent, prefix=target.name + ".", delete=False) as file:
@@ -125,6 +125,8 @@ class Tables:
 
 
 def _oceans(given: Any) -> list[Any]:
+    if not isinstance(given, (Environment, str, os.PathLike, Iterable)):
+        raise BadType("environments: must be of earshot.Environment, or paths", key="environments", value=given)
     each = [given] if isinstance(given, (Environment, str, os.PathLike)) else list(given)
     if not each:
         raise BadInput("environments: must be one or more", key="environments", value=given)
@@ -133,8 +135,8 @@ def _oceans(given: Any) -> list[Any]:
         if isinstance(one, Environment):
             one.to_toml() if one._path is None else None  # refuses what lacks source or noise
             oceans.append(one._ocean)
-        elif isinstance(one, (str, os.PathLike)):
-            oceans.append(Path(one))
+        elif arguments.is_path(one):
+            oceans.append(arguments.path("environments", one))
         else:
             raise BadType("environments: must be of earshot.Environment, or paths", key="environments", value=one)
     return oceans

@@ -8,8 +8,9 @@ import re
 from pathlib import Path
 from typing import Any
 
+from earshot import arguments
 from earshot.arguments import number
-from earshot.core import Ocean
+from earshot.core import Ocean, printable
 from earshot.errors import BadInput, BadType
 from earshot.ocean_parts import (
     Bathymetry,
@@ -120,12 +121,13 @@ class Environment:
 
         Raises BadInput with file, line, key and value of the first of all problems, which its text lists.
         """
-        if not isinstance(path, (str, os.PathLike)):
-            raise BadType("path: must be a text or a path", key="path", value=path)
         environment = cls.__new__(cls)
-        environment._path = Path(path).resolve()
+        environment._path = Path(os.path.realpath(arguments.path("path", path)))
         environment._text = ""
-        environment._ocean = Ocean.from_file(environment._path)
+        try:
+            environment._ocean = Ocean.from_file(environment._path)
+        except BadInput as bad:
+            raise bad.about(printable(environment._path), key="path", value=path) from None
         ocean = environment._ocean
         environment._given = {
             "frequency": ocean.frequency,

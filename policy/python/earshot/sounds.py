@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -10,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from earshot.arguments import whole_number
+from earshot.arguments import is_path, path, whole_number
 from earshot.errors import BadInput, BadType
 
 __all__ = ["array", "bits_of", "blocks_of", "files_of", "largest_magnitude", "one_channel", "scaled"]
@@ -28,13 +27,9 @@ def bits_of(dtype: np.dtype[Any]) -> int:
 def files_of(samples: Any) -> list[Path] | None:
     """None for an array."""
     named = list(samples) if isinstance(samples, (list, tuple)) else [samples]
-    if not named or not all(isinstance(name, (str, os.PathLike)) for name in named):
+    if not named or not all(is_path(name) for name in named):
         return None
-    paths = [os.fsdecode(name) for name in named]
-    for path in paths:
-        if not path or "\0" in path:
-            raise BadInput(f"samples: {path!r} is no path", key="samples", value=samples)
-    return [Path(path) for path in paths]
+    return [path("samples", name) for name in named]
 
 
 def array(name: str, samples: Any) -> NDArray[Any]:
