@@ -183,7 +183,10 @@ py::dict radial(const Ocean& ocean, double frequency, double source_depth, doubl
     const py::gil_scoped_release without_python;
     return solved(ocean, asked, std::ref(watch));
   }();
-  return dictionary_of(std::move(field));
+  const std::optional<std::string> doubt = doubt_of(field, Decibels{asked.accuracy_db});
+  py::dict result = dictionary_of(std::move(field));
+  result["doubt"] = doubt;
+  return result;
 }
 
 }  // namespace

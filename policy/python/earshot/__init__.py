@@ -24,6 +24,7 @@ if _TYPE_CHECKING:
     from earshot.evaluations import EvaluationWarning as EvaluationWarning
     from earshot.evaluations import baselines as baselines
     from earshot.evaluations import evaluate as evaluate
+    from earshot.fields import FieldWarning as FieldWarning
     from earshot.fields import field as field
     from earshot.flights import Flight as Flight
     from earshot.flights import FlightLost as FlightLost
@@ -49,6 +50,7 @@ _OWN = {
     "Completed": "earshot.heard",
     "Environment": "earshot.oceans",
     "EvaluationWarning": "earshot.evaluations",
+    "FieldWarning": "earshot.fields",
     "Flight": "earshot.flights",
     "FlightLost": "earshot.flights",
     "Heard": "earshot.heard",

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from earshot.arguments import Numbers, axis, number, whole_number
+from earshot.arguments import Numbers, axis, number, text, truth_value, whole_number
 from earshot.core import radial
 from earshot.errors import BadInput, BadType
 from earshot.oceans import Environment
@@ -15,8 +16,9 @@ from earshot.oceans import Environment
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["field"]
+__all__ = ["FieldWarning", "field"]
 
+_ANY_HZ = 100.0  # stands where a band is asked for, which states its frequencies
 _WATER_MPS = 1500.0  # by which a wavelength is reckoned where none is computed
 
 _ATTRIBUTES = {
@@ -37,6 +39,10 @@ _ATTRIBUTES = {
         "units": "m",
     },
 }
+
+
+class FieldWarning(UserWarning):
+    """The field is not as sure as it was asked to be."""
 
 
 def _asked(name: str, value: Any, known: float | None) -> Any:
@@ -96,6 +102,7 @@ def field(
     and in its attributes predicted_error_db (the largest; NaN where you chose the grid), and depth_step_m, range_step_m
     and terms of the solver (the finest).
 
+    Warns (FieldWarning) where the predicted error is ten times `accuracy_db`, and 1 dB more; refuses more than 10 dB.
     Raises BadInput with the argument as `key`, BadType for what is of another kind, KeyboardInterrupt within some
     tenths of a second. Other threads of Python run meanwhile.
     """
@@ -105,9 +112,6 @@ def field(
         raise BadType("environment: must be an earshot.Environment", key="environment", value=environment)
     if progress is not None and not callable(progress):
         raise BadType("progress: must be callable, or None", key="progress", value=progress)
-    if not isinstance(starter, str):
-        raise BadType("starter: must be a text", key="starter", value=starter)
-    frequencies = _asked("frequency", frequency, environment.frequency)
     source_depths = _asked("source_depth", source_depth, environment.source_depth)
     edges = None
     if band is not None:
@@ -117,6 +121,8 @@ def field(
         if low_high.size != 2:
             raise BadInput("band: must be the low and the high frequency", key="band", value=band)
         edges = (float(low_high[0]), float(low_high[1]))
+    known = _ANY_HZ if edges is not None and environment.frequency is None else environment.frequency
+    frequencies = _asked("frequency", frequency, known)
     step = _optional("output_step", output_step)
     march_step = _optional("range_step", range_step)
     if step is None and march_step is None and np.ndim(frequencies) > 0 and np.all(frequencies > 0.0):
@@ -132,12 +138,12 @@ def field(
         "accuracy_db": number("accuracy_db", accuracy_db),
         "band": edges,
         "band_parts": whole_number("band_parts", band_parts),
-        "starter": starter,
+        "starter": text("starter", starter),
         "range_step": march_step,
         "depth_step": _optional("depth_step", depth_step),
         "terms": whole_number("terms", terms),
         "absorber_wavelengths": _optional("absorber_wavelengths", absorber_wavelengths),
-        "pressure": bool(pressure),
+        "pressure": truth_value("pressure", pressure),
     }
     of_sources = [(f, d) for f in np.atleast_1d(frequencies).tolist() for d in np.atleast_1d(source_depths).tolist()]
 
@@ -146,7 +152,10 @@ def field(
         report = None if progress is None else lambda share: progress((i + share) / len(of_sources))
         return radial(environment._ocean, frequency=frequency_hz, source_depth=depth_m, progress=report, **shared)
 
-    return _dataset(xarray, environment, frequencies, source_depths, [march(i) for i in range(len(of_sources))], edges)
+    fields = [march(i) for i in range(len(of_sources))]
+    for doubt in dict.fromkeys(f["doubt"] for f in fields if f["doubt"] is not None):
+        warnings.warn(f"{doubt}: smooth it, or choose range_step", FieldWarning, stacklevel=2)
+    return _dataset(xarray, environment, frequencies, source_depths, fields, edges)
 
 
 def _dataset(
