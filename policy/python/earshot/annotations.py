@@ -63,7 +63,7 @@ def read(path: str | os.PathLike[str]) -> pandas.DataFrame:
     try:
         rows = core.selections(file)
     except BadInput as bad:
-        raise bad.about(core.printable(file), key="path", value=path) from None
+        raise bad.about(str(file), core.printable(file), key="path", value=path) from None
     begins, ends, lows, highs, channels, files, offsets = map(list, zip(*rows)) if rows else ([] for _ in range(7))
     has_frequency = np.array(highs, dtype=float) > 0.0
     table = pandas.DataFrame(

@@ -49,17 +49,21 @@ class BadInput(ValueError):
                 self.value = self.value[1:-1]
         elif self.line is not None:
             found = _BARE_KEY.match(rest)
-            self.key = found["key"] if found else None
+            self.key = found["key"] if found else self.key
         elif self.file is None:
             found = _ARGUMENT.match(rest)
-            self.key = found["key"] if found else None
+            self.key = found["key"] if found else self.key
 
-    def about(self, file: str, *, key: str, value: Any) -> BadInput:
-        """The same, where a file was read: what is wrong with all of that is wrong with the argument that names it."""
-        refusal = BadInput(str(self))
-        refusal.file = refusal.line = refusal.key = refusal.value = None
-        refusal._read(str(self), file)
-        if refusal.file is None or refusal.key is None:
+    def about(self, file: str, shown: str, *, key: str, value: Any) -> BadInput:
+        """The same, where `file` was read: what is wrong with all of that is wrong with the argument that names it.
+
+        shown  the file's name as messages have it
+        """
+        refusal = BadInput(str(self), key=key, value=value)
+        refusal._read(str(self), shown)
+        if refusal.file == shown:
+            refusal.file = file
+        elif refusal.file is None:
             refusal.key, refusal.value = key, value
         return refusal
 

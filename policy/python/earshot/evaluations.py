@@ -88,7 +88,7 @@ def _as_argument(bad: BadInput, files: Sequence[tuple[str, Path]]) -> BadInput:
         return BadInput(refusal, key=argument[1], value=bad.value)
     for name, file in files:
         if refusal.startswith(f"{core.printable(file)}:"):
-            return bad.about(core.printable(file), key=name, value=file)
+            return bad.about(str(file), core.printable(file), key=name, value=file)
     return bad
 
 

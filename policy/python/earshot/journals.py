@@ -75,7 +75,7 @@ def read_journal(path: str | os.PathLike[str]) -> dict[str, pandas.DataFrame]:
     try:
         journal = journal_records(file)
     except BadInput as bad:
-        raise bad.about(printable(file), key="path", value=path) from None
+        raise bad.about(str(file), printable(file), key="path", value=path) from None
     lacks = [
         f"{journal[name]} {what}"
         for name, what in (("missing_records", "records are missing"), ("damaged_bytes", "bytes are damaged"))

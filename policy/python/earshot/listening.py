@@ -275,19 +275,19 @@ def _refusals(name: str, value: Any, calibration: Calibration, files: Sequence[P
 
 def _as_argument(bad: BadInput, name: str, value: Any, calibration: Calibration, files: Sequence[Path]) -> BadInput:
     refusal = BadInput(in_python(str(bad)))
-    chain = "calibration" if isinstance(calibration, Mapping) else None
+    chain = Path("calibration") if isinstance(calibration, Mapping) else None
     if is_path(calibration):
-        chain = printable(path("calibration", calibration))
-    if chain is not None and str(refusal).startswith(f"{chain}:"):
-        refusal = refusal.about(chain, key="calibration", value=calibration)
+        chain = path("calibration", calibration)
+    if chain is not None and str(refusal).startswith(f"{printable(chain)}:"):
+        refusal = refusal.about(str(chain), printable(chain), key="calibration", value=calibration)
         if isinstance(calibration, Mapping):
             refusal.file = refusal.line = None
         return refusal
     if argument := _ARGUMENT.match(str(refusal)):
         refusal.key, refusal.file = argument[1], None
         return refusal
-    shown = [printable(file) for file in files]
-    file = next((file for file in shown if re.match(re.escape(file) + "(/[^\n]*?)?: ", str(refusal))), None)
     named = BadInput(str(refusal), key=name, value=value)
-    named.file = None if file is None else str(refusal)[: str(refusal).index(": ", len(file))]
+    for file in files:
+        if of_file := re.match(re.escape(printable(file)) + "(/[^\n]*?)?: ", str(refusal)):
+            named.file = str(file) + (of_file[1] or "")
     return named

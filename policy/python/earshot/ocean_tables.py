@@ -42,7 +42,7 @@ class Tables:
         try:
             return cls(core.Tables.from_file(file))
         except BadInput as bad:
-            raise bad.about(core.printable(file), key="path", value=path) from None
+            raise bad.about(str(file), core.printable(file), key="path", value=path) from None
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes a `.tables` file, whole or not at all, in place of one of that name.

@@ -127,7 +127,7 @@ class Environment:
         try:
             environment._ocean = Ocean.from_file(environment._path)
         except BadInput as bad:
-            raise bad.about(printable(environment._path), key="path", value=path) from None
+            raise bad.about(str(environment._path), printable(environment._path), key="path", value=path) from None
         ocean = environment._ocean
         environment._given = {
             "frequency": ocean.frequency,

@@ -53,8 +53,11 @@ class Refused(Cases):
 
     def test_are_sample_rates_that_no_recorder_has(self):
         for rate in (1e15, 2.0**53, 2.0**63, 1e300):
-            for call in (lambda: earshot.Listener(rate), lambda: earshot.listen(song(30, [12]), rate)):
-                self.assertIn("no more than 1000000 Hz", str(self.require("rate", call)))
+            for bad in (
+                self.require("rate", earshot.Listener, rate),
+                self.require("rate", earshot.listen, song(30, [12]), rate),
+            ):
+                self.assertIn("no more than 1000000 Hz", str(bad))
 
     def test_are_texts_that_are_none(self):
         sound = song(30, [12])
@@ -93,9 +96,9 @@ class Refused(Cases):
                     bad = self.require("path", call, value)
                     self.assertIs(bad.value, value)
         for key, call in (
-            ("tables", lambda path: earshot.Belief(path)),
-            ("environments", lambda path: earshot.tables(path)),
-            ("folder", lambda path: earshot.Flight(path)),
+            ("tables", earshot.Belief),
+            ("environments", earshot.tables),
+            ("folder", earshot.Flight),
             ("worlds", lambda path: earshot.evaluate("sweep", path, n=1)),
             ("tables", lambda path: earshot.evaluate("sweep", tables=path, n=1)),
             ("policies", lambda path: earshot.evaluate(path, n=1)),
@@ -152,7 +155,9 @@ class Refused(Cases):
             pandas.concat([good, good[["begin_s"]].rename(columns={"begin_s": "channel"})] * 2, axis=1),
         ):
             self.require("truth", earshot.annotations.score, heard, wrong)
-        known = good.assign(channel=pandas.array([1, None], dtype="Int64"), low_hz=[np.nan, 15.0], high_hz=[np.nan, 25.0])
+        known = good.assign(
+            channel=pandas.array([1, None], dtype="Int64"), low_hz=[np.nan, 15.0], high_hz=[np.nan, 25.0]
+        )
         self.assertEqual(earshot.annotations.score(heard, known).selections, 2)
 
     def test_are_layers_without_a_sound_speed(self):
@@ -186,7 +191,11 @@ class FileNames(Cases):
         self.assertEqual(earshot.listen(named, calibration=chain).calibration, "c\\xe9.toml")
         with self.assertRaises(earshot.BadInput) as caught:
             earshot.listen(self.name(b"no\xe9.wav"))
-        self.assertEqual(caught.exception.file, f"{self.folder}/no\\xe9.wav")
+        self.assertEqual(caught.exception.file, self.name(b"no\xe9.wav"))
+        self.assertIn("no\\xe9.wav: no such file", str(caught.exception))
+        with self.assertRaises(earshot.BadInput) as caught:
+            earshot.annotations.read(self.name(b"no\xe9.txt"))
+        self.assertEqual(caught.exception.file, self.name(b"no\xe9.txt"))
 
     def test_of_what_is_left_out_are_shown(self):
         good = write_wav(self.folder / "good.wav", in_steps(song(60, [30]), np.int16))
@@ -214,7 +223,12 @@ class Told(unittest.TestCase):
         """Its error by hand: 0.2 dB integral of tan^2 / depth; 1 / depth in the mean of 80 to 100 m is ln(100/80)/20 m."""
         ranges = np.arange(0.0, 10_001.0, 50.0)
         hilly = shallow(bathymetry=(ranges, np.where(np.arange(ranges.size) % 2 == 0, 100.0, 80.0)))
-        named: dict[str, Any] = {"frequency": 100.0, "source_depth": 30.0, "max_range": 10_000.0, "receiver_depth": 50.0}
+        named: dict[str, Any] = {
+            "frequency": 100.0,
+            "source_depth": 30.0,
+            "max_range": 10_000.0,
+            "receiver_depth": 50.0,
+        }
         with self.assertWarnsRegex(earshot.FieldWarning, "where 0.02 dB was asked for: the sea floor is too rough"):
             sound = earshot.field(hilly, **named)
         self.assertAlmostEqual(sound.attrs["predicted_error_db"], 0.2 * 0.4**2 * 1e4 * np.log(1.25) / 20.0, delta=0.1)
