@@ -95,14 +95,15 @@ class Refused(Cases):
                 with self.subTest(call=call.__qualname__, value=repr(value)):
                     bad = self.require("path", call, value)
                     self.assertIs(bad.value, value)
-        for key, call in (
+        taking: tuple[tuple[str, Any], ...] = (
             ("tables", earshot.Belief),
             ("environments", earshot.tables),
             ("folder", earshot.Flight),
             ("worlds", lambda path: earshot.evaluate("sweep", path, n=1)),
             ("tables", lambda path: earshot.evaluate("sweep", tables=path, n=1)),
             ("policies", lambda path: earshot.evaluate(path, n=1)),
-        ):
+        )
+        for key, call in taking:
             for value in ("a\0b", HALF):
                 with self.subTest(key=key, value=repr(value)):
                     self.require(key, call, value)
@@ -127,7 +128,8 @@ class Refused(Cases):
 
     def test_keep_their_type_and_value(self):
         sound = song(30, [12])
-        for name, value in (("bits", "many"), ("begin", 3)):
+        wrong: tuple[tuple[str, Any], ...] = (("bits", "many"), ("begin", 3))
+        for name, value in wrong:
             with self.assertRaises(earshot.BadType) as caught:
                 earshot.listen(sound, 1000, **{name: value})
             self.assertEqual((caught.exception.key, caught.exception.value), (name, value))
@@ -220,7 +222,7 @@ class Told(unittest.TestCase):
         xarray.testing.assert_equal(of_band, known)
 
     def test_that_a_floor_is_rough(self):
-        """Its error by hand: 0.2 dB integral of tan^2 / depth; 1 / depth in the mean of 80 to 100 m is ln(100/80)/20 m."""
+        """Its error by hand: 0.2 dB integral of tan^2 / depth; 1 / depth is ln(100 / 80) / 20 m in the mean."""
         ranges = np.arange(0.0, 10_001.0, 50.0)
         hilly = shallow(bathymetry=(ranges, np.where(np.arange(ranges.size) % 2 == 0, 100.0, 80.0)))
         named: dict[str, Any] = {
