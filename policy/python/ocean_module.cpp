@@ -24,6 +24,7 @@
 #include "sim/ocean/file/environment_file.hpp"
 #include "sim/ocean/with_source.hpp"
 #include "sim/search/scenario/scenario_file.hpp"
+#include "sim/sonar/level_attributes.hpp"
 #include "sim/sonar/radial_request.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
@@ -186,6 +187,13 @@ py::dict radial(const Ocean& ocean, double frequency, double source_depth, doubl
   return dictionary_of(std::move(field));
 }
 
+/// A dictionary of the attributes that files have.
+py::dict dictionary_of(const netcdf::Attributes& attributes) {
+  py::dict result;
+  for (const auto& [name, value] : attributes) result[py::str(name)] = value;
+  return result;
+}
+
 }  // namespace
 
 void add_ocean(py::module_& module) {
@@ -205,6 +213,8 @@ void add_ocean(py::module_& module) {
              py::arg("max_range"), py::arg("receiver_depth"), py::arg("depth_spacing"), py::arg("output_step"), py::arg("accuracy_db"),
              py::arg("band"), py::arg("band_parts"), py::arg("starter"), py::arg("range_step"), py::arg("depth_step"), py::arg("terms"),
              py::arg("absorber_wavelengths"), py::arg("pressure"), py::arg("progress"));
+  module.attr("TRANSMISSION_LOSS_ATTRIBUTES") = dictionary_of(sonar::transmission_loss_attributes());
+  module.attr("SNR_ATTRIBUTES") = dictionary_of(sonar::snr_attributes());
 }
 
 }  // namespace earshot::python

@@ -4,9 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "sim/netcdf/units.hpp"
+#include "sim/netcdf/conventions.hpp"
 #include "sim/netcdf/writer.hpp"
 #include "sim/sonar/field_attributes.hpp"
+#include "sim/sonar/level_attributes.hpp"
 
 namespace earshot::sonar {
 namespace {
@@ -53,9 +54,10 @@ void write_losses(Writer& file, const Fan& fan, const Detector& detector) {
 }
 
 void write_detection(Writer& file, const Fan& fan, const Detector& detector) {
-  write_scalar(file, "detection_threshold", "signal-to-noise ratio needed for detection", netcdf::kDecibels,
+  write_scalar(file, "detection_threshold", netcdf::level_attributes("signal-to-noise ratio needed for detection", netcdf::kRatio),
                detector.detection_threshold.value);
-  write_scalar(file, "fluctuation", "standard deviation of the signal-to-noise ratio, normal in dB", netcdf::kDecibels,
+  write_scalar(file, "fluctuation",
+               netcdf::level_attributes("standard deviation of the signal-to-noise ratio, which is normal", netcdf::kRatio),
                detector.fluctuation.value);
   std::vector<float> assured;
   std::vector<float> furthest;
@@ -80,7 +82,7 @@ void write_map(Writer& file, const HorizontalMap& map, const ocean::Environment&
              {{"long_name", "northing in the local plane"}, {"standard_name", "projection_y_coordinate"}, {"units", "m"}, {"axis", "Y"}});
   write_axis(file, "east", map.east_m,
              {{"long_name", "easting in the local plane"}, {"standard_name", "projection_x_coordinate"}, {"units", "m"}, {"axis", "X"}});
-  Attributes snr = {{"long_name", "signal-to-noise ratio at the hydrophone"}, {"units", netcdf::kDecibels}};
+  Attributes snr = snr_attributes();
   Attributes probability = {{"long_name", "probability of detection"}, {"units", "1"}};
   if (write_grid_mapping(file, environment)) {
     snr.emplace_back("grid_mapping", "local_plane");

@@ -20,6 +20,7 @@ void write_provenance(netcdf::Writer& file, const std::string& title, const ocea
 /// The attribute "unmeasured_water" of the whole file, where there is any.
 void write_unmeasured(netcdf::Writer& file, const std::optional<ocean::UnmeasuredWater>& water);
 
+void write_scalar(netcdf::Writer& file, const std::string& name, const netcdf::Attributes& attributes, double value);
 void write_scalar(netcdf::Writer& file, const std::string& name, const std::string& long_name, const std::string& units, double value);
 
 /// Transmission loss [n_range x n_depth] or [n_bearing x n_range x n_depth] as the variable "transmission_loss", rounded to 1/256 dB: the

@@ -152,6 +152,9 @@ class Ocean:
     @property
     def crc32(self) -> int: ...
 
+TRANSMISSION_LOSS_ATTRIBUTES: dict[str, str]  # of NetCDF files
+SNR_ATTRIBUTES: dict[str, str]
+
 def radial(
     ocean: Ocean,
     *,

@@ -8,6 +8,8 @@ from earshot.errors import BadInput
 _processor.require(_Path(__file__).with_name("built_for.txt"))
 try:
     from earshot._core import (
+        SNR_ATTRIBUTES,
+        TRANSMISSION_LOSS_ATTRIBUTES,
         BeliefState,
         Episodes,
         FrozenPolicy,
@@ -36,6 +38,8 @@ except ModuleNotFoundError as missing:
     ) from None
 
 __all__ = [
+    "SNR_ATTRIBUTES",
+    "TRANSMISSION_LOSS_ATTRIBUTES",
     "BadInput",
     "BeliefState",
     "Episodes",

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from earshot.arguments import Numbers, axis, number, whole_number
-from earshot.core import radial
+from earshot.core import SNR_ATTRIBUTES, TRANSMISSION_LOSS_ATTRIBUTES, radial
 from earshot.errors import BadInput, BadType
 from earshot.oceans import Environment
 
@@ -24,8 +24,8 @@ _ATTRIBUTES = {
     "depth": {"long_name": "depth of the receiver", "units": "m", "standard_name": "depth", "positive": "down"},
     "frequency": {"long_name": "frequency of the source", "units": "Hz"},
     "source_depth": {"long_name": "depth of the source", "units": "m", "positive": "down"},
-    "transmission_loss": {"long_name": "transmission loss, dB re 1 m", "units": "0.1 lg(re 1)"},
-    "snr": {"long_name": "signal-to-noise ratio at the hydrophone", "units": "0.1 lg(re 1)"},
+    "transmission_loss": TRANSMISSION_LOSS_ATTRIBUTES,
+    "snr": SNR_ATTRIBUTES,
     "pressure": {
         "long_name": "complex pressure of a source of unit pressure at 1 m, without the factor exp(i k0 r)",
         "units": "1",

@@ -144,6 +144,10 @@ class Values(unittest.TestCase):
         field = sound(shallow(source_level=170.0, noise_level=80.0))
         for name in field.variables:
             self.assertIn("units", field[name].attrs, name)
+        # As in the files of earshot field.
+        self.assertEqual(field.transmission_loss.attrs["level_unit"], "dB re 1 m")
+        self.assertEqual(field.transmission_loss.attrs["units"], "0.1 lg(re 1 m2)")
+        self.assertEqual(field.snr.attrs["long_name"], "signal-to-noise ratio at the hydrophone, dB")
 
 
 class Environments(unittest.TestCase):
