@@ -11,7 +11,6 @@
 #include <memory>
 #include <numbers>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -101,13 +100,7 @@ sonar::RadialRequest request_of(const Asked& asked) {
 Ocean ocean_of(const Ocean& ocean, const Asked& asked) {
   checked("frequency", asked.frequency_hz, Range::between(1.0, 10'000.0));
   checked("source_depth", asked.source_depth_m, Range::above_up_to(0.0, 12'000.0));
-  if (!(asked.source_depth_m < ocean.seabed.depth.value)) {
-    std::ostringstream limit;
-    limit << ocean.seabed.depth.value;
-    throw BadInput(named("source_depth", asked.source_depth_m) + "must be less than the depth of the sea floor at the source, " +
-                   limit.str() + " m");
-  }
-  return ocean::with_source(ocean, Hertz{asked.frequency_hz}, Meters{asked.source_depth_m});
+  return ocean::with_source(ocean, Hertz{asked.frequency_hz}, Meters{asked.source_depth_m}, "source_depth");
 }
 
 const char* argument_of(sonar::BadRequest::What what) {
@@ -118,6 +111,8 @@ const char* argument_of(sonar::BadRequest::What what) {
       return "output_step";
     case sonar::BadRequest::What::kBearing:
       return "bearing";
+    case sonar::BadRequest::What::kRadials:
+      return "radials";
   }
   return "";
 }
