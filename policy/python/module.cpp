@@ -5,7 +5,6 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -15,9 +14,13 @@
 #include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/policy/format/policy_format.hpp"
+#include "policy/python/boundary/errors.hpp"
 #include "policy/python/journal_module.hpp"
 #include "policy/python/listening_module.hpp"
-#include "policy/python/ocean_module.hpp"
+#include "policy/python/ocean/field_module.hpp"
+#include "policy/python/ocean/library_module.hpp"
+#include "policy/python/ocean/model_files_module.hpp"
+#include "policy/python/ocean/ocean_module.hpp"
 #include "policy/python/replayable_episode.hpp"
 #include "policy/python/search_problem.hpp"
 #include "sim/search/streams.hpp"
@@ -378,15 +381,12 @@ void add_episodes(py::module_& module) {
 }  // namespace
 
 PYBIND11_MODULE(_core, module) {
-  py::register_exception_translator([](std::exception_ptr thrown) {
-    try {
-      if (thrown) std::rethrow_exception(thrown);
-    } catch (const host::BadInput& bad) {
-      py::set_error(py::module_::import("earshot.errors").attr("BadInput"), bad.what());
-    }
-  });
+  python::add_errors();
   add_world(module);
   python::add_ocean(module);
+  python::add_fields(module);
+  python::add_model_files(module);
+  python::add_libraries(module);
   python::add_journal(module);
   python::add_listening(module);
   add_episodes(module);

@@ -20,14 +20,19 @@ if _TYPE_CHECKING:
     from earshot import annotations as annotations
     from earshot.errors import BadInput as BadInput
     from earshot.errors import BadType as BadType
+    from earshot.fans import fan as fan
+    from earshot.fans import horizontal_map as horizontal_map
     from earshot.fields import field as field
     from earshot.heard import Completed as Completed
     from earshot.heard import Heard as Heard
     from earshot.heard import RecordingWarning as RecordingWarning
     from earshot.journals import JournalWarning as JournalWarning
     from earshot.journals import read_journal as read_journal
+    from earshot.libraries import library as library
     from earshot.listening import Listener as Listener
     from earshot.listening import listen as listen
+    from earshot.model_files import write_shd as write_shd
+    from earshot.model_files import write_tl_grid as write_tl_grid
     from earshot.ocean_parts import Layer as Layer
     from earshot.ocean_parts import Munk as Munk
     from earshot.ocean_parts import SeaWater as SeaWater
@@ -45,9 +50,14 @@ _OWN = {
     "SeaWater": "earshot.ocean_parts",
     "JournalWarning": "earshot.journals",
     "RecordingWarning": "earshot.heard",
+    "fan": "earshot.fans",
     "field": "earshot.fields",
+    "horizontal_map": "earshot.fans",
+    "library": "earshot.libraries",
     "listen": "earshot.listening",
     "read_journal": "earshot.journals",
+    "write_shd": "earshot.model_files",
+    "write_tl_grid": "earshot.model_files",
 }
 # Everything is imported when it is first used: who wants LCM types alone waits for nothing else.
 __all__ = ["annotations", *_OWN, *_name.type_names()]  # noqa: PLE0604  (texts, all of them)

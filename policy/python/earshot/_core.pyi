@@ -132,6 +132,8 @@ class Ocean:
     @staticmethod
     def from_text(name: str, text: str) -> Ocean:
         """Of the text of such a file; `name` stands for the file in what is wrong with it."""
+    def with_levels(self, *, source_level: float, noise_level: float) -> Ocean:
+        """The same ocean; dB re 1 uPa at 1 m, and dB re 1 uPa."""
     @property
     def name(self) -> str: ...
     @property
@@ -152,33 +154,138 @@ class Ocean:
     @property
     def crc32(self) -> int: ...
 
+class RadialCase:
+    """The input file of another propagation model: an ocean, and where on a radial its sound is asked for."""
+
+    @staticmethod
+    def from_acoustics_toolbox(path: os.PathLike[str] | str) -> RadialCase:
+        """Of an .env file, and the .ssp and .bty beside it."""
+    @staticmethod
+    def from_ram(path: os.PathLike[str] | str) -> RadialCase:
+        """Of a ram.in file."""
+    @property
+    def ocean(self) -> Ocean:
+        """Its source at the first of the depths; its levels are 0 dB, for such a file names none."""
+    @property
+    def source_depth(self) -> list[float]:
+        """[n] m, increasing, at least one"""
+    @property
+    def receiver_depth(self) -> list[float]:
+        """[n] m, increasing, >= 0; some may lie below the sea floor; empty: not stated"""
+    @property
+    def receiver_range(self) -> list[float]:
+        """[n] m, increasing, >= 0, the last > 0; empty: not stated"""
+    @property
+    def max_range(self) -> float | None:
+        """m; None: not stated"""
+
+class SoundRequest:
+    """What is asked of the sound in an ocean, as `earshot.field` describes it; checked where it is used."""
+
+    def __init__(
+        self,
+        *,
+        frequency: float,
+        source_depth: float,
+        max_range: float,
+        receiver_depth: list[float],
+        depth_spacing: float | None,
+        output_step: float | None,
+        accuracy_db: float,
+        band: tuple[float, float] | None,
+        band_parts: int,
+        starter: str,
+        range_step: float | None,
+        depth_step: float | None,
+        terms: int,
+        absorber_wavelengths: float | None,
+        file_depth: list[float],
+        file_range: list[float],
+    ) -> None:
+        """An empty `receiver_depth` stands for every `depth_spacing`. `file_depth` and `file_range` are a RadialCase's
+        receivers, or empty: where they are not, they say which depths, ranges and step are computed.
+        """
+
 def radial(
     ocean: Ocean,
+    asked: SoundRequest,
     *,
-    frequency: float,
-    source_depth: float,
     bearing: float,
-    max_range: float,
-    receiver_depth: list[float],
-    depth_spacing: float | None,
-    output_step: float | None,
-    accuracy_db: float,
-    band: tuple[float, float] | None,
-    band_parts: int,
-    starter: str,
-    range_step: float | None,
-    depth_step: float | None,
-    terms: int,
-    absorber_wavelengths: float | None,
     pressure: bool,
     progress: Callable[[float], object] | None,
 ) -> dict[str, Any]:
-    """One march, as `earshot.field` describes it. An empty `receiver_depth` stands for every `depth_spacing`.
+    """One march.
 
     transmission_loss, snr [n_range x n_depth] float32 dB; pressure [n_range x n_depth] complex128 or None; range,
     depth [n] float64 m; sea_floor_depth [n_range] float32 m; unmeasured_water, a text or None; grid, None or
     (depth step m, range step m, terms, predicted error dB, reference wavenumber 1/m).
     """
+
+def fan(
+    ocean: Ocean,
+    asked: SoundRequest,
+    *,
+    radials: int,
+    threads: int,
+    detection_threshold_db: float,
+    fluctuation_db: float,
+    detection: bool,
+    map: bool,
+    side: float | None,
+    intervals: int,
+    progress: Callable[[float], object] | None,
+) -> dict[str, Any]:
+    """All around the source. `threads` 0: all processors; `asked` without receivers of a file and depth spacing.
+
+    transmission_loss [n_bearing x n_range x n_depth] float32 dB; sea_floor_depth [n_bearing x n_range] float32 m;
+    bearing [n] float64 degrees; range, depth [n] float64 m; land, unmeasured_water, a text or None.
+    With `detection` also detection_probability, shaped as the loss, and assured_detection_range and
+    furthest_detection_range [n_depth x n_bearing] m, all float32. With `map` also map_snr, dB, and
+    map_detection_probability [n_depth x n_north x n_east] float32; north, east [intervals + 1] float64 m.
+    """
+
+def read_library(
+    path: os.PathLike[str] | str, *, positions: list[int] | None, progress: Callable[[float], object] | None
+) -> dict[str, Any]:
+    """A field library that is finished, or some positions of it.
+
+    transmission_loss [n_position x n_bearing x n_range x n_depth] float32 dB; position int64, position_north,
+    position_east float64 m, has_field uint8 [n_position]; bearing degrees, range, depth m, frequency Hz float64;
+    position_depth m; source_level, noise_level dB; is_around_hydrophone; attributes, texts of the file.
+    """
+
+def write_shade(
+    path: os.PathLike[str] | str,
+    *,
+    range: list[float],
+    depth: list[float],
+    sea_floor_depth: NDArray[np.float32],
+    transmission_loss: NDArray[np.float32],
+    pressure: NDArray[np.complex128],
+    reference_wavenumber: float,
+    title: str,
+    frequency: float,
+    source_depth: float,
+    single_precision: bool,
+    receiver_depth: list[float],
+    receiver_range: list[float],
+    force: bool,
+) -> None:
+    """Arrays as `radial` gives them, contiguous; NaN where there is no wavenumber. Empty receivers: range and depth."""
+
+def write_tl_grid(
+    path: os.PathLike[str] | str,
+    *,
+    range: list[float],
+    depth: list[float],
+    sea_floor_depth: NDArray[np.float32],
+    transmission_loss: NDArray[np.float32],
+    pressure: NDArray[np.complex128] | None,
+    receiver_depth: list[float],
+    receiver_range: list[float],
+    force: bool,
+) -> None:
+    """As `write_shade`; the loss is that of the pressure, where there is one."""
 
 def journal_records(path: os.PathLike[str] | str) -> dict[str, Any]:
     """A journal, a flight's folder, or a log that lcm-logger wrote.
