@@ -129,6 +129,12 @@ class Errors(unittest.TestCase):
             bad = earshot.BadInput(text)
             self.assertEqual((bad.file, bad.line, bad.key, bad.value), (file, line, None, None))
 
+    def test_take_no_argument_and_value_for_a_file(self):
+        bad = earshot.BadInput(
+            "bearing = 0: meets land 3 m from the source, nearer than 5 m: there is nothing to compute"
+        )
+        self.assertEqual((bad.file, bad.line, bad.key, bad.value), (None, None, "bearing", "0"))
+
     def test_carry_the_argument(self):
         with self.assertRaises(earshot.BadInput) as caught:
             earshot.gym.make_world(directions=77)
