@@ -21,9 +21,9 @@
 #include <vector>
 
 #include "firmware/host/toml/table_reader.hpp"
-#include "policy/python/shared/array_of.hpp"
-#include "policy/python/shared/checked.hpp"
-#include "policy/python/shared/watch.hpp"
+#include "policy/python/boundary/array_of.hpp"
+#include "policy/python/boundary/checked.hpp"
+#include "policy/python/boundary/watch.hpp"
 #include "sim/annotation/score.hpp"
 #include "sim/annotation/selection_table.hpp"
 #include "sim/listening/levels.hpp"

@@ -31,23 +31,18 @@ void write_floats(Writer& file, const std::string& name, const Shape& shape, con
 }
 
 void write_axes(Writer& file, const Fan& fan) {
-  std::vector<double> bearing_deg;
-  std::vector<double> range_m;
-  for (std::size_t j = 0; j < fan.bearings; ++j) bearing_deg.push_back(360.0 * static_cast<double>(j) / static_cast<double>(fan.bearings));
-  for (std::size_t i = 0; i < fan.ranges; ++i) range_m.push_back(static_cast<double>(i + 1) * fan.range_step.value);
-  write_axis(file, "bearing", bearing_deg, {{"long_name", "bearing from the source, clockwise from grid north"}, {"units", "degree"}});
-  write_axis(file, "range", range_m, {{"long_name", "horizontal range from the source"}, {"units", "m"}});
+  write_axis(file, "bearing", bearings_deg(fan),
+             {{"long_name", "bearing from the source, clockwise from grid north"}, {"units", "degree"}});
+  write_axis(file, "range", ranges_m(fan), {{"long_name", "horizontal range from the source"}, {"units", "m"}});
   write_axis(file, "depth", fan.depth_m,
              {{"long_name", "depth of the receiver"}, {"units", "m"}, {"standard_name", "depth"}, {"positive", "down"}, {"axis", "Z"}});
 }
 
 void write_losses(Writer& file, const Fan& fan, const Detector& detector) {
   const Shape shape = {"bearing", "range", "depth"};
-  std::vector<float> probability;
-  for (const float loss : fan.transmission_loss_db)
-    probability.push_back(static_cast<float>(detection_probability(detector.snr(Decibels{static_cast<double>(loss)}), detector)));
   write_transmission_loss(file, shape, "", fan.transmission_loss_db);
-  write_floats(file, "detection_probability", shape, {{"long_name", "probability of detection"}, {"units", "1"}}, probability);
+  write_floats(file, "detection_probability", shape, {{"long_name", "probability of detection"}, {"units", "1"}},
+               detection_probabilities(fan, detector));
   write_floats(file, "sea_floor_depth", {"bearing", "range"},
                {{"long_name", "depth of the sea floor, 0 on land"}, {"standard_name", "sea_floor_depth_below_sea_surface"}, {"units", "m"}},
                fan.sea_floor_depth_m);

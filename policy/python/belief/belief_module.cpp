@@ -21,9 +21,9 @@
 #include "firmware/messages/snr_measurement.hpp"
 #include "firmware/policy/ocean_belief/ocean_belief.hpp"
 #include "policy/python/belief/ocean_tables.hpp"
-#include "policy/python/shared/array_of.hpp"
-#include "policy/python/shared/checked.hpp"
-#include "policy/python/shared/watch.hpp"
+#include "policy/python/boundary/array_of.hpp"
+#include "policy/python/boundary/checked.hpp"
+#include "policy/python/boundary/watch.hpp"
 #include "sim/search/belief_model.hpp"
 
 namespace earshot::python {

@@ -9,8 +9,13 @@ __all__ = ["BadInput", "BadType"]
 
 # "FILE:LINE: KEY = VALUE: what is allowed", as all of Earshot says it; file, line and value may be left out.
 _PROBLEM = re.compile(
-    r"(?:(?P<file>[^\n]*?):(?:(?P<line>\d+):)? )?"
-    r"(?P<key>[\w.\[\]() ,]+?)(?: = (?P<value>[^\n]+?))?(?:: | is missing: )(?P<what>[^\n]+)"
+    r"(?:(?P<file>(?:(?! = )[^\n])*?):(?:(?P<line>\d+):)? )?"
+    r"(?P<key>[\w.\[\]()][\w.\[\]() ,/-]*?)(?: = (?P<value>[^\n]+?))?(?:: | is missing: )(?P<what>[^\n]+)"
+)
+
+# "FILE: cannot be read: it is a folder": about the whole of it.
+_FILE_ALONE = re.compile(
+    r"(?P<file>(?=[^:\n]*/)(?:(?! = |: )[^\n])+?):(?:(?P<line>\d+):)? (?:cannot|no|not|is|has|its|truncated)\b"
 )
 
 
@@ -29,9 +34,11 @@ class BadInput(ValueError):
 
     def __init__(self, message: str, *, key: str | None = None, value: Any = None) -> None:
         super().__init__(message)
-        found = _PROBLEM.match(message) if key is None else None
-        self.file = found["file"] if found else None
-        self.line = int(found["line"]) if found and found["line"] else None
+        alone = _FILE_ALONE.match(message) if key is None else None
+        found = _PROBLEM.match(message) if key is None and alone is None else None
+        stands = found or alone
+        self.file = stands["file"] if stands else None
+        self.line = int(stands["line"]) if stands and stands["line"] else None
         self.key = found["key"] if found else key
         self.value = found["value"] if found else value
 

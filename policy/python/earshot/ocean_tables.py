@@ -131,8 +131,7 @@ def _oceans(given: Any) -> list[Any]:
     oceans: list[Any] = []
     for one in each:
         if isinstance(one, Environment):
-            one.to_toml() if one._path is None else None  # refuses what lacks source or noise
-            oceans.append(one._ocean)
+            oceans.append(one._scenario())
         elif isinstance(one, (str, os.PathLike)):
             oceans.append(Path(one))
         else:
