@@ -32,7 +32,7 @@ namespace {
 namespace py = pybind11;
 using host::BadInput;
 using host::Range;
-using Place = std::pair<double, double>;                                       // north, east
+using Place = std::pair<double, double>;                                        // north, east
 using BearingGiven = std::tuple<double, double, std::optional<double>>;         // direction, deviation, mirror axis, degrees
 using Measured = std::tuple<Place, double, bool, std::optional<BearingGiven>>;  // position, SNR, whether too faint, bearing
 
