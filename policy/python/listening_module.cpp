@@ -22,9 +22,9 @@
 
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/toml/table_reader.hpp"
-#include "policy/python/shared/array_of.hpp"
-#include "policy/python/shared/checked.hpp"
-#include "policy/python/shared/watch.hpp"
+#include "policy/python/boundary/array_of.hpp"
+#include "policy/python/boundary/checked.hpp"
+#include "policy/python/boundary/watch.hpp"
 #include "sim/annotation/score.hpp"
 #include "sim/annotation/selection_table.hpp"
 #include "sim/listening/levels.hpp"

@@ -5,7 +5,6 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -13,10 +12,14 @@
 
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/python/belief/belief_module.hpp"
+#include "policy/python/boundary/errors.hpp"
 #include "policy/python/evaluation/evaluation_module.hpp"
 #include "policy/python/journal_module.hpp"
 #include "policy/python/listening_module.hpp"
-#include "policy/python/ocean_module.hpp"
+#include "policy/python/ocean/field_module.hpp"
+#include "policy/python/ocean/library_module.hpp"
+#include "policy/python/ocean/model_files_module.hpp"
+#include "policy/python/ocean/ocean_module.hpp"
 #include "policy/python/policy_module.hpp"
 #include "policy/python/replayable_episode.hpp"
 #include "policy/python/search_problem.hpp"
@@ -344,15 +347,12 @@ void add_episodes(py::module_& module) {
 }  // namespace
 
 PYBIND11_MODULE(_core, module) {
-  py::register_exception_translator([](std::exception_ptr thrown) {
-    try {
-      if (thrown) std::rethrow_exception(thrown);
-    } catch (const host::BadInput& bad) {
-      py::set_error(py::module_::import("earshot.errors").attr("BadInput"), bad.what());
-    }
-  });
+  python::add_errors();
   add_world(module);
   python::add_ocean(module);
+  python::add_fields(module);
+  python::add_model_files(module);
+  python::add_libraries(module);
   python::add_belief(module);
   python::add_evaluation(module);
   python::add_journal(module);

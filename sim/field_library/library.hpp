@@ -17,7 +17,7 @@ struct LibrarySummary {
   std::size_t without_water;  ///< on land or too shallow: they stay empty
 };
 
-/// Computes a library and writes it as NetCDF (CDF-5, CF-1.8), position by position in the order of the plan: every position that is marked
+/// Computes a library and writes it as NetCDF (CDF-5, CF), position by position in the order of the plan: every position that is marked
 /// done is on the disk, and an interrupted run goes on behind the last one. The bytes are the same whatever the number of interruptions,
 /// threads and ranks. In an ocean that does not differ with place one march serves all radials of all positions.
 ///

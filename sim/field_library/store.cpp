@@ -5,22 +5,28 @@
 #include <utility>
 
 #include "firmware/host/file/checksum_text.hpp"
-#include "sim/netcdf/units.hpp"
+#include "sim/netcdf/conventions.hpp"
 #include "sim/sonar/field_attributes.hpp"
+#include "sim/sonar/level_attributes.hpp"
 
 namespace earshot::field_library {
 namespace {
 
 using namespace std::chrono_literals;
-using netcdf::kDecibels;
 using netcdf::Type;
 
-netcdf::VariableLayout scalar(const std::string& name, const std::string& long_name, const std::string& units) {
-  return {.name = name, .type = Type::kDouble, .dimensions = {}, .attributes = {{"long_name", long_name}, {"units", units}}};
+netcdf::VariableLayout scalar(const std::string& name, netcdf::Attributes attributes) {
+  return {.name = name, .type = Type::kDouble, .dimensions = {}, .attributes = std::move(attributes)};
+}
+
+netcdf::Attributes loss_attributes() {
+  netcdf::Attributes attributes = sonar::transmission_loss_attributes();
+  attributes.emplace_back("coordinates", "position_north position_east");
+  return attributes;
 }
 
 netcdf::Attributes attributes_of(const LibraryPlan& plan) {
-  netcdf::Attributes attributes = {{"Conventions", "CF-1.8"},
+  netcdf::Attributes attributes = {{"Conventions", netcdf::kConventions},
                                    {"title", "Sound fields of a region: " + plan.name},
                                    {"source", "Earshot, one-way parabolic equation"},
                                    {"history", "earshot field --library"},
@@ -58,9 +64,9 @@ netcdf::Layout layout_of(const LibraryPlan& plan) {
                Type::kDouble,
                {"frequency"},
                {{"long_name", "frequency; intensity is averaged where there are several"}, {"units", "Hz"}}},
-              scalar("position_depth", "depth of the " + middle, "m"),
-              scalar("source_level", "source level, dB re 1 uPa at 1 m", kDecibels),
-              scalar("noise_level", "noise level in the detector's band, dB re 1 uPa", kDecibels),
+              scalar("position_depth", {{"long_name", "depth of the " + middle}, {"units", "m"}}),
+              scalar("source_level", sonar::source_level_attributes()),
+              scalar("noise_level", sonar::noise_level_attributes()),
               {"position_state",
                Type::kInt32,
                {"position"},
@@ -70,7 +76,7 @@ netcdf::Layout layout_of(const LibraryPlan& plan) {
               {"transmission_loss",
                Type::kFloat,
                {"position", "bearing", "range", "depth"},
-               {{"long_name", "transmission loss, dB re 1 m"}, {"units", kDecibels}, {"coordinates", "position_north position_east"}},
+               loss_attributes(),
                std::numeric_limits<double>::quiet_NaN()}}};
 }
 

@@ -14,6 +14,19 @@ namespace {
 
 using Name = std::array<char, NC_MAX_NAME + 1>;
 
+/// @param id  of a variable, or NC_GLOBAL
+std::map<std::string, std::string> read_texts(int file, int id) {
+  std::map<std::string, std::string> texts;
+  int attributes = 0;
+  (void)nc_inq_varnatts(file, id, &attributes);
+  for (int i = 0; i < attributes; ++i) {
+    Name attribute{};
+    if (nc_inq_attname(file, id, i, attribute.data()) != NC_NOERR) continue;
+    if (std::optional<std::string> text = text_attribute(file, id, attribute.data())) texts.emplace(attribute.data(), *std::move(text));
+  }
+  return texts;
+}
+
 std::optional<Variable> read_variable(int file, int id, Name& name) {
   int rank = 0;
   std::vector<int> dimensions(NC_MAX_VAR_DIMS);
@@ -27,14 +40,7 @@ std::optional<Variable> read_variable(int file, int id, Name& name) {
       return std::nullopt;
     variable.dimensions.push_back({.name = called.data(), .length = length});
   }
-  int attributes = 0;
-  (void)nc_inq_varnatts(file, id, &attributes);
-  for (int i = 0; i < attributes; ++i) {
-    Name attribute{};
-    if (nc_inq_attname(file, id, i, attribute.data()) != NC_NOERR) continue;
-    if (std::optional<std::string> text = text_attribute(file, id, attribute.data()))
-      variable.texts.emplace(attribute.data(), *std::move(text));
-  }
+  variable.texts = read_texts(file, id);
   variable.packing_fault = Packing(file, id).fault();
   return variable;
 }
@@ -79,6 +85,7 @@ class Bytes {
 
 Header read_header(int file) {
   Header header;
+  header[""].texts = read_texts(file, NC_GLOBAL);
   int variables = 0;
   (void)nc_inq_nvars(file, &variables);
   for (int id = 0; id < variables; ++id) {

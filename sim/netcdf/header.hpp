@@ -20,7 +20,7 @@ struct Variable {
   std::string packing_fault{};               ///< Packing::fault()
 };
 
-/// What a file says of its values: the variables of its root group, by name.
+/// What a file says of its values: the variables of its root group, by name; by the empty name the texts about the file.
 using Header = std::map<std::string, Variable>;
 
 /// Of an open file. What the library cannot tell of a variable, or of an attribute, is left out.

@@ -38,6 +38,7 @@ class Reader {
   [[nodiscard]] bool has_variable(const std::string& variable) const;
   [[nodiscard]] std::vector<std::string> dimensions_of(const std::string& variable) const;
   [[nodiscard]] std::vector<std::size_t> shape_of(const std::string& variable) const;
+  /// @param variable  empty: of the whole file
   [[nodiscard]] std::optional<std::string> text_attribute(const std::string& variable, const std::string& attribute) const;
 
   /// The values in row-major order, unpacked; NaN where the file has none (see Packing). At most 2^28 values.

@@ -9,14 +9,13 @@
 #include <vector>
 
 #include "firmware/host/file/output_file.hpp"
+#include "sim/netcdf/conventions.hpp"
 #include "sim/netcdf/file_error.hpp"
 #include "sim/netcdf/reader.hpp"
 
 namespace earshot::netcdf {
 
 enum class Type : std::uint8_t { kFloat, kDouble, kInt16, kInt32 };
-
-using Attributes = std::vector<std::pair<std::string, std::string>>;
 
 /// A NetCDF-4 file in the making. It stands under a temporary name in the same folder (host::OutputFile) and gets its own only at `commit`;
 /// destroyed before that, it leaves nothing. A file that cannot be made or named (no such folder, no right, a pipe or a device in its

@@ -17,6 +17,11 @@ struct RadialCase {
   std::vector<double> receiver_depth_m = {};  ///< increasing, >= 0; some may lie below the sea floor; empty: not stated
   std::vector<double> receiver_range_m = {};  ///< increasing, >= 0, the last > 0; empty: not stated
   std::optional<Meters> max_range = {};       ///< > 0; where a file states no ranges but how far it goes
+
+  /// How far the file goes, by its ranges or without them; nothing where it states neither.
+  [[nodiscard]] std::optional<Meters> furthest() const {
+    return receiver_range_m.empty() ? max_range : std::optional(Meters{receiver_range_m.back()});
+  }
 };
 
 }  // namespace earshot::ocean

@@ -40,6 +40,14 @@ double detection_probability(Decibels snr, const Detector& detector) {
   return 0.5 * std::erfc(-excess_db / (detector.fluctuation.value * std::numbers::sqrt2));
 }
 
+std::vector<float> detection_probabilities(const Fan& fan, const Detector& detector) {
+  std::vector<float> probability;
+  probability.reserve(fan.transmission_loss_db.size());
+  for (const float loss_db : fan.transmission_loss_db)
+    probability.push_back(static_cast<float>(detection_probability(detector.snr(Decibels{static_cast<double>(loss_db)}), detector)));
+  return probability;
+}
+
 std::vector<DetectionRange> detection_ranges(const Fan& fan, std::size_t depth, const Detector& detector) {
   std::vector<DetectionRange> ranges;
   for (std::size_t bearing = 0; bearing < fan.bearings; ++bearing) ranges.push_back(detection_range(fan, bearing, depth, detector));

@@ -27,6 +27,9 @@ struct Detector {
 /// Oracle: DetectionProbability.FollowsTheTableOfTheNormalDistribution
 [[nodiscard]] double detection_probability(Decibels snr, const Detector& detector);
 
+/// Of every value of a fan. [n_bearing x n_range x n_depth]
+[[nodiscard]] std::vector<float> detection_probabilities(const Fan& fan, const Detector& detector);
+
 /// How far one radial is heard at one depth. Crossings of the threshold are found linearly in dB between ranges.
 struct DetectionRange {
   double assured_m;   ///< heard at every range up to here; 0: not even at the first

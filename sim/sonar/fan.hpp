@@ -70,6 +70,10 @@ inline double Fan::transmission_loss_at(NorthEast position, std::size_t depth) c
   return between(along(j), along(j + 1), fraction);
 }
 
+/// Its axes: bearings clockwise from north, and horizontal ranges.
+[[nodiscard]] std::vector<double> bearings_deg(const Fan& fan);
+[[nodiscard]] std::vector<double> ranges_m(const Fan& fan);
+
 /// Whether there is water in it: any value that is not NaN.
 [[nodiscard]] bool has_sound(const Fan& fan);
 
@@ -78,7 +82,8 @@ struct FanPlan {
   RadialPlan radial;
 };
 
-/// @param threads  on which radials are computed; the result is the same bit for bit whatever their number
+/// @param threads   on which radials are computed; the result is the same bit for bit whatever their number
+/// @param progress  called from these threads, from one at a time; what it throws ends the work, and is thrown here
 /// One march serves all bearings when the ocean does not differ with place. Throws as ocean::section_along and compute_radial do.
 /// Oracle: Fan.*
 [[nodiscard]] Fan compute_fan(const ocean::Environment& environment, NorthEast centre, const FanPlan& plan, std::size_t threads,
@@ -98,7 +103,8 @@ inline constexpr double kMostFanValues = 64e6;
 [[nodiscard]] Fan make_fan(NorthEast centre, const FanPlan& plan);
 
 /// Computes one radial of a fan in its place. Different bearings may be filled from different threads.
-void fill_bearing(const ocean::Environment& environment, const FanPlan& plan, std::size_t bearing, Fan& fan);
+void fill_bearing(const ocean::Environment& environment, const FanPlan& plan, std::size_t bearing, Fan& fan,
+                  const pe::Progress& progress = {});
 
 /// Copies the first radial to all others: what an ocean does that is the same everywhere.
 void repeat_first_bearing(Fan& fan);

@@ -4,9 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "sim/netcdf/units.hpp"
+#include "sim/netcdf/conventions.hpp"
 #include "sim/netcdf/writer.hpp"
 #include "sim/sonar/field_attributes.hpp"
+#include "sim/sonar/level_attributes.hpp"
 
 namespace earshot::sonar {
 namespace {
@@ -30,32 +31,28 @@ void write_floats(Writer& file, const std::string& name, const Shape& shape, con
 }
 
 void write_axes(Writer& file, const Fan& fan) {
-  std::vector<double> bearing_deg;
-  std::vector<double> range_m;
-  for (std::size_t j = 0; j < fan.bearings; ++j) bearing_deg.push_back(360.0 * static_cast<double>(j) / static_cast<double>(fan.bearings));
-  for (std::size_t i = 0; i < fan.ranges; ++i) range_m.push_back(static_cast<double>(i + 1) * fan.range_step.value);
-  write_axis(file, "bearing", bearing_deg, {{"long_name", "bearing from the source, clockwise from grid north"}, {"units", "degree"}});
-  write_axis(file, "range", range_m, {{"long_name", "horizontal range from the source"}, {"units", "m"}});
+  write_axis(file, "bearing", bearings_deg(fan),
+             {{"long_name", "bearing from the source, clockwise from grid north"}, {"units", "degree"}});
+  write_axis(file, "range", ranges_m(fan), {{"long_name", "horizontal range from the source"}, {"units", "m"}});
   write_axis(file, "depth", fan.depth_m,
              {{"long_name", "depth of the receiver"}, {"units", "m"}, {"standard_name", "depth"}, {"positive", "down"}, {"axis", "Z"}});
 }
 
 void write_losses(Writer& file, const Fan& fan, const Detector& detector) {
   const Shape shape = {"bearing", "range", "depth"};
-  std::vector<float> probability;
-  for (const float loss : fan.transmission_loss_db)
-    probability.push_back(static_cast<float>(detection_probability(detector.snr(Decibels{static_cast<double>(loss)}), detector)));
   write_transmission_loss(file, shape, "", fan.transmission_loss_db);
-  write_floats(file, "detection_probability", shape, {{"long_name", "probability of detection"}, {"units", "1"}}, probability);
+  write_floats(file, "detection_probability", shape, {{"long_name", "probability of detection"}, {"units", "1"}},
+               detection_probabilities(fan, detector));
   write_floats(file, "sea_floor_depth", {"bearing", "range"},
                {{"long_name", "depth of the sea floor, 0 on land"}, {"standard_name", "sea_floor_depth_below_sea_surface"}, {"units", "m"}},
                fan.sea_floor_depth_m);
 }
 
 void write_detection(Writer& file, const Fan& fan, const Detector& detector) {
-  write_scalar(file, "detection_threshold", "signal-to-noise ratio needed for detection", netcdf::kDecibels,
+  write_scalar(file, "detection_threshold", netcdf::level_attributes("signal-to-noise ratio needed for detection", netcdf::kRatio),
                detector.detection_threshold.value);
-  write_scalar(file, "fluctuation", "standard deviation of the signal-to-noise ratio, normal in dB", netcdf::kDecibels,
+  write_scalar(file, "fluctuation",
+               netcdf::level_attributes("standard deviation of the signal-to-noise ratio, which is normal", netcdf::kRatio),
                detector.fluctuation.value);
   std::vector<float> assured;
   std::vector<float> furthest;
@@ -80,7 +77,7 @@ void write_map(Writer& file, const HorizontalMap& map, const ocean::Environment&
              {{"long_name", "northing in the local plane"}, {"standard_name", "projection_y_coordinate"}, {"units", "m"}, {"axis", "Y"}});
   write_axis(file, "east", map.east_m,
              {{"long_name", "easting in the local plane"}, {"standard_name", "projection_x_coordinate"}, {"units", "m"}, {"axis", "X"}});
-  Attributes snr = {{"long_name", "signal-to-noise ratio at the hydrophone"}, {"units", netcdf::kDecibels}};
+  Attributes snr = snr_attributes();
   Attributes probability = {{"long_name", "probability of detection"}, {"units", "1"}};
   if (write_grid_mapping(file, environment)) {
     snr.emplace_back("grid_mapping", "local_plane");

@@ -11,7 +11,7 @@
 
 namespace earshot::sonar {
 
-/// Writes transmission loss, detection probability and detection ranges [bearing x range x depth] as NetCDF-4 (CF-1.8), and the map of
+/// Writes transmission loss, detection probability and detection ranges [bearing x range x depth] as NetCDF-4 (CF), and the map of
 /// SNR and probability beside them if there is one. Takes its name when it is whole.
 ///
 /// @param history  the command that made it

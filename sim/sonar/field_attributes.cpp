@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "firmware/host/file/checksum_text.hpp"
-#include "sim/netcdf/units.hpp"
+#include "sim/netcdf/conventions.hpp"
 #include "sim/ocean/charts/charts.hpp"
+#include "sim/sonar/level_attributes.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
 namespace earshot::sonar {
@@ -21,7 +22,7 @@ std::string crc32_text(const ocean::Environment& environment) {
 }
 
 void write_provenance(Writer& file, const std::string& title, const ocean::Environment& environment, const std::string& history) {
-  file.attribute("Conventions", "CF-1.8");
+  file.attribute("Conventions", netcdf::kConventions);
   file.attribute("title", title + ": " + environment.name);
   file.attribute("source", "Earshot, one-way parabolic equation");
   file.attribute("history", history);
@@ -36,18 +37,21 @@ void write_predicted_error(Writer& file, const std::optional<pe::MarchGrid>& gri
   if (grid && !std::isnan(grid->predicted_error_db)) file.attribute("predicted_error_db", grid->predicted_error_db);
 }
 
-void write_scalar(Writer& file, const std::string& name, const std::string& long_name, const std::string& units, double value) {
-  file.variable(name, Type::kDouble, {}, {{"long_name", long_name}, {"units", units}});
+void write_scalar(Writer& file, const std::string& name, const netcdf::Attributes& attributes, double value) {
+  file.variable(name, Type::kDouble, {}, attributes);
   file.write(name, std::span(&value, 1));
+}
+
+void write_scalar(Writer& file, const std::string& name, const std::string& long_name, const std::string& units, double value) {
+  write_scalar(file, name, {{"long_name", long_name}, {"units", units}}, value);
 }
 
 void write_transmission_loss(Writer& file, const std::vector<std::string>& dimensions, const std::string& coordinates,
                              std::span<const float> loss_db) {
   const std::string name = "transmission_loss";
-  netcdf::Attributes attributes = {
-      {"long_name", "transmission loss, dB re 1 m"},
-      {"units", netcdf::kDecibels},
-      {"comment", "rounded to 1/256 dB; signal-to-noise ratio at the hydrophone in dB = source_level - transmission_loss - noise_level"}};
+  netcdf::Attributes attributes = transmission_loss_attributes();
+  attributes.emplace_back(
+      "comment", "rounded to 1/256 dB; signal-to-noise ratio at the hydrophone in dB = source_level - transmission_loss - noise_level");
   if (!coordinates.empty()) attributes.emplace_back("coordinates", coordinates);
   file.variable(name, Type::kFloat, dimensions, attributes);
   file.attribute(name, "_FillValue", std::numeric_limits<double>::quiet_NaN());
@@ -70,8 +74,8 @@ void write_scene(Writer& file, const ocean::Environment& environment, const ocea
   write_scalar(file, "source_depth", "depth of the source", "m", source.depth.value);
   write_scalar(file, "source_north", "northing of the source in the local plane", "m", source.position.north.value);
   write_scalar(file, "source_east", "easting of the source in the local plane", "m", source.position.east.value);
-  write_scalar(file, "source_level", "source level, dB re 1 uPa at 1 m", netcdf::kDecibels, source.level.value);
-  write_scalar(file, "noise_level", "noise level in the detector's band, dB re 1 uPa", netcdf::kDecibels, environment.noise_level.value);
+  write_scalar(file, "source_level", source_level_attributes(), source.level.value);
+  write_scalar(file, "noise_level", noise_level_attributes(), environment.noise_level.value);
 }
 
 bool write_grid_mapping(Writer& file, const ocean::Environment& environment) {

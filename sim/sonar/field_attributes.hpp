@@ -24,6 +24,7 @@ void write_unmeasured(netcdf::Writer& file, const std::optional<ocean::Unmeasure
 /// The attribute "predicted_error_db" of the whole file: mean error of transmission loss, where the solver chose its grid.
 void write_predicted_error(netcdf::Writer& file, const std::optional<pe::MarchGrid>& grid);
 
+void write_scalar(netcdf::Writer& file, const std::string& name, const netcdf::Attributes& attributes, double value);
 void write_scalar(netcdf::Writer& file, const std::string& name, const std::string& long_name, const std::string& units, double value);
 
 /// Transmission loss [n_range x n_depth] or [n_bearing x n_range x n_depth] as the variable "transmission_loss", rounded to 1/256 dB: the

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/netcdf/units.hpp"
 #include "sim/netcdf/writer.hpp"
 #include "sim/sonar/field_attributes.hpp"
+#include "sim/sonar/level_attributes.hpp"
 
 namespace earshot::sonar {
 namespace {
@@ -33,9 +33,9 @@ void write_sea_floor(Writer& file, const SonarField& field) {
 }
 
 void write_snr(Writer& file, const SonarField& field) {
-  file.variable(
-      "snr", Type::kFloat, {"range", "depth"},
-      {{"long_name", "signal-to-noise ratio at the hydrophone"}, {"units", netcdf::kDecibels}, {"coordinates", "source_depth bearing"}});
+  netcdf::Attributes attributes = snr_attributes();
+  attributes.emplace_back("coordinates", "source_depth bearing");
+  file.variable("snr", Type::kFloat, {"range", "depth"}, attributes);
   file.attribute("snr", "_FillValue", std::numeric_limits<double>::quiet_NaN());
   file.compress("snr");
   file.write("snr", rounded_snr_db(field));

@@ -8,7 +8,7 @@
 
 namespace earshot::sonar {
 
-/// Writes a field as NetCDF-4 after the CF-1.8 conventions, under a temporary name in the same folder that is renamed when the file is
+/// Writes a field as NetCDF-4 after the CF conventions, under a temporary name in the same folder that is renamed when the file is
 /// whole. Of the levels it holds the transmission loss alone (write_transmission_loss).
 ///
 /// @param bearing  of the radial, clockwise from north

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <numbers>
 #include <vector>
 
 #include "firmware/core/units.hpp"
@@ -22,8 +23,14 @@ struct MapGrid {
   std::size_t intervals;  ///< along a side, >= 1
 };
 
+/// The largest square that lies within a fan.
+[[nodiscard]] inline Meters largest_side(const Fan& fan) {
+  return std::numbers::sqrt2 * fan.max_range();
+}
+
 /// @param depth  index into the fan's depths
 /// Interpolated as Fan::transmission_loss_at does. Oracle: HorizontalMap.*
-[[nodiscard]] HorizontalMap make_map(const Fan& fan, std::size_t depth, const MapGrid& grid, const Detector& detector);
+[[nodiscard]] HorizontalMap make_map(const Fan& fan, std::size_t depth, const MapGrid& grid, const Detector& detector,
+                                     const pe::Progress& progress = {});
 
 }  // namespace earshot::sonar

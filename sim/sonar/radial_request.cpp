@@ -8,7 +8,6 @@
 #include <sstream>
 
 #include "sim/ocean/section_along.hpp"
-#include "sim/sonar/fan.hpp"
 
 namespace earshot::sonar {
 namespace {
@@ -43,19 +42,35 @@ std::vector<double> receiver_depths(const RadialRequest& request, Meters sea_flo
   return depths;
 }
 
+std::string text_of(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+double degrees(Radians angle) {
+  return angle.value * 180.0 / std::numbers::pi;
+}
+
 void require_water(const ocean::Section& section, Radians bearing, Meters first_range) {
   const auto shore = shore_before(section, first_range);
   if (!shore) return;
   std::ostringstream text;
   text << "meets land " << shore->value << " m from the source, nearer than the first range of the field, " << first_range.value
        << " m: there is nothing to compute";
-  throw BadRequest(BadRequest::What::kBearing, bearing.value * 180.0 / std::numbers::pi, text.str());
+  throw BadRequest(BadRequest::What::kBearing, degrees(bearing), text.str());
 }
 
-std::string text_of(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
+/// The bearings that have no water as far as the first range, in degrees; of an ocean that is the same on all of them the first alone.
+std::vector<double> dry_bearings_deg(const ocean::Environment& environment, const FanPlan& plan) {
+  std::vector<double> dry_deg;
+  const Meters first_range = plan.radial.range_step;
+  for (std::size_t j = 0; j < (differs_with_place(environment) ? plan.bearings : 1); ++j) {
+    const Radians bearing = bearing_of(j, plan.bearings);
+    if (shore_before(ocean::section_along(environment, environment.source.position, bearing, first_range), first_range))
+      dry_deg.push_back(degrees(bearing));
+  }
+  return dry_deg;
 }
 
 }  // namespace
@@ -96,6 +111,20 @@ PlannedRadial plan_radial(const ocean::Environment& environment, Radians bearing
   plan_depths(request, 1, deepest_sea_floor(radial.section, radial.plan.max_range()), radial.plan);
   require_water(radial.section, bearing, radial.plan.range_step);
   return radial;
+}
+
+PlannedFan plan_fan(const ocean::Environment& environment, std::size_t bearings, const RadialRequest& request) {
+  PlannedFan fan{.plan = {.bearings = bearings, .radial = plan_ranges(request, environment.source.depth)}};
+  RadialPlan& radial = fan.plan.radial;
+  plan_depths(request, bearings, deepest_sea_floor(environment, environment.source.position, bearings, radial.max_range()), radial);
+  const std::vector<double> dry_deg = dry_bearings_deg(environment, fan.plan);
+  if (dry_deg.empty()) return fan;
+  const std::string land = "meet land nearer than the first range, " + text_of(radial.range_step.value) + " m: there is no number on them";
+  if (dry_deg.size() == bearings || !differs_with_place(environment))
+    throw BadRequest(BadRequest::What::kRadials, static_cast<double>(bearings), "all of them " + land);
+  fan.land = std::to_string(dry_deg.size()) + " of " + std::to_string(bearings) + " bearings (the first at " + text_of(dry_deg.front()) +
+             " degrees) " + land;
+  return fan;
 }
 
 }  // namespace earshot::sonar

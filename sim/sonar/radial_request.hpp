@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -11,17 +12,22 @@
 #include "sim/ocean/environment.hpp"
 #include "sim/ocean/section.hpp"
 #include "sim/pe/options.hpp"
+#include "sim/sonar/fan.hpp"
 #include "sim/sonar/radial.hpp"
 
 namespace earshot::sonar {
 
+/// Between ranges, where nobody names a step: of a radial, and of the many of a fan.
+inline constexpr double kRadialStepWavelengths = 1.0 / 6.0;
+inline constexpr double kFanStepWavelengths = 1.0 / 3.0;
+
 /// What somebody wants of a radial from the environment's source; what is left empty is chosen after the ocean.
 struct RadialRequest {
   Meters max_range{25'000.0};
-  std::vector<double> depth_m = {};             ///< of receivers, > 0, increasing; empty: every `depth_spacing` down to the sea floor
-  std::optional<Meters> depth_spacing = {};     ///< empty: 10 m, in water of less than 1000 m a hundredth of it or less
-  std::optional<Meters> output_step = {};       ///< between ranges; empty: that of the options, else `default_step_wavelengths`
-  double default_step_wavelengths = 1.0 / 6.0;  ///< of the band's highest frequency, in water of 1500 m/s
+  std::vector<double> depth_m = {};          ///< of receivers, > 0, increasing; empty: every `depth_spacing` down to the sea floor
+  std::optional<Meters> depth_spacing = {};  ///< empty: 10 m, in water of less than 1000 m a hundredth of it or less
+  std::optional<Meters> output_step = {};    ///< between ranges; empty: that of the options, else `default_step_wavelengths`
+  double default_step_wavelengths = kRadialStepWavelengths;  ///< of the band's highest frequency, in water of 1500 m/s
   ocean::Band band;
   pe::Options options = {};
 };
@@ -29,7 +35,7 @@ struct RadialRequest {
 /// A request that no field can meet. Whoever asked has a name of its own for what is wrong.
 class BadRequest : public std::invalid_argument {
  public:
-  enum class What : std::uint8_t { kDepth, kOutputStep, kBearing };
+  enum class What : std::uint8_t { kDepth, kOutputStep, kBearing, kRadials };
 
   /// @param complaint  "must be from 0 m to the sea floor, ..."
   BadRequest(What what, double value, const std::string& complaint);
@@ -60,5 +66,16 @@ struct PlannedRadial {
 /// Throws BadRequest, and as ocean::section_along does. Oracle: RadialRequest.*
 /// @param bearing  clockwise from north
 [[nodiscard]] PlannedRadial plan_radial(const ocean::Environment& environment, Radians bearing, const RadialRequest& request);
+
+/// A fan that can be computed, about the environment's source.
+struct PlannedFan {
+  FanPlan plan;
+  /// What to say where some bearings meet land nearer than the first range: there is no number on them.
+  std::optional<std::string> land = {};
+};
+
+/// Throws BadRequest, also where no bearing has water as far as the first range, and as ocean::section_along does. Oracle: FanRequest.*
+/// @param bearings  one or more
+[[nodiscard]] PlannedFan plan_fan(const ocean::Environment& environment, std::size_t bearings, const RadialRequest& request);
 
 }  // namespace earshot::sonar

@@ -21,9 +21,9 @@
 #include "firmware/messages/snr_measurement.hpp"
 #include "firmware/policy/ocean_belief/ocean_belief.hpp"
 #include "policy/python/belief/ocean_tables.hpp"
-#include "policy/python/shared/array_of.hpp"
-#include "policy/python/shared/checked.hpp"
-#include "policy/python/shared/watch.hpp"
+#include "policy/python/boundary/array_of.hpp"
+#include "policy/python/boundary/checked.hpp"
+#include "policy/python/boundary/watch.hpp"
 #include "sim/search/belief_model.hpp"
 
 namespace earshot::python {
@@ -32,9 +32,9 @@ namespace {
 namespace py = pybind11;
 using host::BadInput;
 using host::Range;
-using Place = std::pair<double, double>;                                       // north, east
-using BearingText = std::tuple<double, double, std::optional<double>>;         // direction, deviation, mirror axis, degrees
-using Measured = std::tuple<Place, double, bool, std::optional<BearingText>>;  // position, SNR, whether too faint, bearing
+using Place = std::pair<double, double>;                                        // north, east
+using BearingGiven = std::tuple<double, double, std::optional<double>>;         // direction, deviation, mirror axis, degrees
+using Measured = std::tuple<Place, double, bool, std::optional<BearingGiven>>;  // position, SNR, whether too faint, bearing
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
@@ -126,7 +126,7 @@ policy::BeliefModel model_of(Place area, double step_length, std::size_t directi
   return model;
 }
 
-policy::Reception reception_of(double snr, bool too_faint, const std::optional<BearingText>& bearing) {
+policy::Reception reception_of(double snr, bool too_faint, const std::optional<BearingGiven>& bearing) {
   const double most = messages::kMostSnr.value;
   policy::Reception reception{.snr = Decibels{checked("snr", snr, Range::between(-most, most))}, .too_faint = too_faint};
   if (!bearing) return reception;
@@ -162,7 +162,7 @@ class BeliefState {
         measurements_(other.measurements_) {}
   BeliefState& operator=(const BeliefState&) = delete;
 
-  void update(Place position, double snr, bool too_faint, std::optional<BearingText> bearing) {
+  void update(Place position, double snr, bool too_faint, std::optional<BearingGiven> bearing) {
     const Range allowed = Range::between(-1e7, 1e7);
     const NorthEast place{Meters{checked("position", position.first, allowed)}, Meters{checked("position", position.second, allowed)}};
     belief_->update(model_, *tables_->of, place, reception_of(snr, too_faint, bearing));

@@ -24,6 +24,8 @@ if _TYPE_CHECKING:
     from earshot.evaluations import EvaluationWarning as EvaluationWarning
     from earshot.evaluations import baselines as baselines
     from earshot.evaluations import evaluate as evaluate
+    from earshot.fans import fan as fan
+    from earshot.fans import horizontal_map as horizontal_map
     from earshot.fields import FieldWarning as FieldWarning
     from earshot.fields import field as field
     from earshot.flights import Flight as Flight
@@ -34,8 +36,11 @@ if _TYPE_CHECKING:
     from earshot.heard import RecordingWarning as RecordingWarning
     from earshot.journals import JournalWarning as JournalWarning
     from earshot.journals import read_journal as read_journal
+    from earshot.libraries import library as library
     from earshot.listening import Listener as Listener
     from earshot.listening import listen as listen
+    from earshot.model_files import write_shd as write_shd
+    from earshot.model_files import write_tl_grid as write_tl_grid
     from earshot.ocean_parts import Layer as Layer
     from earshot.ocean_parts import Munk as Munk
     from earshot.ocean_parts import SeaWater as SeaWater
@@ -63,11 +68,16 @@ _OWN = {
     "Tables": "earshot.ocean_tables",
     "baselines": "earshot.evaluations",
     "evaluate": "earshot.evaluations",
+    "fan": "earshot.fans",
     "field": "earshot.fields",
     "fly": "earshot.flights",
+    "horizontal_map": "earshot.fans",
+    "library": "earshot.libraries",
     "listen": "earshot.listening",
     "read_journal": "earshot.journals",
     "tables": "earshot.ocean_tables",
+    "write_shd": "earshot.model_files",
+    "write_tl_grid": "earshot.model_files",
 }
 # Everything is imported when it is first used: who wants LCM types alone waits for nothing else.
 __all__ = ["annotations", *_OWN, *_name.type_names()]  # noqa: PLE0604  (texts, all of them)

@@ -12,6 +12,11 @@ from typing import Any, SupportsIndex
 import numpy as np
 from numpy.typing import NDArray
 
+from earshot._search import BeliefState as BeliefState
+from earshot._search import Tables as Tables
+from earshot._search import baselines as baselines
+from earshot._search import evaluate as evaluate
+
 Place = tuple[float, float]
 
 # snr_db (as heard; where it was too faint to measure, the least that could have been), too_faint, position_m, source_m;
@@ -132,6 +137,8 @@ class Ocean:
     @staticmethod
     def from_text(name: str, text: str) -> Ocean:
         """Of the text of such a file; `name` stands for the file in what is wrong with it."""
+    def with_levels(self, *, source_level: float, noise_level: float) -> Ocean:
+        """The same ocean; dB re 1 uPa at 1 m, and dB re 1 uPa."""
     @property
     def name(self) -> str: ...
     @property
@@ -152,118 +159,142 @@ class Ocean:
     @property
     def crc32(self) -> int: ...
 
+LEVEL_ATTRIBUTES: dict[
+    str, dict[str, str]
+]  # of transmission_loss, snr, source_level and noise_level, as NetCDF files have them
+
+class RadialCase:
+    """The input file of another propagation model: an ocean, and where on a radial its sound is asked for."""
+
+    @staticmethod
+    def from_acoustics_toolbox(path: os.PathLike[str] | str) -> RadialCase:
+        """Of an .env file, and the .ssp and .bty beside it."""
+    @staticmethod
+    def from_ram(path: os.PathLike[str] | str) -> RadialCase:
+        """Of a ram.in file."""
+    @property
+    def ocean(self) -> Ocean:
+        """Its source at the first of the depths; its levels are 0 dB, for such a file names none."""
+    @property
+    def source_depth(self) -> list[float]:
+        """[n] m, increasing, at least one"""
+    @property
+    def receiver_depth(self) -> list[float]:
+        """[n] m, increasing, >= 0; some may lie below the sea floor; empty: not stated"""
+    @property
+    def receiver_range(self) -> list[float]:
+        """[n] m, increasing, >= 0, the last > 0; empty: not stated"""
+    @property
+    def max_range(self) -> float | None:
+        """m; None: not stated"""
+
+class SoundRequest:
+    """What is asked of the sound in an ocean, as `earshot.field` describes it; checked where it is used."""
+
+    def __init__(
+        self,
+        *,
+        frequency: float,
+        source_depth: float,
+        max_range: float,
+        receiver_depth: list[float],
+        depth_spacing: float | None,
+        output_step: float | None,
+        accuracy_db: float,
+        band: tuple[float, float] | None,
+        band_parts: int,
+        starter: str,
+        range_step: float | None,
+        depth_step: float | None,
+        terms: int,
+        absorber_wavelengths: float | None,
+        file_depth: list[float],
+        file_range: list[float],
+    ) -> None:
+        """An empty `receiver_depth` stands for every `depth_spacing`. `file_depth` and `file_range` are a RadialCase's
+        receivers, or empty: where they are not, they say which depths, ranges and step are computed.
+        """
+
 def radial(
     ocean: Ocean,
+    asked: SoundRequest,
     *,
-    frequency: float,
-    source_depth: float,
     bearing: float,
-    max_range: float,
-    receiver_depth: list[float],
-    depth_spacing: float | None,
-    output_step: float | None,
-    accuracy_db: float,
-    band: tuple[float, float] | None,
-    band_parts: int,
-    starter: str,
-    range_step: float | None,
-    depth_step: float | None,
-    terms: int,
-    absorber_wavelengths: float | None,
     pressure: bool,
     progress: Callable[[float], object] | None,
 ) -> dict[str, Any]:
-    """One march, as `earshot.field` describes it. An empty `receiver_depth` stands for every `depth_spacing`.
+    """One march.
 
     transmission_loss, snr [n_range x n_depth] float32 dB; pressure [n_range x n_depth] complex128 or None; range,
     depth [n] float64 m; sea_floor_depth [n_range] float32 m; unmeasured_water, a text or None; grid, None or
     (depth step m, range step m, terms, predicted error dB, reference wavenumber 1/m).
     """
 
-class Tables:
-    """What a belief thinks possible of the ocean: SNR against range in each of some oceans. Nothing of it changes."""
-
-    @staticmethod
-    def from_file(path: os.PathLike[str] | str) -> Tables: ...
-    @staticmethod
-    def make(
-        *,
-        oceans: Sequence[Ocean | os.PathLike[str]],
-        vehicle_depth: float,
-        max_range: float,
-        range_step: float,
-        bearings: int,
-        at_most: int,
-        progress: Callable[[float], object] | None,
-    ) -> Tables: ...
-    @property
-    def bytes(self) -> bytes:
-        """Of a `.tables` file."""
-    @property
-    def described(self) -> dict[str, Any]:
-        """frequency, Hz; vehicle_depth, range_step, m; source_depth, sea_depth, (least, most) in m; provenance, a text;
-        name, prior, sea_floor_depth (m), lists [n_table]."""
-    @property
-    def snr_db(self) -> NDArray[np.float32]:
-        """[n_table x n_range]"""
-
-class BeliefState:
-    """The belief that flies. A copy goes on as the original would; pickled are the measurements, and taken in again."""
-
-    def __init__(
-        self,
-        *,
-        tables: Tables,
-        area: Place,
-        step_length: float,
-        directions: int,
-        border_width: float,
-        detection_threshold: float,
-    ) -> None: ...
-    def __copy__(self) -> BeliefState: ...
-    def __deepcopy__(self, memo: dict[int, Any]) -> BeliefState: ...
-    def update(
-        self, position: Place, *, snr: float, too_faint: bool, bearing: tuple[float, float, float | None] | None
-    ) -> None:
-        """bearing: direction, deviation, and mirror axis or None, degrees"""
-    @property
-    def tables(self) -> Tables: ...
-    @property
-    def area(self) -> Place: ...
-    @property
-    def measurements(self) -> int: ...
-    @property
-    def fingerprint(self) -> int: ...
-    def probabilities(self) -> NDArray[np.float32]:
-        """[n_north x n_east]"""
-    def summary(self) -> dict[str, Any]: ...
-    def hypotheses(self) -> list[dict[str, Any]]: ...
-    def actions(self) -> list[dict[str, Any]]: ...
-    def declaration(self) -> dict[str, Any] | None: ...
-
-def baselines() -> dict[str, str]:
-    """Name -> what it is, of every searcher that is not learned."""
-
-def evaluate(
+def fan(
+    ocean: Ocean,
+    asked: SoundRequest,
     *,
-    policies: Sequence[str | tuple[str, tuple[Any, Any, Any]]],
-    worlds: Sequence[Ocean | os.PathLike[str]],
-    environment: Ocean | os.PathLike[str],
-    tables: Sequence[tuple[str, Tables]],
-    episodes: int,
-    seed: int | None,
-    vehicle_depth: float | None,
-    source: str | None,
-    start: str | None,
-    border_width: float | None,
-    max_steps: int | None,
-    declared: bool,
+    radials: int,
+    threads: int,
+    detection_threshold_db: float,
+    fluctuation_db: float,
+    detection: bool,
+    map: bool,
+    side: float | None,
+    intervals: int,
     progress: Callable[[float], object] | None,
-) -> tuple[str, list[str]]:
-    """The table of `earshot evaluate --timing` as CSV, and what is warned of, as `earshot.evaluate` describes it.
+) -> dict[str, Any]:
+    """All around the source. `threads` 0: all processors; `asked` without receivers of a file and depth spacing.
 
-    A policy in Python is (name, (begin or None, choose, declares_found or None)).
+    transmission_loss [n_bearing x n_range x n_depth] float32 dB; sea_floor_depth [n_bearing x n_range] float32 m;
+    bearing [n] float64 degrees; range, depth [n] float64 m; land, unmeasured_water, a text or None.
+    With `detection` also detection_probability, shaped as the loss, and assured_detection_range and
+    furthest_detection_range [n_depth x n_bearing] m, all float32. With `map` also map_snr, dB, and
+    map_detection_probability [n_depth x n_north x n_east] float32; north, east [intervals + 1] float64 m.
     """
+
+def read_library(
+    path: os.PathLike[str] | str, *, positions: list[int] | None, progress: Callable[[float], object] | None
+) -> dict[str, Any]:
+    """A field library that is finished, or some positions of it.
+
+    transmission_loss [n_position x n_bearing x n_range x n_depth] float32 dB; position int64, position_north,
+    position_east float64 m, has_field uint8 [n_position]; bearing degrees, range, depth m, frequency Hz float64;
+    position_depth m; source_level, noise_level dB; is_around_hydrophone; attributes, texts of the file.
+    """
+
+def write_shade(
+    path: os.PathLike[str] | str,
+    *,
+    range: list[float],
+    depth: list[float],
+    sea_floor_depth: NDArray[np.float32],
+    transmission_loss: NDArray[np.float32],
+    pressure: NDArray[np.complex128],
+    reference_wavenumber: float,
+    title: str,
+    frequency: float,
+    source_depth: float,
+    single_precision: bool,
+    receiver_depth: list[float],
+    receiver_range: list[float],
+    force: bool,
+) -> None:
+    """Arrays as `radial` gives them, contiguous; NaN where there is no wavenumber. Empty receivers: range and depth."""
+
+def write_tl_grid(
+    path: os.PathLike[str] | str,
+    *,
+    range: list[float],
+    depth: list[float],
+    sea_floor_depth: NDArray[np.float32],
+    transmission_loss: NDArray[np.float32],
+    pressure: NDArray[np.complex128] | None,
+    receiver_depth: list[float],
+    receiver_range: list[float],
+    force: bool,
+) -> None:
+    """As `write_shade`; the loss is that of the pressure, where there is one."""
 
 def journal_records(path: os.PathLike[str] | str) -> dict[str, Any]:
     """A journal, a flight's folder, or a log that lcm-logger wrote.

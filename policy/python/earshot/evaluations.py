@@ -14,8 +14,7 @@ from earshot import core
 from earshot.arguments import is_path, number, path, text, truth_value, whole_number
 from earshot.errors import BadInput, BadType
 from earshot.ocean_tables import Tables
-from earshot.oceans import Environment
-from earshot.paper import PAPER_ENVIRONMENT
+from earshot.oceans import PAPER_ENVIRONMENT, Environment
 
 if TYPE_CHECKING:
     import pandas
@@ -73,9 +72,7 @@ def _policies(given: Any) -> list[Any]:
 
 def _ocean(name: str, given: Any) -> Any:
     if isinstance(given, Environment):
-        if given._path is None:
-            given.to_toml()  # refuses what lacks source or noise
-        return given._path or given._ocean
+        return given._scenario()
     if is_path(given):
         return path(name, given)
     raise BadType(f"{name}: must be earshot.Environment, or a path", key=name, value=given)

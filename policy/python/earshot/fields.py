@@ -8,53 +8,22 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from earshot.arguments import Numbers, axis, number, text, truth_value, whole_number
+from earshot.arguments import Numbers, number, truth_value
 from earshot.core import radial
-from earshot.errors import BadInput, BadType
 from earshot.oceans import Environment
+from earshot.questions import Question, question_of, require_callable
+from earshot.variables import describe
 
 if TYPE_CHECKING:
     import xarray
 
 __all__ = ["FieldWarning", "field"]
 
-_ANY_HZ = 100.0  # stands where a band is asked for, which states its frequencies
 _WATER_MPS = 1500.0  # by which a wavelength is reckoned where none is computed
-
-_ATTRIBUTES = {
-    "range": {"long_name": "horizontal range from the source", "units": "m"},
-    "depth": {"long_name": "depth of the receiver", "units": "m", "standard_name": "depth", "positive": "down"},
-    "frequency": {"long_name": "frequency of the source", "units": "Hz"},
-    "source_depth": {"long_name": "depth of the source", "units": "m", "positive": "down"},
-    "transmission_loss": {"long_name": "transmission loss, dB re 1 m", "units": "0.1 lg(re 1)"},
-    "snr": {"long_name": "signal-to-noise ratio at the hydrophone", "units": "0.1 lg(re 1)"},
-    "pressure": {
-        "long_name": "complex pressure of a source of unit pressure at 1 m, without the factor exp(i k0 r)",
-        "units": "1",
-    },
-    "reference_wavenumber": {"long_name": "k0 of the factor that the pressure lacks", "units": "m-1"},
-    "sea_floor_depth": {
-        "long_name": "depth of the sea floor, 0 on land",
-        "standard_name": "sea_floor_depth_below_sea_surface",
-        "units": "m",
-    },
-}
 
 
 class FieldWarning(UserWarning):
     """The field is not as sure as it was asked to be."""
-
-
-def _asked(name: str, value: Any, known: float | None) -> Any:
-    """[n], or [] of one number; what the environment knows where nothing is asked."""
-    if value is None and known is None:
-        raise BadInput(f"{name}: must be given, for the environment does not state it", key=name)
-    given = known if value is None else value
-    return np.float64(number(name, given)) if np.ndim(given) == 0 else axis(name, given)
-
-
-def _optional(name: str, value: float | None) -> float | None:
-    return None if value is None else number(name, value)
 
 
 def field(
@@ -63,7 +32,7 @@ def field(
     frequency: Numbers | None = None,
     source_depth: Numbers | None = None,
     receiver_depth: Numbers | None = None,
-    max_range: float = 25_000.0,
+    max_range: float | None = None,
     bearing: float = 0.0,
     depth_spacing: float | None = None,
     output_step: float | None = None,
@@ -82,11 +51,13 @@ def field(
 
     frequency       Hz, 1 to 10 000: one, or an array; None: the environment's
     source_depth    m, above the sea floor: one, or an array; None: the environment's
-    receiver_depth  m, increasing, above 0 and down to the sea floor; None: every `depth_spacing` down to it
-    max_range       m, 1 to 2 000 000
+    receiver_depth  m, increasing, above 0 and down to the sea floor; None: those in the water of an environment that
+                    states receivers, else every `depth_spacing` down to the sea floor
+    max_range       m, 1 to 2 000 000; None: as far as the environment states, else 25 000
     bearing         degrees clockwise from north; matters where the environment has charts
     depth_spacing   m; None: 10 m, in water of less than 1000 m a hundredth of it or less
-    output_step     m between ranges; None: a sixth of the shortest wavelength, or `range_step` if that is given
+    output_step     m between ranges; None: the longest that the ranges are multiples of which the environment states,
+                    else a sixth of the shortest wavelength, or `range_step` if that is given
     accuracy_db     of transmission loss, mean over ranges, 0.0001 to 10; chooses the solver's grid
     band            (low, high), Hz: the mean intensity of `band_parts` equal parts of the band; without pressure
     starter         "self": a point source; "gaussian": a beam, weaker where it is steep
@@ -100,7 +71,8 @@ def field(
       pressure           complex128, of a source of unit pressure at 1 m; p exp(i k0 r) with `reference_wavenumber` k0
       sea_floor_depth    m, over range
     and in its attributes predicted_error_db (the largest; NaN where you chose the grid), and depth_step_m, range_step_m
-    and terms of the solver (the finest).
+    and terms of the solver (the finest). Where an .env or ram.in file states receivers that no argument replaces, the
+    attributes receiver_depth_m and receiver_range_m hold them, for `earshot.write_shd` and `earshot.write_tl_grid`.
 
     Warns (FieldWarning) where the predicted error is ten times `accuracy_db`, and 1 dB more; refuses more than 10 dB.
     Raises BadInput with the argument as `key`, BadType for what is of another kind, KeyboardInterrupt within some
@@ -108,59 +80,49 @@ def field(
     """
     import xarray
 
-    if not isinstance(environment, Environment):
-        raise BadType("environment: must be an earshot.Environment", key="environment", value=environment)
-    if progress is not None and not callable(progress):
-        raise BadType("progress: must be callable, or None", key="progress", value=progress)
-    source_depths = _asked("source_depth", source_depth, environment.source_depth)
-    edges = None
-    if band is not None:
-        if frequency is not None and np.ndim(frequency) > 0:
-            raise BadInput("band: not with several frequencies", key="band", value=band)
-        low_high = axis("band", band)
-        if low_high.size != 2:
-            raise BadInput("band: must be the low and the high frequency", key="band", value=band)
-        edges = (float(low_high[0]), float(low_high[1]))
-    known = _ANY_HZ if edges is not None and environment.frequency is None else environment.frequency
-    frequencies = _asked("frequency", frequency, known)
-    step = _optional("output_step", output_step)
-    march_step = _optional("range_step", range_step)
-    if step is None and march_step is None and np.ndim(frequencies) > 0 and np.all(frequencies > 0.0):
-        step = _WATER_MPS / 6.0 / float(np.max(frequencies))  # one axis of range for all
-    shared = {
-        "bearing": number("bearing", bearing),
-        "max_range": number("max_range", max_range),
-        "receiver_depth": []
-        if receiver_depth is None
-        else np.atleast_1d(_asked("receiver_depth", receiver_depth, None)).tolist(),
-        "depth_spacing": _optional("depth_spacing", depth_spacing),
-        "output_step": step,
-        "accuracy_db": number("accuracy_db", accuracy_db),
-        "band": edges,
-        "band_parts": whole_number("band_parts", band_parts),
-        "starter": text("starter", starter),
-        "range_step": march_step,
-        "depth_step": _optional("depth_step", depth_step),
-        "terms": whole_number("terms", terms),
-        "absorber_wavelengths": _optional("absorber_wavelengths", absorber_wavelengths),
-        "pressure": truth_value("pressure", pressure),
-    }
-    of_sources = [(f, d) for f in np.atleast_1d(frequencies).tolist() for d in np.atleast_1d(source_depths).tolist()]
+    require_callable(progress)
+    question = question_of(
+        environment,
+        frequency=frequency,
+        source_depth=source_depth,
+        receiver_depth=receiver_depth,
+        max_range=max_range,
+        depth_spacing=depth_spacing,
+        output_step=output_step,
+        accuracy_db=accuracy_db,
+        band=band,
+        band_parts=band_parts,
+        starter=starter,
+        range_step=range_step,
+        depth_step=depth_step,
+        terms=terms,
+        absorber_wavelengths=absorber_wavelengths,
+    )
+    settings, frequencies = question.settings, question.frequencies
+    if receiver_depth is None and depth_spacing is None:
+        settings["file_depth"] = environment._receiver_depths()
+    if max_range is None and output_step is None and range_step is None:
+        settings["file_range"] = environment._receiver_ranges()
+    if output_step is None and range_step is None and np.ndim(frequencies) > 0 and np.all(frequencies > 0.0):
+        settings["output_step"] = _WATER_MPS / 6.0 / float(np.max(frequencies))  # one axis of range for all
+    is_pressure_kept = truth_value("pressure", pressure)
+    at = number("bearing", bearing)
+    sources = question.sources()
 
     def march(i: int) -> dict[str, Any]:
-        frequency_hz, depth_m = of_sources[i]
-        report = None if progress is None else lambda share: progress((i + share) / len(of_sources))
-        return radial(environment._ocean, frequency=frequency_hz, source_depth=depth_m, progress=report, **shared)
+        report = None if progress is None else lambda share: progress((i + share) / len(sources))
+        return radial(
+            environment._ocean, question.of(*sources[i]), bearing=at, pressure=is_pressure_kept, progress=report
+        )
 
-    fields = [march(i) for i in range(len(of_sources))]
+    fields = [march(i) for i in range(len(sources))]
     for doubt in dict.fromkeys(f["doubt"] for f in fields if f["doubt"] is not None):
         warnings.warn(f"{doubt}: smooth it, or choose range_step", FieldWarning, stacklevel=2)
-    return _dataset(xarray, environment, frequencies, source_depths, fields, edges)
+    return _dataset(xarray, environment, question, fields)
 
 
-def _dataset(
-    xarray: Any, environment: Environment, frequencies: Any, source_depths: Any, fields: Any, band: Any
-) -> Any:
+def _dataset(xarray: Any, environment: Environment, question: Question, fields: Any) -> Any:
+    frequencies, source_depths, band = question.frequencies, question.source_depths, question.band
     outer = [(n, a) for n, a in (("frequency", frequencies), ("source_depth", source_depths)) if np.ndim(a) > 0]
     shape = tuple(a.size for _, a in outer)
     dims = tuple(n for n, _ in outer)
@@ -187,16 +149,13 @@ def _dataset(
     }
     if band is not None:
         del coordinates["frequency"]
-    dataset = xarray.Dataset(values, coordinates)
-    for name in dataset.variables:
-        dataset[name].attrs.update(_ATTRIBUTES[str(name)])
-    dataset.attrs.update(
-        title=f"Sound field of one source: {environment.name}",
-        source="Earshot, one-way parabolic equation",
-        environment_crc32=f"0x{environment.crc32:08x}",
-    )
+    dataset = describe(xarray.Dataset(values, coordinates))
+    dataset.attrs.update(environment._provenance("Sound field of one source"))
     if band is not None:
         dataset.attrs["band_hz"] = list(band)
+    for name in ("depth", "range"):
+        if question.settings[f"file_{name}"]:
+            dataset.attrs[f"receiver_{name}_m"] = question.settings[f"file_{name}"]
     if grids:
         depth_steps, range_steps, terms, errors, _ = zip(*grids)
         dataset.attrs.update(

@@ -99,8 +99,8 @@ def _path(name: str, value: Any) -> str:
 def _in_file(name: str, value: Any, folder: Path) -> str:
     """The path of what is given as a path or as an object, which is then written to a file in a folder."""
     if isinstance(value, Environment):
-        if value._path is not None:
-            return str(value._path)
+        if isinstance(value._scenario(), Path):
+            return str(value._scenario())
         (folder / "given.toml").write_text(value.to_toml(), encoding="utf-8")
         return str(folder / "given.toml")
     return _path(name, value)

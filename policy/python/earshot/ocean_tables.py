@@ -133,8 +133,7 @@ def _oceans(given: Any) -> list[Any]:
     oceans: list[Any] = []
     for one in each:
         if isinstance(one, Environment):
-            one.to_toml() if one._path is None else None  # refuses what lacks source or noise
-            oceans.append(one._ocean)
+            oceans.append(one._scenario())
         elif arguments.is_path(one):
             oceans.append(arguments.path("environments", one))
         else:

@@ -5,12 +5,16 @@ from __future__ import annotations
 import json
 import os
 import re
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from earshot import arguments
 from earshot.arguments import number
-from earshot.core import Ocean, printable
+from earshot.core import Ocean, RadialCase, printable
 from earshot.errors import BadInput, BadType
 from earshot.ocean_parts import (
     Bathymetry,
@@ -23,7 +27,15 @@ from earshot.ocean_parts import (
     water_table,
 )
 
-__all__ = ["Environment"]
+__all__ = ["PAPER_ENVIRONMENT", "Environment"]
+
+PAPER_ENVIRONMENT = Path(__file__).parent / "gym" / "environments" / "munk_flat.toml"  # of Clark et al. 2022
+
+# How the files of other propagation models are read, by the name of the function that does.
+_CASES = {
+    "from_acoustics_toolbox": RadialCase.from_acoustics_toolbox,
+    "from_ram": RadialCase.from_ram,
+}
 
 _NAME = "keyword arguments"  # stands for the file in what is wrong with the text
 
@@ -57,7 +69,8 @@ def _as_argument(bad: BadInput) -> BadInput:
 class Environment:
     """An ocean, and the source and the noise in it where they are known. Nothing of it changes.
 
-    `Environment.from_toml(path)` reads an environment file, as `earshot field` does. From numbers and arrays:
+    `Environment.from_toml(path)` reads an environment file, as `earshot field` does; `from_acoustics_toolbox(path)` and
+    `from_ram(path)` read the input of other propagation models. From numbers and arrays:
 
     sound_speed   of the water, m/s: one number; a `Munk`; (depth [n], speed [n]); (range [m], depth [n],
                   speed [m x n]); or an xarray.DataArray over depth, or over range and depth. Depth in m, from 0 to the
@@ -76,6 +89,8 @@ class Environment:
 
     >>> env = Environment(sound_speed=Munk(), bathymetry=3000.0, sediment=Layer(1505.0))
     """
+
+    _reader: str  # of a file: the name of the function that reads it
 
     def __init__(
         self,
@@ -103,6 +118,7 @@ class Environment:
         source = {k: stand_in[k] if v is None else number(k, v) for k, v in self._given.items()}
         depth_key, section = sea_floor_tables(bathymetry)
         self._path: Path | None = None
+        self._case: RadialCase | None = None
         self._text = (
             f"name = {json.dumps(name, ensure_ascii=False)}\n[source]\nfrequency_hz = {source['frequency']!r}\n"
             f"level_db_re_1upa_at_1m = {source['source_level']!r}\ndepth_m = {source['source_depth']!r}\n"
@@ -122,18 +138,69 @@ class Environment:
         Raises BadInput with file, line, key and value of the first of all problems, which its text lists.
         """
         environment = cls.__new__(cls)
-        environment._path = Path(os.path.realpath(arguments.path("path", path)))
+        environment._path = _resolved(path)
+        environment._case = None
         environment._text = ""
-        try:
-            environment._ocean = Ocean.from_file(environment._path)
-        except BadInput as bad:
-            raise bad.about(str(environment._path), printable(environment._path), key="path", value=path) from None
+        environment._ocean = _read(Ocean.from_file, environment._path, path)
         ocean = environment._ocean
         environment._given = {
             "frequency": ocean.frequency,
             "source_depth": ocean.source_depth,
             "source_level": ocean.source_level,
             "noise_level": ocean.noise_level,
+        }
+        return environment
+
+    @classmethod
+    def from_acoustics_toolbox(
+        cls,
+        path: str | os.PathLike[str],
+        *,
+        source_level: float | None = None,
+        noise_level: float | None = None,
+    ) -> Environment:
+        """The ocean of an .env file of the Acoustics Toolbox (BELLHOP, KRAKEN, SCOOTER), with .ssp and .bty beside it.
+
+        Its source, its receivers and how far it goes are what `earshot.field` computes where nothing else is asked.
+        Such a file names no levels: give them where SNR is wanted. `sim/ocean/file/acoustics_toolbox` lists what is
+        understood.
+
+        source_level  dB re 1 uPa at 1 m, 0 to 300;   noise_level  in the detector's band, dB re 1 uPa, -100 to 300
+
+        Raises BadInput with file, line, key and value of what is wrong, or has no meaning here.
+        """
+        return cls._of_case("from_acoustics_toolbox", path, source_level, noise_level)
+
+    @classmethod
+    def from_ram(
+        cls,
+        path: str | os.PathLike[str],
+        *,
+        source_level: float | None = None,
+        noise_level: float | None = None,
+    ) -> Environment:
+        """The ocean of a ram.in file of RAM 1.5. Its receivers are those of RAM's tl.grid.
+
+        All else is as of `from_acoustics_toolbox`; `sim/ocean/file/ram` lists what is understood.
+        """
+        return cls._of_case("from_ram", path, source_level, noise_level)
+
+    @classmethod
+    def _of_case(cls, reader: str, path: Any, source_level: Any, noise_level: Any) -> Environment:
+        levels = {"source_level": source_level, "noise_level": noise_level}
+        known = {name: None if level is None else number(name, level) for name, level in levels.items()}
+        environment = cls.__new__(cls)
+        environment._path = _resolved(path)
+        environment._text = ""
+        environment._reader = reader
+        case = _read(_CASES[reader], environment._path, path)
+        environment._case = case
+        environment._ocean = case.ocean.with_levels(**{name: level or 0.0 for name, level in known.items()})
+        depths = case.source_depth
+        environment._given = {
+            "frequency": environment._ocean.frequency,
+            "source_depth": depths[0] if len(depths) == 1 else None,
+            **known,
         }
         return environment
 
@@ -145,9 +212,7 @@ class Environment:
         """
         if self._path is not None:
             raise BadInput(f"to_toml: this ocean is that of {self._path}", key="to_toml", value=self._path)
-        for name, value in self._given.items():
-            if value is None:
-                raise BadInput(f"{name}: must be given, an environment file states it", key=name)
+        self._require_levels("an environment file states it")
         return self._text
 
     @property
@@ -162,8 +227,69 @@ class Environment:
 
     @property
     def source_depth(self) -> float | None:
-        """m, positive down; None: not known."""
+        """m, positive down; None: not known, or one of several `source_depths`."""
         return self._given["source_depth"]
+
+    @property
+    def source_depths(self) -> NDArray[np.float64] | None:
+        """[n] m, increasing: all that a file states; None: not known."""
+        if self._case is not None:
+            return np.array(self._case.source_depth)
+        return None if self.source_depth is None else np.array([self.source_depth])
+
+    @property
+    def receiver_depth(self) -> NDArray[np.float64] | None:
+        """[n] m, increasing: where an .env or ram.in file asks for sound, in the water or not; None: not stated."""
+        return np.array(self._receiver_depths()) if self._receiver_depths() else None
+
+    @property
+    def receiver_range(self) -> NDArray[np.float64] | None:
+        """[n] m, increasing, from 0 on: where such a file asks for sound; None: not stated."""
+        return np.array(self._receiver_ranges()) if self._receiver_ranges() else None
+
+    @property
+    def max_range(self) -> float | None:
+        """m, how far an .env or ram.in file goes; None: not stated."""
+        return None if self._case is None else self._case.max_range
+
+    def _scenario(self) -> Path | Ocean:
+        """What a search needs: the environment file with all that it says, or an ocean of known source and noise."""
+        if self._path is not None and self._case is None:
+            return self._path
+        self._require_levels("a search needs it")
+        return self._ocean
+
+    def _require_levels(self, why: str) -> None:
+        for name, value in self._given.items():
+            if value is None:
+                raise BadInput(f"{name}: must be given, {why}", key=name)
+
+    def _receiver_depths(self) -> list[float]:
+        return [] if self._case is None else self._case.receiver_depth
+
+    def _receiver_ranges(self) -> list[float]:
+        return [] if self._case is None else self._case.receiver_range
+
+    def _require_frequencies(self, frequencies: Any) -> None:
+        """The attenuation of an .env or ram.in file is that at its own frequency."""
+        if self._case is None:
+            return
+        for frequency in np.atleast_1d(frequencies).tolist():
+            if frequency != self.frequency:
+                raise BadInput(
+                    f"frequency = {frequency:g}: must be {self.frequency:g}, at which {self._path} states attenuation",
+                    key="frequency",
+                    value=frequency,
+                )
+
+    def _provenance(self, title: str) -> dict[str, Any]:
+        """Attributes of a Dataset with sound in this ocean."""
+        return {
+            "title": f"{title}: {self.name}",
+            "source": "Earshot, one-way parabolic equation",
+            "environment": self.name,
+            "environment_crc32": f"0x{self.crc32:08x}",
+        }
 
     @property
     def source_level(self) -> float | None:
@@ -195,16 +321,33 @@ class Environment:
         return self
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _unpickled, (self._path, self._text, self._given, self.crc32)
+        reader = "from_toml" if self._case is None else self._reader
+        return _unpickled, (self._path, self._text, self._given, self.crc32, reader)
 
 
-def _unpickled(path: Path | None, text: str, given: dict[str, float | None], crc32: int) -> Environment:
+def _resolved(path: Any) -> Path:
+    return Path(os.path.realpath(arguments.path("path", path)))
+
+
+def _read(reader: Callable[[Path], Any], path: Path, given: Any) -> Any:
+    """What is wrong with the whole of a file is wrong with the argument that names it."""
+    try:
+        return reader(path)
+    except BadInput as bad:
+        raise bad.about(str(path), printable(path), key="path", value=given) from None
+
+
+def _unpickled(
+    path: Path | None, text: str, given: dict[str, float | None], crc32: int, reader: str = "from_toml"
+) -> Environment:
     if path is not None:
-        environment = Environment.from_toml(path)
+        levels = {name: given[name] for name in ("source_level", "noise_level")} if reader in _CASES else {}
+        environment: Environment = getattr(Environment, reader)(path, **levels)
         if environment.crc32 != crc32:
             raise BadInput(f"environment: {path}, or a file that it names, is not what it was when this was pickled")
         return environment
     environment = Environment.__new__(Environment)
     environment._path, environment._text, environment._given = None, text, given
+    environment._case = None
     environment._ocean = Ocean.from_text(_NAME, text)
     return environment

@@ -13,7 +13,7 @@ import argparse
 
 from stable_baselines3 import PPO
 
-import earshot_gym.sb3
+import earshot.gym.sb3
 
 
 def main() -> None:
@@ -26,10 +26,10 @@ def main() -> None:
     parser.add_argument("-o", "--output", default="model.zip")
     arguments = parser.parse_args()
 
-    env = earshot_gym.sb3.SearchVecEnv(arguments.environments, state=arguments.state, source=arguments.source)
+    env = earshot.gym.sb3.SearchVecEnv(arguments.environments, state=arguments.state, source=arguments.source)
     model = PPO("MlpPolicy", env, n_steps=2048 // arguments.environments, seed=arguments.seed, device="cpu", verbose=1)
     model.learn(arguments.steps)
-    print(earshot_gym.sb3.save(model, arguments.output))
+    print(earshot.gym.sb3.save(model, arguments.output))
 
 
 if __name__ == "__main__":

@@ -96,9 +96,8 @@ ocean::Band band_of(const FieldArguments& arguments, const ocean::Environment& e
 
 Meters max_range_of(const FieldArguments& arguments, const ocean::RadialCase& asked) {
   constexpr double kDefault_km = 25.0;
-  if (!arguments.max_range_km && !asked.receiver_range_m.empty()) return Meters{asked.receiver_range_m.back()};
-  if (!arguments.max_range_km && asked.max_range) return *asked.max_range;
-  return Meters{1000.0 * arguments.max_range_km.value_or(kDefault_km)};
+  if (arguments.max_range_km) return Meters{1000.0 * *arguments.max_range_km};
+  return asked.furthest().value_or(Meters{1000.0 * kDefault_km});
 }
 
 const host::OutputKind& kind_of(OutputFormat format) {
@@ -218,6 +217,8 @@ std::string option_of(sonar::BadRequest::What what) {
       return "--output-step-m";
     case sonar::BadRequest::What::kBearing:
       return "--bearing-deg";
+    case sonar::BadRequest::What::kRadials:
+      return "--radials";
   }
   return "";
 }

@@ -21,12 +21,13 @@
 #include "sim/sonar/fan_file.hpp"
 #include "sim/sonar/grid_check.hpp"
 #include "sim/sonar/horizontal_map.hpp"
+#include "sim/sonar/radial_request.hpp"
 
 namespace earshot::field {
 namespace {
 
 Meters map_side(const FieldArguments& arguments, const sonar::Fan& fan) {
-  return arguments.map_side_km ? Meters{1000.0 * *arguments.map_side_km} : std::numbers::sqrt2 * fan.max_range();
+  return arguments.map_side_km ? Meters{1000.0 * *arguments.map_side_km} : sonar::largest_side(fan);
 }
 
 std::optional<sonar::HorizontalMap> map_of(const FieldArguments& arguments, const sonar::Fan& fan, const sonar::Detector& detector) {
@@ -92,23 +93,6 @@ void print_check(const ocean::Environment& environment, const sonar::RadialPlan&
   }
 }
 
-/// Throws where no bearing has water as far as the first range; warns where only some have.
-void require_water(const ocean::Environment& environment, const sonar::FanPlan& plan) {
-  std::vector<double> dry_deg;
-  for (std::size_t j = 0; j < (sonar::differs_with_place(environment) ? plan.bearings : 1); ++j) {
-    const Radians bearing = sonar::bearing_of(j, plan.bearings);
-    const Meters first_range = plan.radial.range_step;
-    if (sonar::shore_before(ocean::section_along(environment, environment.source.position, bearing, first_range), first_range))
-      dry_deg.push_back(bearing.value * 180.0 / std::numbers::pi);
-  }
-  if (dry_deg.empty()) return;
-  std::ostringstream text;
-  text << dry_deg.size() << " of " << plan.bearings << " bearings (the first at " << dry_deg.front()
-       << " degrees) meet land nearer than the first range, " << plan.radial.range_step.value << " m: there is no number on them";
-  if (dry_deg.size() == plan.bearings || !sonar::differs_with_place(environment)) throw std::invalid_argument("--radials: " + text.str());
-  warn(text.str());
-}
-
 }  // namespace
 
 void write_fan(const FieldArguments& arguments) {
@@ -116,11 +100,10 @@ void write_fan(const FieldArguments& arguments) {
   const ocean::Environment& environment = asked.environment;
   require_writable(arguments, environment);
   const NorthEast source = environment.source.position;
-  const sonar::RadialRequest request = request_of(arguments, asked, 1.0 / 3.0);
-  sonar::FanPlan plan{.bearings = arguments.radials, .radial = sonar::plan_ranges(request, environment.source.depth)};
-  sonar::plan_depths(request, plan.bearings, sonar::deepest_sea_floor(environment, source, plan.bearings, plan.radial.max_range()),
-                     plan.radial);
-  require_water(environment, plan);
+  const sonar::PlannedFan planned =
+      sonar::plan_fan(environment, arguments.radials, request_of(arguments, asked, sonar::kFanStepWavelengths));
+  const sonar::FanPlan& plan = planned.plan;
+  if (planned.land) warn(*planned.land);
 
   const sonar::Fan fan = [&] {
     program::ProgressBar bar("radials");

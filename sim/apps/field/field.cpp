@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
   FieldArguments arguments;
   CommandLine line(
       "earshot field",
-      "Computes how loud the source of an ocean is at every range and depth, and writes transmission loss and SNR as NetCDF (CF-1.8):\n"
+      "Computes how loud the source of an ocean is at every range and depth, and writes transmission loss and SNR as NetCDF (CF-1.11):\n"
       "along one bearing, all around (--radials), or for many sources of a region (--library).");
   describe(line, arguments);
   return earshot::program::run(line, argc, argv, [&] {

@@ -41,12 +41,8 @@ ocean::RadialCase case_of(const FieldArguments& arguments) {
     require_one_source(arguments.environment, asked);
     return asked;
   }
-  const Meters depth{*arguments.source_depth_m};
-  const Meters sea_floor = asked.environment.seabed.depth;
-  if (!(depth < sea_floor))
-    throw host::BadInput("--source-depth-m = " + host::shortest(depth.value) + ": must be less than the depth of the sea floor there, " +
-                         host::shortest(sea_floor.value) + " m");
-  asked.environment = ocean::with_source(asked.environment, asked.environment.source.frequency, depth);
+  asked.environment =
+      ocean::with_source(asked.environment, asked.environment.source.frequency, Meters{*arguments.source_depth_m}, "--source-depth-m");
   return asked;
 }
 

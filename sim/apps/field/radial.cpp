@@ -103,7 +103,7 @@ void write_radial(const FieldArguments& arguments) {
   require_writable(arguments, environment);
   const Radians bearing = bearing_of(arguments);
   const sonar::model_files::ReceiverGrid grid = grid_of(arguments, asked);
-  sonar::RadialRequest request = request_of(arguments, asked, 1.0 / 6.0);
+  sonar::RadialRequest request = request_of(arguments, asked, sonar::kRadialStepWavelengths);
   sonar::model_files::cover(grid, environment, bearing, request);
   const sonar::PlannedRadial radial = sonar::plan_radial(environment, bearing, request);
   const ocean::Section& section = radial.section;

@@ -4,7 +4,7 @@
 
 #include "sim/apps/listen/outputs.hpp"
 #include "sim/listening/levels.hpp"
-#include "sim/netcdf/units.hpp"
+#include "sim/netcdf/conventions.hpp"
 #include "sim/netcdf/writer.hpp"
 
 namespace earshot::listen {
@@ -27,6 +27,11 @@ void write_floats(Writer& file, const std::string& name, const std::vector<std::
   file.write(name, values);
 }
 
+/// What the axis of time is called. In CF a "time" counts since a date.
+std::string time_axis(const listening::Levels& levels) {
+  return levels.is_dated ? "time" : "elapsed_time";
+}
+
 /// The begins of the intervals, in UTC where every file tells when it began.
 void write_time(Writer& file, const listening::Levels& levels) {
   Attributes attributes = {{"long_name", "begin of the interval"}, {"units", levels.is_dated ? "seconds since 1970-01-01T00:00:00Z" : "s"}};
@@ -36,7 +41,7 @@ void write_time(Writer& file, const listening::Levels& levels) {
   } else {
     attributes.emplace_back("comment", "from the start of the file sequence: the recorder gave no date");
   }
-  write_axis(file, "time", levels.begin_s, attributes);
+  write_axis(file, time_axis(levels), levels.begin_s, attributes);
 }
 
 void write_bands(Writer& file, std::span<const spectrum::ThirdOctave> bands) {
@@ -60,12 +65,12 @@ void write_levels(const Result& result, const Arguments& arguments) {
   const listening::Levels levels = levels_of(*result.heard.levels, result.plan);
   const listening::Chain& chain = result.plan.chain;
   Writer file(arguments.levels);
-  file.attribute("Conventions", "CF-1.8");
+  file.attribute("Conventions", netcdf::kConventions);
   file.attribute("title", "Third-octave levels: " + result.plan.sequence.parts().front().path.filename().string());
   file.attribute("source", "Earshot, Hann windows of about one second");
   file.attribute("history", arguments.history);
   file.attribute("calibration", chain.is_calibrated() ? chain.from : "uncalibrated: levels are dB re full scale");
-  file.dimension("time", levels.begin_s.size());
+  file.dimension(time_axis(levels), levels.begin_s.size());
   file.dimension("frequency", levels.bands.size());
   file.dimension("percentile", spectrum::kPercentiles.size());
   file.dimension("bound", 2);
@@ -73,12 +78,11 @@ void write_levels(const Result& result, const Arguments& arguments) {
   write_bands(file, levels.bands);
   write_axis(file, "percentile", {spectrum::kPercentiles.begin(), spectrum::kPercentiles.end()},
              {{"long_name", "share of the windows whose level is no higher"}, {"units", "percent"}});
-  const std::string unit = chain.unit();
-  write_floats(file, "level", {"time", "frequency"},
-               {{"long_name", "level of the mean power in the band, " + unit}, {"units", netcdf::kDecibels}}, levels.level_db);
-  write_floats(file, "level_percentile", {"time", "percentile", "frequency"},
-               {{"long_name", "percentiles of the levels of one second, " + unit}, {"units", netcdf::kDecibels}},
-               levels.level_percentile_db);
+  const netcdf::LevelUnit unit = chain.is_calibrated() ? netcdf::kReOneMicropascal : netcdf::kReFullScale;
+  write_floats(file, "level", {time_axis(levels), "frequency"}, netcdf::level_attributes("level of the mean power in the band", unit),
+               levels.level_db);
+  write_floats(file, "level_percentile", {time_axis(levels), "percentile", "frequency"},
+               netcdf::level_attributes("percentiles of the levels of one second", unit), levels.level_percentile_db);
   file.commit();
 }
 

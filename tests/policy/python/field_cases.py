@@ -1,6 +1,6 @@
-"""Random oceans and questions, and what `earshot field` writes of them: for test_field and field_sweep.
+"""Oceans and questions, and what `earshot field` writes of them.
 
-Used by both as a module beside them.
+Used as a module by the tests of fields, fans and files beside it, and by field_sweep.
 """
 
 import ctypes
@@ -36,6 +36,34 @@ def length_in_netcdf(file, dimension):
     assert _NETCDF.nc_inq_dimlen(identity, number, ctypes.byref(length)) == 0
     assert _NETCDF.nc_close(identity) == 0
     return length.value
+
+
+def run_program(programs, *arguments):
+    """`earshot field` with these arguments."""
+    command = [str(Path(programs) / "earshot-field"), *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, check=False)
+
+
+def require_written(file, dataset, names):
+    """Asserts that variables of a Dataset have the bits of the file's. `names` may map a file's name to ours."""
+    for name in names:
+        values = np.atleast_1d(dataset[names[name] if isinstance(names, dict) else name].values)
+        kind = np.float64 if values.dtype == np.float64 else np.float32
+        written = read_netcdf(file, name, kind, values.shape)
+        np.testing.assert_array_equal(values.view(np.uint8), written.view(np.uint8), err_msg=name)
+
+
+def write_hilly_ocean(folder):
+    """An ocean 2500 m deep with an island 7 km in the east; its chart reaches 22 km. Returns its file."""
+    lines = ["latitude_deg,longitude_deg,elevation_m"]
+    for i in range(-10, 11):
+        for j in range(-10, 11):
+            island = 3_600.0 * np.exp(-((2.2 * j - 7.0) ** 2 + (2.2 * i) ** 2) / 4.0)
+            lines.append(f"{0.02 * i:.2f},{0.02 * j:.2f},{island - 2_500.0:.3f}")
+    (folder / "chart.csv").write_text("\n".join(lines) + "\n")
+    text = Path(__file__).resolve().parents[2].joinpath("sim/sonar/hilly.toml").read_text()
+    (folder / "hilly.toml").write_text(text)
+    return folder / "hilly.toml"
 
 
 def random_ocean(rng):
@@ -119,16 +147,12 @@ def require_same(programs, folder, ocean, question, options, frequency=None, sou
     (folder / "ocean.toml").write_text(earshot.Environment(**asked).to_toml())
     file = folder / "field.nc"
     file.unlink(missing_ok=True)
-    command = [str(Path(programs) / "earshot-field"), str(folder / "ocean.toml"), "-o", str(file), *options]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    done = run_program(programs, folder / "ocean.toml", "-o", file, *options)
     try:
         sound = earshot.field(environment, frequency=frequency, source_depth=source_depth, **question)
     except earshot.BadInput as bad:
         assert done.returncode == 2, f"Python refuses what the program takes: {bad}"
         return False
     assert done.returncode == 0, done.stderr
-    for name in ("range", "depth", "transmission_loss", "snr", "sea_floor_depth"):
-        kind = np.float64 if name in ("range", "depth") else np.float32
-        written = read_netcdf(file, name, kind, sound[name].shape)
-        np.testing.assert_array_equal(sound[name].values.view(np.uint8), written.view(np.uint8), err_msg=name)
+    require_written(file, sound, ["range", "depth", "transmission_loss", "snr", "sea_floor_depth"])
     return True

@@ -99,7 +99,9 @@ class Cases(unittest.TestCase):
             self.assertEqual(getattr(heard, name), found[name], name)
         self.assertEqual((heard.sample_rate, list(heard.band)), (found["sample_rate_hz"], found["band_hz"]))
         nc, shape = self.folder / "program.nc", heard.levels.shape
-        self.assertEqual(shape, (length_in_netcdf(nc, "time"), length_in_netcdf(nc, "frequency")))
+        is_dated = isinstance(heard.levels.index, pandas.DatetimeIndex)
+        time = "time" if is_dated else "elapsed_time"
+        self.assertEqual(shape, (length_in_netcdf(nc, time), length_in_netcdf(nc, "frequency")))
         np.testing.assert_array_equal(read_netcdf(nc, "level", np.float32, shape), heard.levels.to_numpy(), strict=True)
         np.testing.assert_array_equal(
             read_netcdf(nc, "level_percentile", np.float32, (shape[0] * 5, shape[1])),
@@ -107,7 +109,7 @@ class Cases(unittest.TestCase):
         )
         np.testing.assert_array_equal(read_netcdf(nc, "frequency", np.float64, shape[1]), heard.levels.columns)
         seconds = heard.levels.index
-        if isinstance(seconds, pandas.DatetimeIndex):
+        if is_dated:
             seconds = ((seconds - pandas.Timestamp(0, tz="UTC")) // pandas.Timedelta("1us")) / 1e6
-        np.testing.assert_array_equal(read_netcdf(nc, "time", np.float64, shape[0]), seconds)
+        np.testing.assert_array_equal(read_netcdf(nc, time, np.float64, shape[0]), seconds)
         return found

@@ -268,12 +268,18 @@ class Package(unittest.TestCase):
 
     def test_runs_the_blocks_of_its_readme_pasted_whole(self):
         blocks = (ROOT / "policy/python/README.md").read_text().split("```python\n")[1:]
-        self.assertEqual(len(blocks), 5)
+        self.assertEqual(len(blocks), 6)
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         (Path(folder.name) / "out").mkdir()
-        song = [f"{os.environ['EARSHOT_PROGRAMS']}/fin_song", "out/song.wav", "out/song.txt"]
-        subprocess.run(song, cwd=folder.name, check=True, capture_output=True)
+        (Path(folder.name) / "sim").symlink_to(ROOT / "sim")
+        for command in (
+            "fin_song out/song.wav out/song.txt",
+            "earshot-field --library sim/field_library/example_library.toml -o out/library.nc",
+        ):
+            program, *arguments = command.split()
+            path = f"{os.environ['EARSHOT_PROGRAMS']}/{program}"
+            subprocess.run([path, *arguments], cwd=folder.name, check=True, capture_output=True)
         for block in (text.split("```")[0] for text in blocks if "read_journal" not in text):  # tests/readme has flown
             said = subprocess.run(
                 [sys.executable, "-qi"], input=block, cwd=folder.name, capture_output=True, text=True, check=True

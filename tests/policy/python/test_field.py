@@ -144,6 +144,10 @@ class Values(unittest.TestCase):
         field = sound(shallow(source_level=170.0, noise_level=80.0))
         for name in field.variables:
             self.assertIn("units", field[name].attrs, name)
+        # As in the files of earshot field.
+        self.assertEqual(field.transmission_loss.attrs["level_unit"], "dB re 1 m")
+        self.assertEqual(field.transmission_loss.attrs["units"], "0.1 lg(re 1 m2)")
+        self.assertEqual(field.snr.attrs["long_name"], "signal-to-noise ratio at the hydrophone, dB")
 
 
 class Environments(unittest.TestCase):
@@ -191,6 +195,11 @@ class Environments(unittest.TestCase):
         with self.assertRaises(earshot.BadInput) as caught:
             shallow(frequency=50.0).to_toml()
         self.assertEqual(caught.exception.key, "source_depth")
+
+    def test_name_the_profile_that_does_not_reach_the_deepest_sea_floor(self):
+        with self.assertRaises(earshot.BadInput) as caught:
+            shallow(sound_speed=([0.0, 200.0], [1_500.0] * 2), bathymetry=([0.0, 50.0], [100.0, 300.0]))
+        self.assertEqual((caught.exception.key, caught.exception.value), ("sound_speed", "200"))
 
     def test_from_a_file_carry_its_file_line_and_key(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -254,7 +263,7 @@ class Arguments(unittest.TestCase):
             "frequency": (0.0, -5.0, nan, inf, 1e5, "x", None, [], [[50.0]], True, 1j, [50.0, nan]),
             "source_depth": (0.0, -1.0, 100.0, nan, inf, "x", None, [], [30.0, 200.0]),
             "receiver_depth": (0.0, 101.0, -1.0, nan, inf, [20.0, 20.0], [30.0, 20.0], [], "x", [[1.0]], [None]),
-            "max_range": (0.0, -1.0, nan, inf, 3e6, "x", None, [1.0, 2.0]),
+            "max_range": (0.0, -1.0, nan, inf, 3e6, "x", [1.0, 2.0]),
             "bearing": (400.0, nan, "x", None),
             "depth_spacing": (0.0, nan, 1e6, "x"),
             "output_step": (0.0, nan, -1.0, 1e9, "x"),
@@ -264,7 +273,7 @@ class Arguments(unittest.TestCase):
             "starter": ("point", 3, None),
             "range_step": (0.0, nan, "x"),
             "depth_step": (0.0, nan, "x"),
-            "terms": (-1, 17, 2.5, 1e30, "x"),
+            "terms": (-1, 1, 17, 2.5, 1e30, "x"),
             "absorber_wavelengths": (0.0, nan, "x"),
             "progress": (3, "x"),
             "environment": (None, "ocean.toml", 5),
@@ -277,6 +286,17 @@ class Arguments(unittest.TestCase):
                         earshot.field(environment, **({} if key == "environment" else {**ASKED, key: value}))
                     self.assertEqual(caught.exception.key, key)
         self.assertGreaterEqual(sum(map(len, wrong.values())), 80)
+
+    def test_that_the_solver_refuses_are_named(self):
+        beach = shallow(bathymetry=([0.0, 3.0], [100.0, 0.0]))
+        for key, environment, changed in (
+            ("terms", shallow(), {"terms": 2, "range_step": 400.0}),
+            ("bearing", beach, {"source_depth": 10.0, "receiver_depth": None}),
+            ("environment", shallow(sound_speed=9_000.0), {}),
+        ):
+            with self.subTest(key=key), self.assertRaises(earshot.BadInput) as caught:
+                sound(environment, **changed)
+            self.assertEqual((caught.exception.key, caught.exception.file), (key, None))
 
     def test_of_an_environment_that_are_wrong_are_named(self):
         nan, inf, layer = float("nan"), float("inf"), earshot.Layer(1_600.0)

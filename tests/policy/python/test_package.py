@@ -120,6 +120,21 @@ class Errors(unittest.TestCase):
         again = pickle.loads(pickle.dumps(bad))
         self.assertEqual((str(again), again.key, again.line), (str(bad), bad.key, bad.line))
 
+    def test_about_a_whole_file_carry_it_and_no_key(self):
+        for text, file, line in (
+            ("/nowhere/ocean.toml: no such file", "/nowhere/ocean.toml", None),
+            ("/a b/c.env: cannot be read: it is a folder", "/a b/c.env", None),
+            ("x/o.toml:3: not TOML: a key twice", "x/o.toml", 3),
+        ):
+            bad = earshot.BadInput(text)
+            self.assertEqual((bad.file, bad.line, bad.key, bad.value), (file, line, None, None))
+
+    def test_take_no_argument_and_value_for_a_file(self):
+        bad = earshot.BadInput(
+            "bearing = 0: meets land 3 m from the source, nearer than 5 m: there is nothing to compute"
+        )
+        self.assertEqual((bad.file, bad.line, bad.key, bad.value), (None, None, "bearing", "0"))
+
     def test_carry_the_argument(self):
         with self.assertRaises(earshot.BadInput) as caught:
             earshot.gym.make_world(directions=77)

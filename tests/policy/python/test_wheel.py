@@ -94,6 +94,14 @@ class Wheel(unittest.TestCase):
         )
         self.assertEqual((computed.returncode, computed.stdout), (0, "(100, 100)\n"), computed.stderr)
 
+    def test_computes_a_fan_and_the_case_of_another_model(self):
+        computed = self.python(
+            f"import earshot as e; env = e.Environment.from_ram({str(ROOT / 'sim/ocean/environments/slope.in')!r})\n"
+            "e.write_tl_grid(e.field(env), 'tl.grid')\n"
+            "print(e.fan(env, radials=3, receiver_depth=30.0, max_range=500.0).transmission_loss.shape)"
+        )
+        self.assertEqual((computed.returncode, computed.stdout), (0, "(3, 50, 1)\n"), computed.stderr)
+
     def test_listens_to_an_array_without_a_library_and_to_a_file_with_that_of_the_computer(self):
         program = (
             "import earshot, numpy, wave\n"

@@ -10,10 +10,12 @@
 #include <fstream>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "sim/field_library/library_file.hpp"
 #include "sim/field_library/store.hpp"
 #include "sim/netcdf/classic_size.hpp"
 #include "sim/netcdf/file_error.hpp"
@@ -235,6 +237,24 @@ TEST_F(FieldLibraryHeader, IsEnoughToRefuseMoreThanIsKeptInMemory) {
   EXPECT_TRUE(support::tells(complaint_of_header(path_), {"transmission_loss", "2 GiB", "kept"}));
   make_sparse(path_, {536, 1000, 1000, 1});
   EXPECT_EQ(complaint_of_header(path_), "");
+}
+
+TEST_F(FieldLibraryInMemory, OnTheDiskHasItsFansOneByOneAndWhatIsSaidOfAll) {
+  plan_.environment.name = "hills";
+  plan_.environment.source.level = Decibels{190.0};
+  plan_.environment.noise_level = Decibels{90.0};
+  write();
+  const LibraryFile file(path_);
+  EXPECT_EQ(file.text("environment"), "hills");
+  EXPECT_EQ(file.text("title"), "Sound fields of a region: three");
+  EXPECT_EQ(file.text("nothing"), std::nullopt);
+  EXPECT_EQ(file.source_level(), Decibels{190.0});
+  EXPECT_EQ(file.noise_level(), Decibels{90.0});
+  EXPECT_EQ(file.east_m(), (std::vector<double>{0.0, 1000.0, 0.0}));
+  EXPECT_EQ(file.fan(2).at(3, 0, 1), 235.0F);  // by the rule above
+  EXPECT_FALSE(file.has_water(1));
+  EXPECT_THROW((void)file.fan(1), netcdf::FileError);
+  EXPECT_THROW((void)file.fan(3), netcdf::FileError);
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
+#include "firmware/host/file/bad_input.hpp"
 #include "sim/ocean/file/environment_file.hpp"
 
 namespace earshot::ocean {
@@ -20,7 +23,7 @@ constexpr const char* kAbsorption = "[absorption]\ntemperature_c = 10\nsalinity_
 
 TEST(WithSource, IsWhatTheFileWouldGive) {
   const Environment written = ocean_with_source("1250.5", "77.25", kAbsorption);
-  const Environment changed = with_source(ocean_with_source("20", "30", kAbsorption), Hertz{1250.5}, Meters{77.25});
+  const Environment changed = with_source(ocean_with_source("20", "30", kAbsorption), Hertz{1250.5}, Meters{77.25}, "depth");
   EXPECT_EQ(changed.source.frequency, written.source.frequency);
   EXPECT_EQ(changed.source.depth, written.source.depth);
   EXPECT_GT(written.absorption_db_per_km, 0.01);  // Francois & Garrison, Fig. 10: some 0.07 dB/km at 1 kHz
@@ -28,7 +31,21 @@ TEST(WithSource, IsWhatTheFileWouldGive) {
 }
 
 TEST(WithSource, AbsorbsNothingWhereNothingAbsorbed) {
-  EXPECT_EQ(with_source(ocean_with_source("20", "30", ""), Hertz{1000.0}, Meters{30.0}).absorption_db_per_km, 0.0);
+  EXPECT_EQ(with_source(ocean_with_source("20", "30", ""), Hertz{1000.0}, Meters{30.0}, "depth").absorption_db_per_km, 0.0);
+}
+
+TEST(WithSource, RefusesASourceOnTheSeaFloorOrBelowByItsName) {
+  const Environment ocean = ocean_with_source("20", "30", "");
+  EXPECT_EQ(with_source(ocean, Hertz{20.0}, Meters{499.75}, "--depth").source.depth, Meters{499.75});
+  for (const double depth_m : {500.0, 600.0}) {
+    try {
+      (void)with_source(ocean, Hertz{20.0}, Meters{depth_m}, "--depth");
+      ADD_FAILURE() << depth_m;
+    } catch (const host::BadInput& bad) {
+      EXPECT_EQ(bad.what(),
+                "--depth = " + std::to_string(static_cast<int>(depth_m)) + ": must be less than the depth of the sea floor there, 500 m");
+    }
+  }
 }
 
 }  // namespace

@@ -135,10 +135,10 @@ TEST(FanFile, SaysOfEveryNumberWhatItIsAndInWhichUnit) {
        {Row{"source_frequency", 20.0, "Hz", "frequency of the source"}, Row{"source_depth", 30.0, "m", "depth of the source"},
         Row{"source_north", 10.0, "m", "northing of the source in the local plane"},
         Row{"source_east", 20.0, "m", "easting of the source in the local plane"},
-        Row{"source_level", 190.0, "0.1 lg(re 1)", "source level, dB re 1 uPa at 1 m"},
-        Row{"noise_level", 90.0, "0.1 lg(re 1)", "noise level in the detector's band, dB re 1 uPa"},
-        Row{"detection_threshold", 10.0, "0.1 lg(re 1)", "signal-to-noise ratio needed for detection"},
-        Row{"fluctuation", 6.0, "0.1 lg(re 1)", "standard deviation of the signal-to-noise ratio, normal in dB"}}) {
+        Row{"source_level", 190.0, "0.1 lg(re 1 uPa2 m2)", "source level, dB re 1 uPa at 1 m"},
+        Row{"noise_level", 90.0, "0.1 lg(re 1 uPa2)", "noise level in the detector's band, dB re 1 uPa"},
+        Row{"detection_threshold", 10.0, "0.1 lg(re 1)", "signal-to-noise ratio needed for detection, dB"},
+        Row{"fluctuation", 6.0, "0.1 lg(re 1)", "standard deviation of the signal-to-noise ratio, which is normal, dB"}}) {
     EXPECT_EQ(file.read(row.name), std::vector<double>{row.value}) << row.name;
     EXPECT_EQ(attributes.text(row.name, "units"), row.unit) << row.name;
     EXPECT_EQ(attributes.text(row.name, "long_name"), row.long_name) << row.name;
@@ -165,7 +165,7 @@ TEST(FanFile, SaysWhatMadeItAndHowItIsRead) {
   sea.file_crc32 = 0x0A1B2C3D;
   write_fan(folder / "fan.nc", fan(), std::nullopt, sea, {Hertz{20.0}, Hertz{20.0}}, kDetector, "by hand");
   const Attributes attributes(folder / "fan.nc");
-  EXPECT_EQ(attributes.text("", "Conventions"), "CF-1.8");
+  EXPECT_EQ(attributes.text("", "Conventions"), "CF-1.11");
   EXPECT_EQ(attributes.text("", "title"), "Sound around one source: charted");
   EXPECT_EQ(attributes.text("", "source"), "Earshot, one-way parabolic equation");
   EXPECT_EQ(attributes.text("", "history"), "by hand");

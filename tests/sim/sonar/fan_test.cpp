@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -157,14 +158,18 @@ TEST(Fan, HasOneLossOnEveryBearingOfAnOceanThatDoesNotDifferWithPlace) {
   EXPECT_EQ(fan.sea_floor_depth_m.back(), 3000.0F);
 }
 
-TEST(Fan, SaysAfterEachBearingHowMuchIsDone) {
+TEST(Fan, SaysWithinEachBearingHowMuchIsDone) {
   FanPlan short_plan = plan(4);
   short_plan.radial.ranges = 20;
   const support::TemporaryFolder folder;
   const auto hills = ocean::load_environment(tests::write_hilly_ocean(folder.path()));
   std::vector<double> done;
   (void)compute_fan(hills, {}, short_plan, 2, [&](double share) { done.push_back(share); });
-  EXPECT_EQ(done, (std::vector<double>{0.25, 0.5, 0.75, 1.0}));
+  EXPECT_TRUE(std::ranges::is_sorted(done));
+  for (const double share : {0.25, 0.5, 0.75, 1.0})
+    EXPECT_TRUE(std::ranges::any_of(done, [share](double reported) { return reported >= share; })) << share;
+  EXPECT_GT(done.size(), 4U);  // also within a bearing: one may take minutes
+  EXPECT_EQ(done.back(), 1.0);
   done.clear();
   short_plan.radial.source_depth = Meters{5000.0};  // in the sea floor: no bearing is ever done
   EXPECT_THROW((void)compute_fan(hills, {}, short_plan, 2, [&](double share) { done.push_back(share); }), std::invalid_argument);

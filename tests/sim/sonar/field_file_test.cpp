@@ -78,12 +78,15 @@ TEST_F(FieldFile, NamesItsConventionsUnitsAndProvenance) {
     nc_get_att_text(id, number, attribute, value.data());
     return value;
   };
-  EXPECT_EQ(text("", "Conventions"), "CF-1.8");
+  EXPECT_EQ(text("", "Conventions"), "CF-1.11");
   EXPECT_EQ(text("", "history"), "by hand");
   EXPECT_EQ(text("", "environment_crc32"), "0x1234abcd");
   EXPECT_EQ(text("depth", "positive"), "down");
   EXPECT_EQ(text("range", "units"), "m");
-  EXPECT_EQ(text("transmission_loss", "units"), "0.1 lg(re 1)");
+  EXPECT_EQ(text("transmission_loss", "units"), "0.1 lg(re 1 m2)");
+  EXPECT_EQ(text("transmission_loss", "level_unit"), "dB re 1 m");
+  EXPECT_EQ(text("snr", "units"), "0.1 lg(re 1)");
+  EXPECT_EQ(text("snr", "long_name"), "signal-to-noise ratio at the hydrophone, dB");
   EXPECT_NE(text("transmission_loss", "comment").find("rounded to 1/256 dB"), std::string::npos);
   nc_close(id);
 }

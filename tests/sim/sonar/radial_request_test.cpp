@@ -6,6 +6,8 @@
 
 #include "sim/ocean/file/environment_file.hpp"
 #include "sim/sonar/sonar_field.hpp"
+#include "tests/sim/sonar/hilly_ocean.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::sonar {
 namespace {
@@ -103,6 +105,37 @@ TEST(RadialRequest, PredictsNoErrorOfAGridThatTheCallerChose) {
   ASSERT_TRUE(field.grid.has_value());
   EXPECT_TRUE(std::isnan(field.grid->predicted_error_db));
   EXPECT_LE(field.grid->depth_step, Meters{0.5});
+}
+
+RadialRequest fan_request() {
+  return {.max_range = Meters{16'000.0}, .depth_m = {100.0}, .output_step = Meters{8000.0}, .band = {Hertz{20.0}, Hertz{20.0}}};
+}
+
+TEST(FanRequest, SaysHowManyBearingsMeetLandNearerThanTheFirstRange) {
+  const support::TemporaryFolder folder;
+  const auto hills = ocean::load_environment(tests::write_hilly_ocean(folder.path()));  // an island 7 km in the east
+  const PlannedFan fan = plan_fan(hills, 4, fan_request());
+  EXPECT_EQ(fan.plan.bearings, 4U);
+  EXPECT_EQ(fan.plan.radial.ranges, 2U);
+  ASSERT_TRUE(fan.land.has_value());
+  EXPECT_EQ(*fan.land,
+            "1 of 4 bearings (the first at 90 degrees) meet land nearer than the first range, 8000 m: there is no number on them");
+  RadialRequest near = fan_request();
+  near.output_step = Meters{1000.0};
+  EXPECT_FALSE(plan_fan(hills, 4, near).land.has_value());
+}
+
+TEST(FanRequest, IsRefusedWhereNoBearingHasWaterAsFarAsTheFirstRange) {
+  ocean::Environment beach = ocean_of_depth("200");
+  beach.sea_floor_stations = {{.range = Meters{}, .depth = Meters{200.0}}, {.range = Meters{3000.0}, .depth = Meters{}}};
+  try {
+    (void)plan_fan(beach, 36, fan_request());
+    FAIL() << "a fan without a number was taken";
+  } catch (const BadRequest& bad) {
+    EXPECT_EQ(bad.what_is_wrong(), BadRequest::What::kRadials);
+    EXPECT_EQ(bad.called("--radials"),
+              "--radials = 36: all of them meet land nearer than the first range, 8000 m: there is no number on them");
+  }
 }
 
 }  // namespace

@@ -126,12 +126,12 @@ void Timeline::note_content(const messages::MissionRecord& mission, const Record
 }
 
 void Timeline::note_content(const PolicyBytes& policy, const Record& /*record*/) {
-  note_bytes("policy: " + host::counted(policy.size, "byte"), policy.crc32, policy_crc32_);
+  note_bytes("policy: " + host::counted(policy.bytes.size(), "byte"), policy.crc32, policy_crc32_);
 }
 
 void Timeline::note_content(const TablesBytes& tables, const Record& /*record*/) {
-  if (tables.size == 0 && tables.crc32 == tables_crc32_.value_or(0)) return;  // the policy needs none
-  note_bytes("ocean tables: " + host::counted(tables.size, "byte"), tables.crc32, tables_crc32_);
+  if (tables.bytes.empty() && tables.crc32 == tables_crc32_.value_or(0)) return;  // the policy needs none
+  note_bytes("ocean tables: " + host::counted(tables.bytes.size(), "byte"), tables.crc32, tables_crc32_);
 }
 
 /// @param named  by the mission

@@ -166,11 +166,11 @@ Json fields(const Unreadable& /*unreadable*/) {
 }
 
 Json fields(const PolicyBytes& policy) {
-  return {{"bytes", policy.size}, {"crc32", host::crc32_text(policy.crc32)}};
+  return {{"bytes", policy.bytes.size()}, {"crc32", host::crc32_text(policy.crc32)}};
 }
 
 Json fields(const TablesBytes& tables) {
-  return {{"bytes", tables.size}, {"crc32", host::crc32_text(tables.crc32)}};
+  return {{"bytes", tables.bytes.size()}, {"crc32", host::crc32_text(tables.crc32)}};
 }
 
 Json fields(const messages::Input& input) {

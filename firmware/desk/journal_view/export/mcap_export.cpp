@@ -1,7 +1,10 @@
 #include "firmware/desk/journal_view/export/mcap_export.hpp"
 
 #include <cmath>
+#include <cstdint>
+#include <string_view>
 #include <variant>
+#include <vector>
 
 #include "firmware/desk/journal_view/export/fields.hpp"
 #include "firmware/desk/journal_view/export/foxglove.hpp"
@@ -21,6 +24,16 @@ Json without_unknown(const Json& object) {
     if (!value.is_number_float() || std::isfinite(value.get<double>())) known[name] = value;
   }
   return known;
+}
+
+/// Those that stand on the topic of a record: what its ports did is on /port_report.
+Json topic_fields(Json fields) {
+  fields.erase("ports");
+  return fields;
+}
+
+std::string_view text_of(const std::vector<std::uint8_t>& bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};  // NOLINT: characters are bytes
 }
 
 /// The date that a sender gave; the arrival of what bears none.
@@ -55,7 +68,10 @@ void McapExport::write(McapFile::Channel channel, const Stamp& stamp, const Json
 }
 
 void McapExport::take(const Entry& entry, std::span<const Event> events) {
-  if (const auto* const record = std::get_if<Record>(&entry)) write_record(*record);
+  if (const auto* const record = std::get_if<Record>(&entry)) {
+    attach_flown(*record);
+    write_record(*record);
+  }
   write_log(events);
 }
 
@@ -65,20 +81,30 @@ void McapExport::finish(std::span<const Event> events) {
 }
 
 void McapExport::write_record(const Record& record) {
-  Json fields = fields_of(record.content);
+  const Json fields = fields_of(record.content);
   if (fields.is_null()) return;
-  fields.erase("ports");  // /port_report has them
   const Stamp stamp{.number = record.number, .logged = record.time, .published = sender_date(record)};
   const std::string name = topic_of(record.content);
   const McapFile::Channel channel = channel_of("/" + name, [&](const std::string& topic) {
-    Json all = all_fields_of(record.content);
-    all.erase("ports");
+    const Json all = topic_fields(all_fields_of(record.content));
     return file_.add_channel(topic, {.name = "earshot." + name, .json = to_line(schema_of(all))});
   });
-  write(channel, stamp, without_unknown(fields));
+  write(channel, stamp, without_unknown(topic_fields(fields)));
   const auto* const input = std::get_if<messages::Input>(&record.content);
   const auto* const fix = input != nullptr ? std::get_if<messages::Navigation>(&input->value) : nullptr;
   if (fix != nullptr && messages::is_usable(*fix)) write_fix(*fix, stamp);
+}
+
+void McapExport::attach_flown(const Record& record) {
+  constexpr std::string_view kBytes = "application/octet-stream";
+  if (std::holds_alternative<messages::MissionRecord>(record.content)) {
+    const std::string mission = to_line(fields_of(record.content)) + "\n";
+    file_.attach({.time = record.time, .name = "mission.json", .media_type = "application/json", .content = mission});
+  } else if (const auto* const policy = std::get_if<PolicyBytes>(&record.content)) {
+    file_.attach({.time = record.time, .name = "journal.policy", .media_type = kBytes, .content = text_of(policy->bytes)});
+  } else if (const auto* const tables = std::get_if<TablesBytes>(&record.content); tables != nullptr && !tables->bytes.empty()) {
+    file_.attach({.time = record.time, .name = "journal.tables", .media_type = kBytes, .content = text_of(tables->bytes)});
+  }
 }
 
 void McapExport::write_fix(const messages::Navigation& fix, const Stamp& stamp) {

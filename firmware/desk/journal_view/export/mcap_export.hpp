@@ -17,6 +17,7 @@ namespace earshot::journal {
 /// A journal as an MCAP file. Every record is a message on a topic of its kind (/navigation, /snr, /setpoint, /health, ...) with the fields
 /// of fields_of(), numbers that are not known left out; beside them /pose and, where the mission's origin is known, /position of every
 /// usable fix, and the timeline as /log. A message's log time is the record's, its publish time the date that its sender gave.
+/// What was flown is attached, as it stands in the journal: mission.json (the fields of /mission), journal.policy and journal.tables.
 class McapExport final : public Export {
  public:
   /// @param plane  about the mission's origin; none: no /position
@@ -38,6 +39,7 @@ class McapExport final : public Export {
   void write(McapFile::Channel channel, const Stamp& stamp, const nlohmann::ordered_json& json);
   void write_fix(const messages::Navigation& fix, const Stamp& stamp);
   void write_record(const Record& record);
+  void attach_flown(const Record& record);
   void write_log(std::span<const Event> events);
 
   McapFile file_;

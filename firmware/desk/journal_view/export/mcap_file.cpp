@@ -17,13 +17,15 @@ enum class Opcode : std::uint8_t {
   kChunk = 0x06,
   kMessageIndex = 0x07,
   kChunkIndex = 0x08,
+  kAttachment = 0x09,
+  kAttachmentIndex = 0x0A,
   kStatistics = 0x0B,
   kSummaryOffset = 0x0E,
   kDataEnd = 0x0F,
 };
 
 constexpr std::string_view kMagic = "\x89MCAP0\r\n";
-constexpr std::string_view kNoCompression;
+constexpr std::string_view kCompression = "zstd";
 constexpr std::size_t kChunk_bytes = std::size_t{1} << 20U;
 
 McapBytes record(Opcode opcode, const McapBytes& content) {
@@ -98,12 +100,28 @@ void McapFile::write(const Message& message) {
   if (chunk_.size() >= kChunk_bytes) end_chunk();
 }
 
+void McapFile::attach(const Attachment& attachment) {
+  const std::uint64_t time = nanoseconds_of(attachment.time);
+  const std::uint64_t size = attachment.content.size();
+  McapBytes content;
+  content.number(time).number(time).text(attachment.name).text(attachment.media_type).number(size).raw(attachment.content);
+  content.number(crc_of(content.bytes()));
+  const McapBytes whole = record(Opcode::kAttachment, content);
+  McapBytes index;
+  index.number(offset_).number(std::uint64_t{whole.size()}).number(time).number(time).number(size);
+  index.text(attachment.name).text(attachment.media_type);
+  attachment_indexes_.raw(record(Opcode::kAttachmentIndex, index).bytes());
+  put(whole.bytes());
+  ++attachments_;
+}
+
 void McapFile::end_chunk() {
   if (chunk_.size() == 0) return;
   const std::uint64_t size = chunk_.size();
+  const std::string_view frame = frames_.compress(chunk_.bytes());
   McapBytes chunk;
-  chunk.number(chunk_span_.begin()).number(chunk_span_.last).number(size).number(crc_of(chunk_.bytes())).text(kNoCompression);
-  chunk.number(size).raw(chunk_.bytes());
+  chunk.number(chunk_span_.begin()).number(chunk_span_.last).number(size).number(crc_of(chunk_.bytes())).text(kCompression);
+  chunk.number(std::uint64_t{frame.size()}).raw(frame);
   const std::uint64_t start = offset_;
   put(record(Opcode::kChunk, chunk).bytes());
   const std::uint64_t index_start = offset_;
@@ -118,7 +136,7 @@ void McapFile::end_chunk() {
   McapBytes chunk_index;
   chunk_index.number(chunk_span_.begin()).number(chunk_span_.last).number(start).number(index_start - start);
   put_map(chunk_index, index_offsets);
-  chunk_index.number(offset_ - index_start).text(kNoCompression).number(size).number(size);
+  chunk_index.number(offset_ - index_start).text(kCompression).number(std::uint64_t{frame.size()}).number(size);
   chunk_indexes_.raw(record(Opcode::kChunkIndex, chunk_index).bytes());
   ++chunks_;
   chunk_.clear();
@@ -129,7 +147,7 @@ void McapFile::end_chunk() {
 McapBytes McapFile::statistics() const {
   McapBytes content;
   content.number(messages_).number(last_channel_).number(std::uint32_t{last_channel_});
-  content.number(std::uint32_t{0}).number(std::uint32_t{0}).number(chunks_);  // no attachments, no metadata
+  content.number(attachments_).number(std::uint32_t{0}).number(chunks_);  // no metadata
   content.number(span_.begin()).number(span_.last);
   put_map(content, messages_on_);
   return record(Opcode::kStatistics, content);
@@ -159,6 +177,7 @@ void McapFile::end_summary(std::uint64_t summary_start) {
   put_group(Opcode::kChannel, channels_);
   put_group(Opcode::kStatistics, statistics());
   put_group(Opcode::kChunkIndex, chunk_indexes_);
+  put_group(Opcode::kAttachmentIndex, attachment_indexes_);
   const std::uint64_t offsets_start = offset_;
   put(offsets.bytes());
   // The checksum covers the footer up to itself.

@@ -11,15 +11,16 @@
 #include "firmware/core/time.hpp"
 #include "firmware/desk/journal_view/export/export.hpp"
 #include "firmware/desk/journal_view/export/mcap_bytes.hpp"
+#include "firmware/desk/journal_view/export/zstd_frames.hpp"
 
 namespace earshot::journal {
 
 inline constexpr host::OutputKind kMcapOutput{"an MCAP file", {"\x89MCAP0\r\n", {}}};
 
-/// Writes an MCAP file of JSON messages: chunks that are not compressed, each with its index and its checksum, so that readers find a
-/// moment without reading the whole; a summary with statistics; checksums of the data and of the summary. Memory: a chunk (1 MiB) and 100
-/// bytes for each of those written. Source: MCAP Format Specification (https://mcap.dev/spec).   Oracle: journal.mcap_is_read_by_mcap
-/// (PyPI's mcap)
+/// Writes an MCAP file of JSON messages: chunks that are compressed with zstd, each with its index and its checksum, so that readers find a
+/// moment without reading the whole; files that are attached; a summary with statistics; checksums of the data and of the summary. Memory:
+/// a chunk (1 MiB), twice, what its compression takes, and 100 bytes for each chunk written.
+/// Source: MCAP Format Specification (https://mcap.dev/spec).   Oracle: journal.mcap_is_read_by_mcap (PyPI's mcap)
 class McapFile {
  public:
   using Channel = std::uint16_t;
@@ -36,12 +37,20 @@ class McapFile {
     std::string_view json;
   };
 
+  struct Attachment {
+    Time time;  ///< when it was logged, and when it was made
+    std::string_view name;
+    std::string_view media_type;
+    std::string_view content;
+  };
+
   /// @param library  what wrote it. @throws host::BadInput naming the file.
   McapFile(const std::filesystem::path& path, std::string_view library);
 
   /// At most 65535.
   [[nodiscard]] Channel add_channel(std::string_view topic, const Schema& schema);
   void write(const Message& message);
+  void attach(const Attachment& attachment);
   /// Gives the file its name. @throws host::BadInput naming the file.
   void finish();
   [[nodiscard]] std::uint64_t messages() const { return messages_; }
@@ -64,6 +73,7 @@ class McapFile {
   std::uint64_t offset_ = 0;  ///< bytes in the file so far
   std::uint32_t crc_ = 0;     ///< of the section so far
   McapBytes chunk_;           ///< its records
+  ZstdFrames frames_;
   Span chunk_span_;
   Index index_;  ///< of the chunk
   Span span_;
@@ -74,6 +84,8 @@ class McapFile {
   McapBytes schemas_;  ///< records for the summary
   McapBytes channels_;
   McapBytes chunk_indexes_;
+  McapBytes attachment_indexes_;
+  std::uint32_t attachments_ = 0;
 };
 
 }  // namespace earshot::journal

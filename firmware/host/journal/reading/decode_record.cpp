@@ -37,8 +37,8 @@ Content decode_record(std::string_view channel, Time time, std::span<const std::
   if (channel == wire::kSafetyEventChannel) return message_in<messages::SafetyEvent>(data);
   if (channel == wire::kAcknowledgementChannel) return message_in<messages::CommandAcknowledgement>(data);
   if (channel == wire::kMissionChannel) return message_in<messages::MissionRecord>(data);
-  if (channel == wire::kPolicyChannel) return PolicyBytes{.size = data.size(), .crc32 = crc32(data)};
-  if (channel == wire::kTablesChannel) return TablesBytes{.size = data.size(), .crc32 = crc32(data)};
+  if (channel == wire::kPolicyChannel) return PolicyBytes{.bytes = {data.begin(), data.end()}, .crc32 = crc32(data)};
+  if (channel == wire::kTablesChannel) return TablesBytes{.bytes = {data.begin(), data.end()}, .crc32 = crc32(data)};
   if (channel == wire::kJournalEndChannel) return closing_in(data);
   if (channel == wire::kJournalResumedChannel) return message_in<messages::JournalResumed>(data);
   if (channel == wire::kControllerTroubleChannel) return message_in<messages::ControllerTrouble>(data);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "firmware/core/time.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
@@ -20,15 +21,15 @@ namespace earshot::journal {
 
 // What a journal holds, one entry after the other.
 
-/// Bytes of the policy that flew.
+/// The file of the policy that flew.
 struct PolicyBytes {
-  std::size_t size = 0;
+  std::vector<std::uint8_t> bytes;
   std::uint32_t crc32 = 0;
 };
 
-/// Bytes of the ocean tables that it searched by; none for a policy that needs none.
+/// The file of the ocean tables that it searched by; empty for a policy that needs none.
 struct TablesBytes {
-  std::size_t size = 0;
+  std::vector<std::uint8_t> bytes;
   std::uint32_t crc32 = 0;
 };
 

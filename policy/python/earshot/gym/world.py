@@ -10,7 +10,7 @@ from typing import Any, TypedDict
 
 from earshot.core import BadInput, environment_crc32
 from earshot.core import World as SearchWorld
-from earshot.paper import PAPER_ENVIRONMENT
+from earshot.oceans import PAPER_ENVIRONMENT
 
 __all__ = ["PAPER_ENVIRONMENT", "SearchWorld", "WorldOptions", "make_world"]
 

@@ -1,6 +1,6 @@
 #include "firmware/host/toml/table_reader.hpp"
 #include "tests/sim/apps/field/field_program.hpp"
-#include "tests/sim/netcdf/known_units.hpp"
+#include "tests/sim/netcdf/kept_conventions.hpp"
 #include "tests/sim/ocean/charts/chart_files.hpp"
 #include "tests/sim/sonar/hilly_ocean.hpp"
 #include "tests/support/text/tells.hpp"
@@ -26,12 +26,16 @@ TEST_F(FieldProgram, WritesAFieldAndNothingElse) {
   EXPECT_EQ(magic, "\x89HDF");  // NetCDF-4 is HDF5
 }
 
-TEST_F(FieldProgram, StatesUnitsThatUdunitsKnows) {
-  const std::string short_field = kMunk + " --force -o " + output() + " --max-range-km 1 --receiver-depth-m 300";
-  ASSERT_EQ(run(short_field), 0) << errors();
-  expect_known_units(output());
-  ASSERT_EQ(run(short_field + " --radials 4 --map --fluctuation-db 6"), 0) << errors();
-  expect_known_units(output());
+TEST_F(FieldProgram, KeepsToTheConventionsInEachOfItsFiles) {
+  const std::string small = " --force -o " + output() + " --max-range-km 1 --output-step-m 100 --receiver-depth-m 300";
+  const std::string hilly = write_hilly_ocean(folder_).string();
+  for (const std::string& shape : {kMunk + small, kMunk + small + " --band-hz 15 25 --frequencies 2",
+                                   kMunk + small + " --radials 4 --map --fluctuation-db 6", hilly + small + " --radials 4 --map"}) {
+    SCOPED_TRACE(shape);
+    ASSERT_EQ(run(shape), 0) << errors();
+    expect_kept_conventions(output());
+  }
+  EXPECT_TRUE(netcdf::Reader(output()).has_variable("local_plane"));
 }
 
 TEST_F(FieldProgram, DrawsAPictureWhenAsked) {

@@ -9,7 +9,7 @@
 
 #include "sim/netcdf/reader.hpp"
 #include "tests/sim/apps/field/field_program.hpp"
-#include "tests/sim/netcdf/known_units.hpp"
+#include "tests/sim/netcdf/kept_conventions.hpp"
 #include "tests/sim/sonar/hilly_ocean.hpp"
 
 namespace earshot::tests {
@@ -120,7 +120,7 @@ TEST_F(FieldLibrary, MarksPositionsOnLandAndComputesTheOthers) {
   ASSERT_EQ(run(library(1, "north_m = [-4000, ]\neast_m = [-4000, ]", "north_m = [0]\neast_m = [-4000, 7000]") + " -o " + output()), 0)
       << errors();
   EXPECT_NE(said().find("1 computed, 1 on land or too shallow"), std::string::npos) << said();
-  expect_known_units(output());
+  expect_kept_conventions(output());
   EXPECT_EQ(netcdf::Reader(output()).read("position_state"), (std::vector<double>{1.0, 2.0}));
   std::filesystem::remove(output());
   expect_refused(library(1, "north_m = [-4000, ]\neast_m = [-4000, ]", "north_m = [0]\neast_m = [7000]") + " -o " + output(), "on land");

@@ -4,7 +4,7 @@
 #include "sim/annotation/selection_table.hpp"
 #include "sim/netcdf/reader.hpp"
 #include "tests/sim/apps/listen/listen_program.hpp"
-#include "tests/sim/netcdf/known_units.hpp"
+#include "tests/sim/netcdf/kept_conventions.hpp"
 #include "tests/support/text/tells.hpp"
 
 namespace earshot::tests {
@@ -152,14 +152,28 @@ TEST_F(ListenProgram, DrawsAPictureAndWritesLevels) {
   const std::string song_file = wav("song.wav", song(60, {12.0, 30.0}));
   ASSERT_EQ(run(song_file + " --spectrogram " + out("a.png") + " --levels " + out("a.nc") + " --levels-interval-s 20"), 0) << errors();
   EXPECT_EQ(content_of(out("a.png")).substr(1, 3), "PNG");
-  expect_known_units(out("a.nc"));
+  expect_kept_conventions(out("a.nc"));
   const netcdf::Reader file(out("a.nc"));
-  EXPECT_EQ(file.read("time"), (std::vector<double>{0.0, 20.0, 40.0}));
+  EXPECT_EQ(file.read("elapsed_time"), (std::vector<double>{0.0, 20.0, 40.0}));
+  EXPECT_EQ(file.text_attribute("level", "level_unit"), "dB re full scale");
+  EXPECT_EQ(file.text_attribute("level", "units"), "0.1 lg(re 1)");
   const std::vector<double> frequency = file.read("frequency");
   const std::vector<double> level = file.read("level");
   const auto at_250_hz = static_cast<std::size_t>(std::ranges::find_if(frequency, [](double f) { return f > 240.0; }) - frequency.begin());
   // White noise: 0.0004 over 500 Hz, and this band 57.7 Hz wide (251.19 Hz times 0.23077 - see IEC 61260-1): -43.4 dB.
   EXPECT_NEAR(level[2 * frequency.size() + at_250_hz], -43.4, 0.3);
+}
+
+TEST_F(ListenProgram, DatesLevelsAndSaysWhatTheyAreRelativeTo) {
+  const std::string song_file = wav("song_20200912_000200.wav", song(60, {12.0, 30.0}));
+  ASSERT_EQ(run(song_file + " --time-format %Y%m%d_%H%M%S --full-scale-db 176 --levels " + out("a.nc") + " --levels-interval-s 20"), 0)
+      << errors();
+  expect_kept_conventions(out("a.nc"));
+  const netcdf::Reader file(out("a.nc"));
+  // date --utc -d "2020-09-12 00:02:00" +%s
+  EXPECT_EQ(file.read("time"), (std::vector<double>{1'599'868'920.0, 1'599'868'940.0, 1'599'868'960.0}));
+  EXPECT_EQ(file.text_attribute("level", "level_unit"), "dB re 1 uPa");
+  EXPECT_EQ(file.text_attribute("level_percentile", "units"), "0.1 lg(re 1 uPa2)");
 }
 
 TEST_F(ListenProgram, NeverReplacesTheRecordingNotEvenWhenForced) {

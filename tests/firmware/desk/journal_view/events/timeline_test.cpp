@@ -250,7 +250,7 @@ TEST_F(TimelineTest, TellsThatTheDropWeightIsToGo) {
 
 TEST_F(TimelineTest, MindsAPolicyThatIsNotTheMissions) {
   (void)events_of(known_mission());
-  const std::vector<Event> events = timeline_.take(record_of(PolicyBytes{.size = 3, .crc32 = 0x12}));
+  const std::vector<Event> events = timeline_.take(record_of(PolicyBytes{.bytes = {7, 8, 9}, .crc32 = 0x12}));
   ASSERT_EQ(events.size(), 1U);
   EXPECT_TRUE(events[0].is_lack);
   EXPECT_TRUE(support::tells(events[0].text, {"policy", "3 bytes", "CRC-32", "00000012", "not", "55bc801d"}));

@@ -28,7 +28,7 @@ TEST(DecodeRecord, TellsAnInputWithItsPortAndArrival) {
 
 TEST(DecodeRecord, KnowsAPolicyByItsChecksum) {
   const Content content = decode_record("EARSHOT_POLICY", kBegan, kPolicy);
-  EXPECT_EQ(std::get<PolicyBytes>(content).size, 3U);
+  EXPECT_EQ(std::get<PolicyBytes>(content).bytes, (std::vector<std::uint8_t>{1, 2, 3}));
   EXPECT_EQ(std::get<PolicyBytes>(content).crc32, kPolicyCrc);
 }
 

@@ -2,7 +2,9 @@
 
 #include <pybind11/pybind11.h>
 
+#include <atomic>
 #include <chrono>
+#include <future>
 #include <utility>
 
 namespace earshot::python {
@@ -28,5 +30,32 @@ class Watch {
   pybind11::object callback_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
+
+/// Does work that has threads of its own on yet another one, while the thread that signals come to lets Python in.
+/// @param work  gets a function that takes the share that is done, from any thread
+/// Throws what the work throws. What lets it end early, such as Ctrl-C, is thrown when the work has ended: at the next share that it
+/// reports.
+template <class Work>
+auto beside(Watch& watch, const Work& work) {
+  struct Stopped {};
+  constexpr std::chrono::milliseconds kBetween{50};
+  std::atomic<double> share{0.0};
+  std::atomic<bool> is_stopped{false};
+  auto result = std::async(std::launch::async, [&] {
+    return work([&](double reported) {
+      if (is_stopped) throw Stopped();
+      share = reported;
+    });
+  });
+  try {
+    while (result.wait_for(kBetween) != std::future_status::ready) watch(share);
+    watch(share);
+  } catch (...) {
+    is_stopped = true;
+    result.wait();
+    throw;
+  }
+  return result.get();
+}
 
 }  // namespace earshot::python

@@ -1,0 +1,159 @@
+"""Sound as the files of other propagation models: shade files of the Acoustics Toolbox, tl.grid of RAM."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from earshot import core
+from earshot.arguments import Numbers, axis, is_labelled
+from earshot.errors import BadInput, BadType
+
+__all__ = ["write_shd", "write_tl_grid"]
+
+_SAME_RANGE_M = 1e-3
+_LAYOUTS = ("double", "single")
+
+
+def write_shd(
+    sound: Any,
+    path: str | os.PathLike[str],
+    *,
+    layout: str = "double",
+    receiver_depth: Numbers | None = None,
+    receiver_range: Numbers | None = None,
+    force: bool = False,
+) -> None:
+    """Writes the complex pressure of `earshot.field` as a shade file (.shd), whole or not at all.
+
+    sound    a Dataset of `earshot.field` with pressure, of one frequency and one source depth: choose with `sel`
+    layout   "double": ranges, bearing and source in double precision, as the Acoustics Toolbox of 2023 and 2024 has
+             them; "single": in single precision, as older ones and arlpy have them
+    receiver_depth, receiver_range   m, increasing, from 0 on: where the file is to hold numbers. None: where the .env
+             or ram.in file asks for them that the environment was read from, else those of the Dataset. At the surface
+             the pressure is 0; NaN stands below the sea floor, on land and at range 0. Between two ranges of the
+             Dataset the pressure without its phase and spreading is linear
+    force    replace a file that is there already, of whatever kind it is; otherwise only one of Earshot's is replaced
+
+    The bytes are those of `earshot field -o NAME.shd`. The phase is that of the Acoustics Toolbox, -exp(-i k r) / r.
+
+    Raises BadInput with the argument as `key`, or naming the file; BadType for what is of another kind.
+    Source: the files that the Acoustics Toolbox writes, and its readers.
+    """
+    if layout not in _LAYOUTS:
+        raise BadInput(f'layout = {layout!r}: must be "double" or "single"', key="layout", value=layout)
+    arrays = _arrays(sound, receiver_depth, receiver_range)
+    if arrays["pressure"] is None or "frequency" not in sound.coords:
+        raise BadInput("sound: must hold the pressure of one frequency, not of a band or without", key="sound")
+    core.write_shade(
+        _path(path),
+        **arrays,
+        reference_wavenumber=float(sound["reference_wavenumber"]) if "reference_wavenumber" in sound else np.nan,
+        title=str(sound.attrs.get("environment", "")),
+        frequency=float(sound["frequency"]),
+        source_depth=float(sound["source_depth"]),
+        single_precision=layout == "single",
+        force=bool(force),
+    )
+
+
+def write_tl_grid(
+    sound: Any,
+    path: str | os.PathLike[str],
+    *,
+    receiver_depth: Numbers | None = None,
+    receiver_range: Numbers | None = None,
+    force: bool = False,
+) -> None:
+    """Writes the transmission loss of `earshot.field`, in dB, as the tl.grid file of RAM 1.5, whole or not at all.
+
+    sound    a Dataset of `earshot.field`, of one frequency or band and one source depth: choose with `sel`
+    receiver_depth, receiver_range, force   as of `earshot.write_shd`. The file holds neither depths nor ranges
+
+    The bytes are those of `earshot field -o NAME.grid`; without pressure the loss is that of the Dataset, rounded to
+    1/256 dB. At the surface it is 300 dB.
+
+    Raises as `earshot.write_shd` does.
+    Source: Collins, User's Guide for RAM Versions 1.0 and 1.0p, Naval Research Laboratory.
+    """
+    core.write_tl_grid(_path(path), **_arrays(sound, receiver_depth, receiver_range), force=bool(force))
+
+
+def _path(path: Any) -> Path:
+    if not isinstance(path, (str, os.PathLike)):
+        raise BadType("path: must be a text or a path", key="path", value=path)
+    return Path(path)
+
+
+def _arrays(sound: Any, receiver_depth: Any, receiver_range: Any) -> dict[str, Any]:
+    """What C++ takes of a Dataset with one source."""
+    if not is_labelled(sound) or not hasattr(sound, "data_vars") or "transmission_loss" not in sound:
+        raise BadType("sound: must be a Dataset of earshot.field", key="sound", value=sound)
+    dims = tuple(map(str, sound["transmission_loss"].dims))
+    if sorted(dims) != ["depth", "range"]:
+        raise BadInput(
+            f"sound: must have the dimensions range and depth alone, has {dims}; choose one source with sel",
+            key="sound",
+        )
+    ordered = sound.transpose("range", "depth")
+    arrays: dict[str, Any] = {
+        "range": ordered["range"].values.tolist(),
+        "depth": ordered["depth"].values.tolist(),
+        "sea_floor_depth": np.ascontiguousarray(ordered["sea_floor_depth"].values, np.float32),
+        "transmission_loss": np.ascontiguousarray(ordered["transmission_loss"].values, np.float32),
+        "pressure": None,
+    }
+    if "pressure" in ordered:
+        arrays["pressure"] = np.ascontiguousarray(ordered["pressure"].values, np.complex128)
+    for name, value in (("receiver_depth", receiver_depth), ("receiver_range", receiver_range)):
+        arrays[name] = _receivers(name, sound.attrs.get(f"{name}_m", ()) if value is None else np.atleast_1d(value))
+    _require_covered(arrays, None if receiver_range is not None else _finest_step(sound))
+    return arrays
+
+
+def _finest_step(sound: Any) -> float:
+    """m, of a field whose ranges are no multiples of a step: a twelfth of the shortest wavelength in slow water."""
+    highest = sound.attrs["band_hz"][1] if "band_hz" in sound.attrs else float(sound["frequency"])
+    return 1500.0 / 12.0 / float(highest)
+
+
+def _receivers(name: str, values: Any) -> list[float]:
+    if len(values) == 0:
+        return []
+    found: NDArray[np.float64] = axis(name, values)
+    if not (np.all(np.isfinite(found)) and found[0] >= 0.0 and np.all(np.diff(found) > 0.0)):
+        raise BadInput(f"{name}: must increase, from 0 m on", key=name, value=values)
+    if name == "receiver_range" and not found[-1] > 0.0:
+        raise BadInput(f"{name}: must extend further than 0 m", key=name, value=values)
+    return list(map(float, found))
+
+
+def _require_covered(arrays: dict[str, Any], finest_step: float | None) -> None:
+    """No number that was computed may be missing, or be between two that were left out.
+
+    finest_step  m, at which ranges may lie between those computed; None: they may anywhere
+    """
+    ranges, depths = np.array(arrays["range"]), np.array(arrays["depth"])
+    if ranges.size == 0 or depths.size == 0:
+        raise BadInput("sound: must hold one range and one depth at least", key="sound")
+    if arrays["receiver_range"]:
+        steps = ranges / ranges[0] - np.arange(1, ranges.size + 1)
+        asked = np.array(arrays["receiver_range"])
+        beside = np.abs(np.remainder(asked + _SAME_RANGE_M, ranges[0])) > 2.0 * _SAME_RANGE_M
+        is_coarse = finest_step is not None and ranges[0] > finest_step * (1.0 + 1e-9) and bool(np.any(beside))
+        if np.any(np.abs(steps) > 1e-6) or asked[-1] > ranges[-1] + _SAME_RANGE_M or is_coarse:
+            raise BadInput(
+                f"receiver_range = {asked[-1]:g}: sound must hold all ranges up to there, as they were computed",
+                key="receiver_range",
+                value=float(asked[-1]),
+            )
+    floor = float(np.max(arrays["sea_floor_depth"]))
+    for depth in arrays["receiver_depth"]:
+        if 0.0 < depth <= floor and depth not in depths:
+            raise BadInput(
+                f"receiver_depth = {depth:g}: must be among the depths of sound", key="receiver_depth", value=depth
+            )
