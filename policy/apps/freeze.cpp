@@ -169,7 +169,8 @@ void run(const Options& options) {
   command_line::print_policy_details(*options.model, *policy);
   program::detail() << options.key.key << ": signed with it; a vehicle trusts " << host::public_file_of(options.key.key).string() << "\n";
   program::print() << *options.output << ": " << bytes.size() << " bytes, " << policy->observation.spec.size()
-                   << " elements of observation, " << policy->actions.size() << " actions, " << description::name_of(policy->draw) << "\n";
+                   << " elements of observation, " << policy->actions.size() << " actions, " << command_line::network_text(policy->network)
+                   << ", " << description::name_of(policy->draw) << "\n";
 }
 
 }  // namespace
