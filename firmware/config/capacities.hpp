@@ -9,7 +9,8 @@ namespace earshot::config {
 
 /// What the core is compiled for, by -DEARSHOT_CAPACITY_PROFILE=kMicrocontroller; left out, a vehicle computer.
 enum class Profile : std::uint8_t {
-  kVehicleComputer,  ///< an operating system and megabytes: every policy that can be trained
+  kVehicleComputer,       ///< an operating system and megabytes: every policy that can be trained
+  kRoomyMicrocontroller,  ///< bare metal with 620 KiB in all: every policy that ships, and none of a larger network
   kMicrocontroller,  ///< bare metal; the state, with a coarser belief in fewer oceans, in a Cortex-M7's 128 KiB of tightly coupled memory,
                      ///< which it nearly fills: the stack lies elsewhere
   kWithoutBelief,    ///< bare metal with some 100 KiB in all: policies that go by what was heard last; one with a belief is refused at load
@@ -20,9 +21,21 @@ enum class Profile : std::uint8_t {
 inline constexpr Profile kProfile = Profile::EARSHOT_CAPACITY_PROFILE;
 
 /// A size that differs between profiles.
+consteval std::size_t by_profile(std::size_t vehicle_computer, std::size_t roomy, std::size_t microcontroller, std::size_t without_belief) {
+  switch (kProfile) {
+    case Profile::kVehicleComputer:
+      return vehicle_computer;
+    case Profile::kRoomyMicrocontroller:
+      return roomy;
+    case Profile::kMicrocontroller:
+      return microcontroller;
+    case Profile::kWithoutBelief:
+      break;
+  }
+  return without_belief;
+}
 consteval std::size_t by_profile(std::size_t vehicle_computer, std::size_t microcontroller, std::size_t without_belief) {
-  return kProfile == Profile::kVehicleComputer ? vehicle_computer
-                                               : (kProfile == Profile::kMicrocontroller ? microcontroller : without_belief);
+  return by_profile(vehicle_computer, vehicle_computer, microcontroller, without_belief);
 }
 consteval std::size_t by_profile(std::size_t vehicle_computer, std::size_t microcontroller) {
   return by_profile(vehicle_computer, microcontroller, microcontroller);
@@ -32,10 +45,16 @@ consteval std::size_t by_profile(std::size_t vehicle_computer, std::size_t micro
 inline constexpr std::size_t kMaxObservation = 64;
 /// Compass directions (one every 11.25 or 22.5 degrees); full: policy refused at load.
 inline constexpr std::size_t kMaxActions = by_profile(32, 16);
-/// Units of a hidden layer (Stable-Baselines3's 64-64 default); full: policy refused at load.
-inline constexpr std::size_t kMaxLayerWidth = 64;
-/// Hidden layers; full: policy refused at load.
-inline constexpr std::size_t kMaxHiddenLayers = 2;
+/// Units of a hidden layer (256 are the widest in common use; Stable-Baselines3's default are 64); full: policy refused at load, with its
+/// size.
+inline constexpr std::size_t kMaxLayerWidth = by_profile(256, 64, 64, 64);
+/// Hidden layers (as many as policies of so few observations are trained with); full: policy refused at load.
+inline constexpr std::size_t kMaxHiddenLayers = 3;
+/// Weights and biases of a network, in blocks of 64 outputs, of the last layer 8 (every network of those sizes; on bare metal two layers of
+/// 64 units, or less in three); full: policy refused at load, with its size.
+inline constexpr std::size_t kMaxNetworkNumbers = kMaxLayerWidth * (kMaxObservation + 1) +
+                                                  by_profile(2, 1, 1, 1) * kMaxLayerWidth * (kMaxLayerWidth + 1) +
+                                                  kMaxActions * (kMaxLayerWidth + 1);
 /// Steps in the memory state; full: the oldest step is forgotten.
 inline constexpr std::size_t kMaxRememberedSteps = 21;
 /// Cells of the belief (25 km x 25 km in cells of 500 m or 1 km); full: policy refused at load.
@@ -72,7 +91,7 @@ inline constexpr std::size_t kMaxProvenance = 1024;
 /// full: passed over.
 inline constexpr std::size_t kKeptProvenance = by_profile(kMaxProvenance, 0);
 /// Bytes of the whole on-vehicle state (nearly all of them belief, ocean tables and policy weights); full: does not compile.
-inline constexpr std::size_t kRuntimeBytes = by_profile(333, 128, 72) * 1024;
+inline constexpr std::size_t kRuntimeBytes = by_profile(904, 333, 128, 72) * 1024;
 
 // Inputs and commands (firmware/messages, firmware/runtime).
 /// Ports of a vehicle (buses, serial lines, the simulation link); full: mission refused.

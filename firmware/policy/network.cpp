@@ -17,6 +17,41 @@ using Float8 [[gnu::vector_size(32), gnu::may_alias]] = float;
 using Float16 [[gnu::vector_size(64), gnu::may_alias]] = float;
 #endif
 
+constexpr std::size_t kMostStated = 65'535;  ///< in two bytes
+
+struct Shape {
+  std::size_t inputs;
+  std::size_t outputs;
+  std::size_t block;
+};
+
+Shape shape_of(const Network& network, std::size_t layer) {
+  const bool is_last = layer == network.hidden_count();
+  return {.inputs = layer == 0 ? network.observation_size : network.hidden_sizes[layer - 1],
+          .outputs = is_last ? network.action_count : network.hidden_sizes[layer],
+          .block = is_last ? Network::kOutputBlock : Network::kBlock};
+}
+
+constexpr std::size_t padded(std::size_t outputs, std::size_t block) {
+  return (outputs + block - 1) / block * block;
+}
+
+template <class Number>
+Network::BasicLayer<Number> layer_in(const Network& network, std::span<Number> numbers, std::size_t index) {
+  Shape shape = shape_of(network, 0);
+  std::size_t begin = 0;
+  for (std::size_t l = 0; l < index; ++l) {
+    begin += padded(shape.outputs, shape.block) * (shape.inputs + 1);
+    shape = shape_of(network, l + 1);
+  }
+  const std::size_t outputs = padded(shape.outputs, shape.block);
+  return {.inputs = shape.inputs,
+          .outputs = shape.outputs,
+          .block = shape.block,
+          .packed = numbers.subspan(begin, outputs * shape.inputs),
+          .bias = numbers.subspan(begin + outputs * shape.inputs, outputs)};
+}
+
 template <class Floats>
 constexpr std::size_t kLanesOf = sizeof(Floats) / sizeof(float);
 
@@ -44,6 +79,12 @@ template <class Floats>
   x = below < -1.0F ? Floats{} - 1.0F : below;
 }
 
+/// No comparison holds for a NaN, which stays one.
+template <class Floats>
+[[gnu::always_inline]] inline void apply_relu(Floats& x) {
+  x = x < 0.0F ? Floats{} : x;
+}
+
 template <class Floats>
 [[gnu::always_inline]] inline const Floats& at(const float* values) {
   return *reinterpret_cast<const Floats*>(values);
@@ -54,52 +95,66 @@ template <class Floats>
   return *reinterpret_cast<Floats*>(values);
 }
 
-/// The difference between two kinds of layers.
-struct Hidden {
+/// The differences between kinds of layers.
+struct TanhLayer {
+  static constexpr std::size_t kBlock = Network::kBlock;
   static constexpr std::size_t kSums = 1;  // of a layer that is wide enough to keep a vector unit busy
-  static constexpr bool kTanh = true;
+  template <class Floats>
+  [[gnu::always_inline]] static void activate(Floats& x) {
+    apply_tanh(x);
+  }
 };
-struct Output {
+struct ReluLayer {
+  static constexpr std::size_t kBlock = Network::kBlock;
+  static constexpr std::size_t kSums = 1;
+  template <class Floats>
+  [[gnu::always_inline]] static void activate(Floats& x) {
+    apply_relu(x);
+  }
+};
+struct OutputLayer {
+  static constexpr std::size_t kBlock = Network::kOutputBlock;
   static constexpr std::size_t kSums = 4;  // of few outputs, where one sum would wait for itself
-  static constexpr bool kTanh = false;
+  template <class Floats>
+  [[gnu::always_inline]] static void activate(Floats& /*x*/) {}
 };
 
 /// kBlock vectors of outputs, from `output` on; their sums stay in registers.
-template <class Kind, class Floats, std::size_t kBlock, class Layer>
-[[gnu::always_inline]] inline void apply_block(const Layer& layer, std::size_t output, std::span<const float> input, float* outputs) {
+template <class Kind, class Floats, std::size_t kBlock>
+[[gnu::always_inline]] inline void apply_block(const Network::ConstLayer& layer, std::size_t output, const float* input, float* outputs) {
   constexpr std::size_t kLanes = kLanesOf<Floats>;
-  const float* weights = layer.packed.data() + Layer::place(output, 0);
+  const float* weights = layer.packed.data() + output / Kind::kBlock * Kind::kBlock * layer.inputs + output % Kind::kBlock;
   Floats sums[Kind::kSums][kBlock] = {};
   const auto add = [&](std::size_t sum, float x) __attribute__((always_inline)) {
 #pragma GCC unroll 16
     for (std::size_t i = 0; i < kBlock; ++i) sums[sum][i] += at<Floats>(weights + i * kLanes) * x;
-    weights += Layer::kBlock;
+    weights += Kind::kBlock;
   };
 #pragma GCC unroll 16
   for (std::size_t i = 0; i < kBlock; ++i) sums[0][i] = at<Floats>(layer.bias.data() + output + i * kLanes);
   std::size_t j = 0;
-  for (; j + Kind::kSums <= input.size(); j += Kind::kSums) {
+  for (; j + Kind::kSums <= layer.inputs; j += Kind::kSums) {
 #pragma GCC unroll 4
     for (std::size_t k = 0; k < Kind::kSums; ++k) add(k, input[j + k]);
   }
 #pragma GCC unroll 4
   for (std::size_t k = 0; k + 1 < Kind::kSums; ++k) {
-    if (j + k < input.size()) add(k, input[j + k]);
+    if (j + k < layer.inputs) add(k, input[j + k]);
   }
 #pragma GCC unroll 16
   for (std::size_t i = 0; i < kBlock; ++i) {
     if constexpr (Kind::kSums == 4) sums[0][i] = (sums[0][i] + sums[1][i]) + (sums[2][i] + sums[3][i]);
-    if constexpr (Kind::kTanh) apply_tanh(sums[0][i]);
+    Kind::activate(sums[0][i]);
     at<Floats>(outputs + output + i * kLanes) = sums[0][i];
   }
 }
 
-/// The first `count` outputs of a layer, and as many more as fill the last block. @param outputs  aligned as Floats
-template <class Kind, class Floats, std::size_t kBlock, class Layer>
-[[gnu::always_inline]] inline void apply(const Layer& layer, std::span<const float> input, std::size_t count, float* outputs) {
+/// The outputs of a layer, and as many more as fill the last block. @param outputs  aligned as Floats
+template <class Kind, class Floats, std::size_t kBlock>
+[[gnu::always_inline]] inline void apply(const Network::ConstLayer& layer, const float* input, float* outputs) {
   constexpr std::size_t kOutputs = kBlock * kLanesOf<Floats>;
-  static_assert(Layer::kBlock % kOutputs == 0);
-  for (std::size_t output = 0; output < count; output += kOutputs) {
+  static_assert(Kind::kBlock % kOutputs == 0);
+  for (std::size_t output = 0; output < layer.outputs; output += kOutputs) {
     apply_block<Kind, Floats, kBlock>(layer, output, input, outputs);
   }
 }
@@ -109,17 +164,19 @@ template <class Kind, class Floats, std::size_t kBlock, class Layer>
 template <class Floats, std::size_t kBlock, class OutputFloats, std::size_t kOutputBlock>
 [[gnu::always_inline]] inline void compute(const Network& network, std::span<const float> observation, std::span<float> logits) {
   constexpr std::size_t kAlignment = sizeof(Floats);
-  alignas(kAlignment) float first[Network::kWidth];
-  alignas(kAlignment) float second[Network::kWidth];
+  alignas(kAlignment) float buffers[2][Network::kWidth];
   alignas(kAlignment) float output[config::kMaxActions];
-  const std::array layers{&network.first, &network.second};
-  const std::array outputs{first, second};
-  std::span<const float> input = observation;
-  for (std::size_t l = 0; l < layers.size(); ++l) {  // in a loop, so that the code is there once
-    apply<Hidden, Floats, kBlock>(*layers[l], input, network.hidden_sizes[l], outputs[l]);
-    input = std::span<const float>(outputs[l], network.hidden_sizes[l]);
+  const float* input = observation.data();
+  const std::size_t count = network.hidden_count();
+  for (std::size_t l = 0; l < count; ++l) {  // in a loop, so that the code is there once
+    if (network.activation == Activation::kRelu) {
+      apply<ReluLayer, Floats, kBlock>(network.layer(l), input, buffers[l % 2]);
+    } else {
+      apply<TanhLayer, Floats, kBlock>(network.layer(l), input, buffers[l % 2]);
+    }
+    input = buffers[l % 2];
   }
-  apply<Output, OutputFloats, kOutputBlock>(network.output, input, logits.size(), output);
+  apply<OutputLayer, OutputFloats, kOutputBlock>(network.layer(count), input, output);
   std::copy_n(output, logits.size(), logits.begin());
 }
 
@@ -145,8 +202,44 @@ void compute_with_128_bits(const Network& network, std::span<const float> observ
 
 }  // namespace
 
+std::size_t Network::hidden_count() const {
+  const auto end = std::find(hidden_sizes.begin(), hidden_sizes.end(), std::size_t{0});
+  return static_cast<std::size_t>(end - hidden_sizes.begin());
+}
+
+Network::ConstLayer Network::layer(std::size_t index) const {
+  return layer_in(*this, std::span<const float>(numbers), index);
+}
+
+Network::Layer Network::layer(std::size_t index) {
+  return layer_in(*this, std::span<float>(numbers), index);
+}
+
 bool has_network(const Network& network) {
   return network.hidden_sizes != decltype(network.hidden_sizes){};
+}
+
+bool has_shape(const Network& network) {
+  const auto& sizes = network.hidden_sizes;
+  const auto is_stated = [](std::size_t size) { return size >= 1 && size <= kMostStated; };
+  const std::size_t count = network.hidden_count();
+  return count > 0 && is_stated(network.observation_size) && is_stated(network.action_count) &&
+         std::all_of(sizes.begin(), sizes.begin() + count, is_stated) &&
+         std::all_of(sizes.begin() + count, sizes.end(), [](std::size_t size) { return size == 0; });
+}
+
+std::uint64_t bytes_of_numbers(const Network& network) {
+  std::uint64_t numbers = 0;
+  for (std::size_t l = 0; l <= network.hidden_count(); ++l) {
+    const Shape shape = shape_of(network, l);
+    numbers += std::uint64_t{padded(shape.outputs, shape.block)} * (shape.inputs + 1);
+  }
+  return sizeof(float) * numbers;
+}
+
+bool fits(const Network& network) {
+  return std::all_of(network.hidden_sizes.begin(), network.hidden_sizes.end(), [](std::size_t size) { return size <= Network::kWidth; }) &&
+         bytes_of_numbers(network) <= sizeof(network.numbers);
 }
 
 bool has(VectorUnit unit) {

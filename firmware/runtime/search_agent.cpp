@@ -1,8 +1,13 @@
 #include "firmware/runtime/search_agent.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
+#include <type_traits>
 
+#include "firmware/core/crc32.hpp"
 #include "firmware/policy/action_draw.hpp"
 #include "firmware/policy/check/policy_check.hpp"
 #include "firmware/policy/format/policy_format.hpp"
@@ -18,6 +23,16 @@ bool are_within(std::span<const float> values, double most) {
   return std::all_of(values.begin(), values.end(), [most](float value) { return double{value} >= -most && double{value} <= most; });
 }
 
+/// Without the places of weights that the network does not have: nobody reads them, and a large network has room for many.
+std::uint32_t checksum_of_read(const policy::FrozenPolicy& policy) {
+  static_assert(std::is_trivially_copyable_v<policy::FrozenPolicy>);
+  const std::span<const std::uint8_t> bytes(reinterpret_cast<const std::uint8_t*>(&policy), sizeof policy);
+  constexpr std::size_t kRoom = sizeof policy.network.numbers;
+  const auto begin = static_cast<std::size_t>(reinterpret_cast<const std::uint8_t*>(policy.network.numbers.data()) - bytes.data());
+  const auto used = static_cast<std::size_t>(std::min<std::uint64_t>(policy::bytes_of_numbers(policy.network), kRoom));
+  return crc32(bytes.subspan(begin + kRoom), crc32(bytes.first(begin + used)));
+}
+
 }  // namespace
 
 Status SearchAgent::judge(const config::Mission& mission, const policy::FrozenPolicy& policy) {
@@ -26,7 +41,7 @@ Status SearchAgent::judge(const config::Mission& mission, const policy::FrozenPo
 }
 
 void SearchAgent::keep_checksums() {
-  policy_checksum_ = checksum_of(policy_);
+  policy_checksum_ = checksum_of_read(policy_);
   tables_checksum_ = checksum_of(tables_);
   memory_checksum_ = checksum_of(memory_);
 }
@@ -57,7 +72,8 @@ Status SearchAgent::load(const config::Mission& mission, std::span<const std::ui
 }
 
 bool SearchAgent::is_intact() const {
-  return checksum_of(policy_) == policy_checksum_ && checksum_of(tables_) == tables_checksum_ && checksum_of(memory_) == memory_checksum_;
+  return checksum_of_read(policy_) == policy_checksum_ && checksum_of(tables_) == tables_checksum_ &&
+         checksum_of(memory_) == memory_checksum_;
 }
 
 void SearchAgent::start(const config::Mission& mission, NorthEast position, const policy::Reception& reception) {

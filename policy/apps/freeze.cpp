@@ -48,7 +48,7 @@ void add_options(program::CommandLine& line, Options& options) {
   line.option("-o,--output", &options.output, "policy to write (.policy)");
   line.option(
       "--search", &options.search,
-      "what a .zip or .onnx was trained to search, when it does not carry that along (JSON: earshot_gym.sb3.describe() in policy/python)");
+      "what a .zip or .onnx was trained to search, when it does not carry that along (JSON: earshot.gym.sb3.describe() in policy/python)");
   line.option(
           "--draw", &options.draw,
           "how the vehicle draws its actions: sampled from the softmax, or argmax; without it sampled, of a .policy as it does, without a "
@@ -63,7 +63,7 @@ std::string search_of(const freeze::TrainedActor& actor, const Options& options)
   if (actor.search && options.search) throw BadInput("carries its own search description; --search is for models that carry none");
   if (actor.search) return *actor.search;
   if (options.search) return host::read_text(*options.search, host::kJsonFile);
-  throw BadInput("does not state what it was trained to search: save it with earshot_gym.sb3.save or export_onnx, or give --search");
+  throw BadInput("does not state what it was trained to search: save it with earshot.gym.sb3.save or export_onnx, or give --search");
 }
 
 policy::ActionDraw draw_of(const Options& options) {
@@ -169,7 +169,8 @@ void run(const Options& options) {
   command_line::print_policy_details(*options.model, *policy);
   program::detail() << options.key.key << ": signed with it; a vehicle trusts " << host::public_file_of(options.key.key).string() << "\n";
   program::print() << *options.output << ": " << bytes.size() << " bytes, " << policy->observation.spec.size()
-                   << " elements of observation, " << policy->actions.size() << " actions, " << description::name_of(policy->draw) << "\n";
+                   << " elements of observation, " << policy->actions.size() << " actions, " << command_line::network_text(policy->network)
+                   << ", " << description::name_of(policy->draw) << "\n";
 }
 
 }  // namespace

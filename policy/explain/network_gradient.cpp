@@ -9,54 +9,54 @@ namespace {
 
 using Values = std::vector<double>;
 
-/// One dense layer of its own size.
-template <class Layer>
-struct Dense {
-  const Layer& layer;
-  std::size_t inputs;
-  std::size_t outputs;
+using Layer = policy::Network::ConstLayer;
 
-  [[nodiscard]] double weight(std::size_t output, std::size_t input) const { return static_cast<double>(layer.weight(output, input)); }
-
-  [[nodiscard]] Values apply(std::span<const double> input) const {
-    Values output(outputs);
-    for (std::size_t i = 0; i < outputs; ++i) {
-      output[i] = static_cast<double>(layer.bias[i]);
-      for (std::size_t j = 0; j < inputs; ++j) output[i] += weight(i, j) * input[j];
-    }
-    return output;
+Values apply(const Layer& layer, std::span<const double> input) {
+  Values output(layer.outputs);
+  for (std::size_t i = 0; i < layer.outputs; ++i) {
+    output[i] = static_cast<double>(layer.bias[i]);
+    for (std::size_t j = 0; j < layer.inputs; ++j) output[i] += static_cast<double>(layer.weight(i, j)) * input[j];
   }
+  return output;
+}
 
-  /// Turns the derivative by the outputs into the derivative by the inputs.
-  [[nodiscard]] Values transposed(std::span<const double> by_output) const {
-    Values by_input(inputs, 0.0);
-    for (std::size_t i = 0; i < outputs; ++i) {
-      for (std::size_t j = 0; j < inputs; ++j) by_input[j] += weight(i, j) * by_output[i];
-    }
-    return by_input;
+/// Turns the derivative by the outputs into the derivative by the inputs.
+Values transposed(const Layer& layer, std::span<const double> by_output) {
+  Values by_input(layer.inputs, 0.0);
+  for (std::size_t i = 0; i < layer.outputs; ++i) {
+    for (std::size_t j = 0; j < layer.inputs; ++j) by_input[j] += static_cast<double>(layer.weight(i, j)) * by_output[i];
   }
-};
+  return by_input;
+}
 
-struct Layers {
-  Dense<decltype(policy::Network::first)> first;
-  Dense<decltype(policy::Network::second)> second;
-  Dense<decltype(policy::Network::output)> output;
-
-  explicit Layers(const policy::Network& n)
-      : first{n.first, n.observation_size, n.hidden_sizes[0]},
-        second{n.second, n.hidden_sizes[0], n.hidden_sizes[1]},
-        output{n.output, n.hidden_sizes[1], n.action_count} {}
-};
-
-Values apply_tanh(Values values) {
-  for (double& x : values) x = std::tanh(x);
+Values activate(policy::Activation activation, Values values) {
+  for (double& x : values) {
+    if (activation == policy::Activation::kTanh) x = std::tanh(x);
+    if (activation == policy::Activation::kRelu && x < 0.0) x = 0.0;
+  }
   return values;
 }
 
-/// derivative by what went into the tanh that gave `activation`
-Values before_tanh(Values by_activation, const Values& activation) {
-  for (std::size_t i = 0; i < activation.size(); ++i) by_activation[i] *= 1.0 - activation[i] * activation[i];
-  return by_activation;
+/// Turns the derivative by what the activation gave into the derivative by what went into it.
+Values before(policy::Activation activation, Values by_activated, const Values& activated) {
+  for (std::size_t i = 0; i < activated.size(); ++i) {
+    const double x = activated[i];
+    by_activated[i] *= activation == policy::Activation::kTanh ? 1.0 - x * x : (x > 0.0 ? 1.0 : 0.0);
+  }
+  return by_activated;
+}
+
+/// What each hidden layer gives, and last the logits.
+std::vector<Values> outputs_of(const policy::Network& network, std::span<const double> observation) {
+  std::vector<Values> outputs;
+  std::span<const double> input = observation;
+  const std::size_t last = network.hidden_count();
+  for (std::size_t l = 0; l < last; ++l) {
+    outputs.push_back(activate(network.activation, apply(network.layer(l), input)));
+    input = outputs.back();
+  }
+  outputs.push_back(apply(network.layer(last), input));
+  return outputs;
 }
 
 double log_sum_exp(const Values& logits) {
@@ -78,20 +78,17 @@ LogProbability of_logits(const Values& logits, std::size_t action) {
 
 std::vector<double> logits_of(const policy::Network& network, std::span<const double> observation) {
   assert(observation.size() == network.observation_size);
-  const Layers layers(network);
-  return layers.output.apply(apply_tanh(layers.second.apply(apply_tanh(layers.first.apply(observation)))));
+  return outputs_of(network, observation).back();
 }
 
 LogProbability log_probability(const policy::Network& network, std::span<const double> observation, std::size_t action) {
   assert(observation.size() == network.observation_size && action < network.action_count);
-  const Layers layers(network);
-  const Values first = apply_tanh(layers.first.apply(observation));
-  const Values second = apply_tanh(layers.second.apply(first));
-  const Values logits = layers.output.apply(second);
-  const LogProbability by_logit = of_logits(logits, action);
-  const Values by_second = before_tanh(layers.output.transposed(by_logit.gradient), second);
-  const Values by_first = before_tanh(layers.second.transposed(by_second), first);
-  return {.value = by_logit.value, .gradient = layers.first.transposed(by_first)};
+  const std::vector<Values> outputs = outputs_of(network, observation);
+  const LogProbability by_logit = of_logits(outputs.back(), action);
+  Values gradient = by_logit.gradient;
+  for (std::size_t l = network.hidden_count(); l > 0; --l)
+    gradient = before(network.activation, transposed(network.layer(l), gradient), outputs[l - 1]);
+  return {.value = by_logit.value, .gradient = transposed(network.layer(0), gradient)};
 }
 
 LogProbability log_probability(const policy::FrozenPolicy& policy, std::span<const double> observation, std::size_t action) {

@@ -19,7 +19,8 @@ struct LogProbability {
 
 /// Log-probability of one action under the softmax of the network's logits, and its exact gradient by reverse differentiation.
 ///
-///   log p_a = z_a - log sum_i exp z_i,   d log p_a / d z_i = [i = a] - p_i,   through tanh' = 1 - tanh^2 and the transposed weights
+///   log p_a = z_a - log sum_i exp z_i,   d log p_a / d z_i = [i = a] - p_i,   through tanh' = 1 - tanh^2, or ReLU' = 1
+///   above zero and else 0, and the transposed weights
 ///
 /// @param observation  [observation_size]
 /// @param action       below action_count

@@ -60,22 +60,21 @@ LayerView view_of(std::span<const float> parameters, const Networks::Layer& laye
           .bias = parameters.subspan(static_cast<std::size_t>(layer.bias()), outputs)};
 }
 
-template <class Target>
-void copy_layer(const LayerView& from, Target& to) {
+void copy_layer(const LayerView& from, const policy::Network::Layer& to) {
   for (std::size_t o = 0; o < from.outputs; ++o) {
     for (std::size_t i = 0; i < from.inputs; ++i) to.weight(o, i) = from.weights[o * from.per_output + i * from.per_input];
   }
   std::ranges::copy(from.bias, to.bias.begin());
 }
 
-/// The only way of a trained weight to its place on the vehicle.
-void copy_network(const LayerView& first, const LayerView& second, const LayerView& output, policy::Network& network) {
-  network.observation_size = first.inputs;
-  network.hidden_sizes = {first.outputs, second.outputs};
-  network.action_count = output.outputs;
-  copy_layer(first, network.first);
-  copy_layer(second, network.second);
-  copy_layer(output, network.output);
+/// The only way of a trained weight to its place on the vehicle. @param layers  of sizes that fit, the last the output
+void copy_network(const std::vector<LayerView>& layers, policy::Activation activation, policy::Network& network) {
+  network.observation_size = layers.front().inputs;
+  network.hidden_sizes = {};
+  for (std::size_t l = 0; l + 1 < layers.size(); ++l) network.hidden_sizes[l] = layers[l].outputs;
+  network.action_count = layers.back().outputs;
+  network.activation = activation;
+  for (std::size_t l = 0; l < layers.size(); ++l) copy_layer(layers[l], network.layer(l));
 }
 
 void append(const std::string& text, policy::FrozenPolicy& policy) {
@@ -126,8 +125,8 @@ std::unique_ptr<policy::FrozenPolicy> without_network(const description::SearchD
 void check_fit(const TrainedActor& actor, const description::SearchDescription& search) {
   check_chain(actor);
   const std::size_t hidden = actor.layers.size() - 1;
-  if (hidden != config::kMaxHiddenLayers) {
-    throw BadInput("has " + std::to_string(hidden) + " hidden layers; " + std::to_string(config::kMaxHiddenLayers) + " fly");
+  if (hidden < 1 || hidden > config::kMaxHiddenLayers) {
+    throw BadInput("has " + std::to_string(hidden) + " hidden layers; 1 to " + std::to_string(config::kMaxHiddenLayers) + " fly");
   }
   for (std::size_t i = 0; i < hidden; ++i) {
     if (actor.layers[i].outputs <= policy::Network::kWidth) continue;
@@ -150,8 +149,8 @@ std::unique_ptr<policy::FrozenPolicy> freeze(const ppo::Checkpoint& checkpoint, 
   const auto view = [&](const Networks::Layer& layer, std::size_t outputs) { return view_of(checkpoint.parameters, layer, outputs); };
   constexpr auto kWidth = static_cast<std::size_t>(ppo::kWidth);
   // Of the first layer the actor's half stands above the critic's.
-  copy_network(view(layout.first, kWidth), view(layout.actor_second, kWidth), view(layout.logits, checkpoint.direction_count),
-               policy->network);
+  copy_network({view(layout.first, kWidth), view(layout.actor_second, kWidth), view(layout.logits, checkpoint.direction_count)},
+               policy::Activation::kTanh, policy->network);
   check_flies(*policy, "the policy");
   fly_golden_searches(*policy);
   return policy;
@@ -161,7 +160,9 @@ std::unique_ptr<policy::FrozenPolicy> freeze(const TrainedActor& actor, const de
                                              policy::ActionDraw draw) {
   check_fit(actor, search);
   auto policy = without_network(search, draw);
-  copy_network(view_of(actor.layers[0]), view_of(actor.layers[1]), view_of(actor.layers[2]), policy->network);
+  std::vector<LayerView> layers;
+  for (const DenseLayer& layer : actor.layers) layers.push_back(view_of(layer));
+  copy_network(layers, actor.activation, policy->network);
   check_flies(*policy, "the policy");
   fly_golden_searches(*policy);
   return policy;

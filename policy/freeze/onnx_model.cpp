@@ -1,103 +1,30 @@
 #include "policy/freeze/onnx_model.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <map>
+#include <cmath>
+#include <cstdint>
+#include <optional>
 #include <set>
 
 #include "firmware/host/toml/table_reader.hpp"
-#include "policy/freeze/onnx_tensor.hpp"
-#include "policy/freeze/protobuf.hpp"
-
-// Field numbers are those of onnx.proto3 (ONNX 1.17), the schema of every version up to it.
+#include "policy/freeze/onnx/onnx_graph.hpp"
+#include "policy/freeze/onnx/onnx_tensor.hpp"
+#include "policy/freeze/onnx/protobuf.hpp"
 
 namespace earshot::freeze {
 namespace {
 
 using host::BadInput;
+using Graph = OnnxGraph;
+using Node = OnnxNode;
 using Tensor = OnnxTensor;
+using Attribute = OnnxAttribute;
 
-constexpr std::size_t kMaxNodes = 64;  ///< operators of a graph; the networks that fly have six
-constexpr std::string_view kRemedy = ": write the logits alone (earshot_gym.sb3.export_onnx does), or freeze the model's .zip";
+constexpr std::string_view kRemedy = ": write the logits alone (earshot.gym.sb3.export_onnx does), or freeze the model's .zip";
 
 // TensorProto.DataType
 constexpr std::uint64_t kFloat = 1;
 constexpr std::uint64_t kDouble = 11;
-
-struct Attribute {
-  std::string name;
-  float real = 0.0F;
-  std::int64_t integer = 0;
-};
-
-Attribute read_attribute(std::string_view bytes) {
-  Attribute attribute;
-  ProtobufReader reader(bytes);
-  while (const auto field = reader.next()) {
-    if (field->number == 1) attribute.name = text_of(*field);
-    if (field->number == 2) attribute.real = std::bit_cast<float>(static_cast<std::uint32_t>(field->value));
-    if (field->number == 3) attribute.integer = static_cast<std::int64_t>(field->value);
-  }
-  return attribute;
-}
-
-struct Node {
-  std::string operation;
-  std::vector<std::string> inputs;
-  std::vector<std::string> outputs;
-  std::vector<Attribute> attributes;
-};
-
-Node read_node(std::string_view bytes) {
-  Node node;
-  ProtobufReader reader(bytes);
-  while (const auto field = reader.next()) {
-    if (field->number == 1) node.inputs.push_back(text_of(*field));
-    if (field->number == 2) node.outputs.push_back(text_of(*field));
-    if (field->number == 4) node.operation = text_of(*field);
-    if (field->number == 5) node.attributes.push_back(read_attribute(field->bytes));
-    if (field->number == 7 && !field->bytes.empty() && field->bytes != "ai.onnx") {
-      throw BadInput("operator domain " + text_of(*field) + " is unknown");
-    }
-  }
-  if (node.outputs.size() != 1) throw BadInput("operator " + node.operation + " without its one output");
-  return node;
-}
-
-/// An input or output of the graph.
-struct Value {
-  std::string name;
-  std::uint64_t type = 0;  ///< of a tensor's elements; 0: nothing says it
-};
-
-/// The content of a message's field of that number; empty where it has none.
-std::string_view part_of(std::string_view message, std::uint32_t number) {
-  std::string_view part;
-  for (ProtobufReader reader(message); const auto field = reader.next();) {
-    if (field->number == number) part = field->bytes;
-  }
-  return part;
-}
-
-Value read_value(std::string_view bytes) {
-  Value value;
-  ProtobufReader reader(bytes);
-  while (const auto field = reader.next()) {
-    if (field->number == 1) value.name = text_of(*field);
-    if (field->number != 2) continue;
-    for (ProtobufReader tensor(part_of(field->bytes, 1)); const auto of_tensor = tensor.next();) {
-      if (of_tensor->number == 1) value.type = of_tensor->value;
-    }
-  }
-  return value;
-}
-
-struct Graph {
-  std::vector<Node> nodes;
-  std::map<std::string, Tensor> initializers;
-  std::vector<Value> inputs;
-  std::vector<Value> outputs;
-};
 
 /// One observation goes in, one row of logits comes out, and nothing between is unknown.
 void check_is_network(const Graph& graph) {
@@ -105,68 +32,12 @@ void check_is_network(const Graph& graph) {
     throw BadInput("graph: not one input (observation) and one output (logits) but " + std::to_string(graph.inputs.size()) + " and " +
                    std::to_string(graph.outputs.size()) + std::string(kRemedy));
   }
-  static const std::set<std::string> kKnown = {"Gemm", "MatMul", "Add", "Tanh", "Flatten", "Identity", "Cast"};
+  static const std::set<std::string> kKnown = {"Gemm",     "MatMul", "Add", "Tanh", "Relu", "Flatten",
+                                               "Identity", "Cast",   "Sub", "Div",  "Mul",  "BatchNormalization"};
   for (const Node& node : graph.nodes) {
-    if (!kKnown.contains(node.operation)) {
-      throw BadInput("operator " + node.operation + " is unknown; Gemm, MatMul, Add and Tanh fly" + std::string(kRemedy));
-    }
+    if (kKnown.contains(node.operation)) continue;
+    throw BadInput("operator " + node.operation + " is unknown; Gemm, MatMul, Add, Tanh and Relu fly" + std::string(kRemedy));
   }
-}
-
-/// Every value has one origin: chain_of() follows names.
-void check_outputs(const Graph& graph) {
-  std::set<std::string> given = {graph.inputs[0].name};
-  for (const auto& [name, tensor] : graph.initializers) given.insert(name);
-  for (const Node& node : graph.nodes) {
-    if (given.insert(node.outputs[0]).second) continue;
-    throw BadInput("operator " + node.operation + ": its output " + node.outputs[0] + " is the name of another value");
-  }
-}
-
-/// PyTorch writes weights that are equal once, and gives them their other names by Identity: such a name becomes weights of its own.
-void name_equal_weights(Graph& graph) {
-  std::erase_if(graph.nodes, [&graph](const Node& node) {
-    if (node.operation != "Identity" || node.inputs.size() != 1 || !node.attributes.empty()) return false;
-    const auto weights = graph.initializers.find(node.inputs[0]);
-    return weights != graph.initializers.end() && graph.initializers.emplace(node.outputs[0], weights->second).second;
-  });
-}
-
-Graph read_graph(std::string_view bytes, OnnxTensorReader& tensors) {
-  Graph graph;
-  ProtobufReader reader(bytes);
-  while (const auto field = reader.next()) {
-    switch (field->number) {
-      case 1:
-        if (graph.nodes.size() == kMaxNodes) throw BadInput("graph: more operators than any policy that flies");
-        graph.nodes.push_back(read_node(field->bytes));
-        break;
-      case 5: {
-        Tensor tensor = tensors.read(field->bytes);
-        const std::string name = tensor.name;
-        if (!graph.initializers.emplace(name, std::move(tensor)).second) throw BadInput("initializer " + name + ": given twice");
-        break;
-      }
-      case 11:
-        graph.inputs.push_back(read_value(field->bytes));
-        break;
-      case 12:
-        graph.outputs.push_back(read_value(field->bytes));
-        break;
-      case 2:   // name
-      case 10:  // doc_string
-      case 13:  // value_info
-      case 16:  // metadata_props
-        break;
-      default:
-        throw BadInput("graph: field " + std::to_string(field->number) + " is not one that a plain network needs");
-    }
-  }
-  std::erase_if(graph.inputs, [&graph](const Value& value) { return graph.initializers.contains(value.name); });
-  check_is_network(graph);
-  check_outputs(graph);
-  name_equal_weights(graph);
-  return graph;
 }
 
 /// The nodes in the order in which they work on the observation.
@@ -252,33 +123,160 @@ bool is_without_effect(const Node& node, std::uint64_t input_type) {
          std::ranges::all_of(node.attributes, [](const Attribute& a) { return a.name == "axis" && a.integer == 1; });
 }
 
-TrainedActor actor_from(const Graph& graph) {
-  enum class Expect : std::uint8_t { kLayer, kBias, kTanh } expect = Expect::kLayer;
-  TrainedActor actor;
-  for (const Node* node : chain_of(graph)) {
-    const std::string& operation = node->operation;
-    if (actor.layers.empty() && is_without_effect(*node, graph.inputs[0].type)) continue;
-    if (expect == Expect::kLayer && operation == "Gemm") {
-      actor.layers.push_back(gemm(graph, *node));
-      expect = Expect::kTanh;
-    } else if (expect == Expect::kLayer && operation == "MatMul") {
-      actor.layers.push_back(matmul(graph, *node));
-      expect = Expect::kBias;
-    } else if (expect == Expect::kBias && operation == "Add") {
-      actor.layers.back().bias = added(graph, *node);
-      expect = Expect::kTanh;
-    } else if (expect == Expect::kTanh && operation == "Tanh" && node->inputs.size() == 1) {
-      expect = Expect::kLayer;
-    } else {
-      throw BadInput("graph: operator " + operation + " where a network of dense layers with tanh between has none");
+/// scale x + shift, element by element; one number is for all elements.
+struct Normalisation {
+  std::string operation;
+  std::vector<double> scale;
+  std::vector<double> shift;
+};
+
+/// The numbers of a row [size], or [1 x size].
+std::vector<double> row(const Graph& graph, const Node& node, std::size_t input) {
+  const auto found = graph.initializers.find(node.inputs[input]);
+  if (found == graph.initializers.end()) throw BadInput("operator " + node.operation + ": its numbers are not in the file");
+  const Tensor& tensor = found->second;
+  if (!tensor.shape.empty() && tensor.shape.back() != tensor.values.size())
+    throw BadInput("operator " + node.operation + ": numbers of another shape");
+  return {tensor.values.begin(), tensor.values.end()};
+}
+
+/// (x - mean) / sqrt(variance + epsilon) * scale + shift. Source: ONNX, operator BatchNormalization.
+Normalisation batch_normalisation(const Graph& graph, const Node& node) {
+  double epsilon = 1e-5;
+  for (const Attribute& attribute : node.attributes) {
+    if (attribute.name == "epsilon") epsilon = static_cast<double>(attribute.real);
+    const bool is_inference = attribute.name == "training_mode" && attribute.integer == 0;
+    if (attribute.name == "epsilon" || attribute.name == "momentum" || is_inference) continue;
+    throw BadInput("operator BatchNormalization: attribute " + attribute.name + " is not as a trained network has it");
+  }
+  if (node.inputs.size() != 5) throw BadInput("operator BatchNormalization: without its four rows of numbers");
+  Normalisation step{.operation = node.operation, .scale = row(graph, node, 1), .shift = row(graph, node, 2)};
+  const std::vector<double> mean = row(graph, node, 3);
+  const std::vector<double> variance = row(graph, node, 4);
+  const std::size_t size = step.scale.size();
+  if (step.shift.size() != size || mean.size() != size || variance.size() != size)
+    throw BadInput("operator BatchNormalization: rows that differ in length");
+  for (std::size_t i = 0; i < size; ++i) {
+    step.scale[i] /= std::sqrt(variance[i] + epsilon);
+    step.shift[i] -= mean[i] * step.scale[i];
+  }
+  return step;
+}
+
+/// What normalises observations before the first layer; nothing for another operator.
+std::optional<Normalisation> normalisation(const Graph& graph, const Node& node) {
+  if (node.operation == "BatchNormalization") return batch_normalisation(graph, node);
+  const bool commutes = node.operation == "Add" || node.operation == "Mul";
+  if (!commutes && node.operation != "Sub" && node.operation != "Div") return std::nullopt;
+  if (node.inputs.size() != 2 || !node.attributes.empty()) throw BadInput("operator " + node.operation + ": not as a normalisation has it");
+  const std::vector<double> numbers = row(graph, node, commutes && graph.initializers.contains(node.inputs[0]) ? 0 : 1);
+  Normalisation step{
+      .operation = node.operation, .scale = std::vector<double>(numbers.size(), 1.0), .shift = std::vector<double>(numbers.size(), 0.0)};
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (node.operation == "Add") step.shift[i] = numbers[i];
+    if (node.operation == "Sub") step.shift[i] = -numbers[i];
+    if (node.operation == "Mul") step.scale[i] = numbers[i];
+    if (node.operation == "Div") step.scale[i] = 1.0 / numbers[i];
+  }
+  return step;
+}
+
+/// Gives the first layer weights that do what the normalisations before it did, each rounded once to a float.
+///
+///   w' = w a,   b' = b + sum w c,   of all normalisations together a x + c
+void fold_in(const std::vector<Normalisation>& steps, DenseLayer& layer) {
+  if (steps.empty()) return;
+  std::vector<double> scale(layer.inputs, 1.0);
+  std::vector<double> shift(layer.inputs, 0.0);
+  for (const Normalisation& step : steps) {
+    if (step.scale.size() != 1 && step.scale.size() != layer.inputs)
+      throw BadInput("operator " + step.operation + ": not as many numbers as the observation has");
+    for (std::size_t i = 0; i < layer.inputs; ++i) {
+      const std::size_t at = step.scale.size() == 1 ? 0 : i;
+      scale[i] *= step.scale[at];
+      shift[i] = shift[i] * step.scale[at] + step.shift[at];
+      if (!std::isfinite(scale[i]) || !std::isfinite(shift[i]))
+        throw BadInput("operator " + step.operation + ": divides by zero or overflows");
     }
   }
-  if (expect != Expect::kTanh) throw BadInput("graph: does not end with a dense layer");
-  for (const DenseLayer& layer : actor.layers) {
-    if (layer.bias.size() != layer.outputs) throw BadInput("graph: a bias that does not fit its weights");
+  for (std::size_t o = 0; o < layer.outputs; ++o) {
+    double bias = static_cast<double>(layer.bias[o]);
+    for (std::size_t i = 0; i < layer.inputs; ++i) {
+      float& weight = layer.weights[o * layer.inputs + i];
+      bias += static_cast<double>(weight) * shift[i];
+      weight = static_cast<float>(static_cast<double>(weight) * scale[i]);
+    }
+    layer.bias[o] = static_cast<float>(bias);
   }
-  check_chain(actor);
-  return actor;
+}
+
+std::optional<policy::Activation> activation_of(const Node& node) {
+  if (node.inputs.size() != 1 || !node.attributes.empty()) return std::nullopt;
+  if (node.operation == "Tanh") return policy::Activation::kTanh;
+  if (node.operation == "Relu") return policy::Activation::kRelu;
+  return std::nullopt;
+}
+
+/// Puts together the layers of a graph from its operators, one after the other.
+class ActorReader {
+ public:
+  explicit ActorReader(const Graph& graph) : graph_(graph) {}
+
+  void take(const Node& node) {
+    const std::string& operation = node.operation;
+    if (actor_.layers.empty() && is_without_effect(node, graph_.inputs[0].type)) return;
+    if (actor_.layers.empty()) {
+      if (const auto step = normalisation(graph_, node)) return normalisations_.push_back(*step);
+    }
+    if (expect_ == Expect::kLayer && operation == "Gemm") {
+      actor_.layers.push_back(gemm(graph_, node));
+      expect_ = Expect::kActivation;
+    } else if (expect_ == Expect::kLayer && operation == "MatMul") {
+      actor_.layers.push_back(matmul(graph_, node));
+      expect_ = Expect::kBias;
+    } else if (expect_ == Expect::kBias && operation == "Add") {
+      actor_.layers.back().bias = added(graph_, node);
+      expect_ = Expect::kActivation;
+    } else if (const auto activation = activation_of(node); expect_ == Expect::kActivation && activation) {
+      note(*activation);
+      expect_ = Expect::kLayer;
+    } else {
+      throw BadInput("graph: operator " + operation + " where a network of dense layers with tanh or ReLU between has none");
+    }
+  }
+
+  TrainedActor finished() {
+    if (expect_ != Expect::kActivation) throw BadInput("graph: does not end with a dense layer");
+    for (const DenseLayer& layer : actor_.layers) {
+      if (layer.bias.size() != layer.outputs) throw BadInput("graph: a bias that does not fit its weights");
+    }
+    check_chain(actor_);
+    fold_in(normalisations_, actor_.layers.front());
+    actor_.activation = activation_.value_or(policy::Activation::kTanh);
+    return actor_;
+  }
+
+ private:
+  enum class Expect : std::uint8_t { kLayer, kBias, kActivation };
+
+  void note(policy::Activation activation) {
+    if (activation_.value_or(activation) != activation)
+      throw BadInput("graph: tanh after one layer and ReLU after another; one of them flies");
+    activation_ = activation;
+  }
+
+  const Graph& graph_;
+  Expect expect_ = Expect::kLayer;
+  TrainedActor actor_;
+  std::vector<Normalisation> normalisations_;
+  std::optional<policy::Activation> activation_;
+};
+
+TrainedActor actor_from(const Graph& graph) {
+  check_is_network(graph);
+  ActorReader reader(graph);
+  for (const Node* node : chain_of(graph)) reader.take(*node);
+  return reader.finished();
 }
 
 /// Whether one of the model's metadata_props is ours; then `search` holds it.
@@ -299,7 +297,7 @@ TrainedActor read_onnx_model(std::string_view bytes, const std::filesystem::path
   while (const auto field = reader.next()) {
     if (field->number == 7) {
       if (actor) throw BadInput("more than one graph");
-      actor = actor_from(read_graph(field->bytes, tensors));
+      actor = actor_from(read_onnx_graph(field->bytes, tensors));
     } else if (field->number == 14) {
       read_metadata(field->bytes, search);
     } else if (field->number == 25) {

@@ -20,6 +20,7 @@ using Kind = PickleValue::Kind;
 
 constexpr std::string_view kPolicyClass = "stable_baselines3.common.policies.ActorCriticPolicy";
 constexpr std::string_view kTanh = "torch.nn.modules.activation.Tanh";
+constexpr std::string_view kRelu = "torch.nn.modules.activation.ReLU";
 
 /// Arguments of the policy that change how it was initialised or trained, not what it computes.
 constexpr std::array<std::string_view, 5> kHarmlessArguments = {"net_arch", "ortho_init", "log_std_init", "optimizer_class",
@@ -63,21 +64,30 @@ void check_policy_class(const Json& item) {
   }
 }
 
-void check_policy_argument(std::string_view name, const PickleValue* value) {
+policy::Activation activation_of(const PickleValue* value) {
+  const bool is_named = value != nullptr && value->kind == Kind::kGlobal;
+  if (is_named && value->text == kTanh) return policy::Activation::kTanh;
+  if (is_named && value->text == kRelu) return policy::Activation::kRelu;
+  throw BadInput("policy_kwargs: activation_fn: " + (is_named ? value->text : "unknown") + "; only " + std::string(kTanh) + " and " +
+                 std::string(kRelu) + " fly");
+}
+
+void take_policy_argument(std::string_view name, const PickleValue* value, policy::Activation& activation) {
   if (name == "activation_fn") {
-    if (value != nullptr && value->kind == Kind::kGlobal && value->text == kTanh) return;
-    throw BadInput("policy_kwargs: activation_fn: " + (value != nullptr && value->kind == Kind::kGlobal ? value->text : "unknown") +
-                   "; only " + std::string(kTanh) + " flies");
+    activation = activation_of(value);
+    return;
   }
   if (std::ranges::find(kHarmlessArguments, name) != kHarmlessArguments.end()) return;
   throw BadInput("policy_kwargs: " + std::string(name) + ": not known to leave what the policy computes as it is");
 }
 
-void check_policy_arguments(const Json& item) {
+/// The activation that the policy's arguments name; without one Stable-Baselines3's own.
+policy::Activation check_policy_arguments(const Json& item) {
+  policy::Activation activation = policy::Activation::kTanh;
   if (!item.is_object()) throw BadInput("policy_kwargs: not a dictionary");
   if (!item.contains(":serialized:")) {
-    for (const auto& [name, value] : item.items()) check_policy_argument(name, nullptr);
-    return;
+    for (const auto& [name, value] : item.items()) take_policy_argument(name, nullptr, activation);
+    return activation;
   }
   const Pickle pickle = pickled("policy_kwargs", item);
   const PickleValue& top = pickle.top();
@@ -85,8 +95,9 @@ void check_policy_arguments(const Json& item) {
   for (std::size_t i = 0; i + 1 < top.items.size(); i += 2) {
     const PickleValue& name = pickle.at(top.items[i]);
     if (name.kind != Kind::kText) throw BadInput("policy_kwargs: a name that is not a text");
-    check_policy_argument(name.text, &pickle.at(top.items[i + 1]));
+    take_policy_argument(name.text, &pickle.at(top.items[i + 1]), activation);
   }
+  return activation;
 }
 
 void check_spaces(const Json& data) {
@@ -99,14 +110,15 @@ void check_spaces(const Json& data) {
   if (!flat || observations.at("dtype") != "float32") throw BadInput("observation_space: only a flat Box of float32 can be frozen");
 }
 
-/// Everything about the model that decides how its weights are used.
-void check_data(const std::string& text) {
+/// Everything about the model that decides how its weights are used. @return what its hidden units do
+policy::Activation check_data(const std::string& text) {
   try {
     const Json data = Json::parse(text);
     check_policy_class(data.at("policy_class"));
-    check_policy_arguments(data.at("policy_kwargs"));
+    const policy::Activation activation = check_policy_arguments(data.at("policy_kwargs"));
     check_spaces(data);
     if (data.at("use_sde") != false) throw BadInput("use_sde: state-dependent exploration cannot be frozen");
+    return activation;
   } catch (const Json::exception& e) {
     throw BadInput("data: not a model of Stable-Baselines3: " + description::to_string(e));
   } catch (const BadInput& e) {
@@ -127,8 +139,9 @@ DenseLayer layer_from(StateDict& state, const std::string& name) {
   return layer;
 }
 
-TrainedActor actor_from(StateDict state) {
+TrainedActor actor_from(StateDict state, policy::Activation activation) {
   TrainedActor actor;
+  actor.activation = activation;
   for (std::size_t i = 0; state.contains("mlp_extractor.policy_net." + std::to_string(2 * i) + ".weight"); ++i) {
     actor.layers.push_back(layer_from(state, "mlp_extractor.policy_net." + std::to_string(2 * i)));
   }
@@ -146,10 +159,10 @@ TrainedActor actor_from(StateDict state) {
 TrainedActor read_sb3_model(std::string_view bytes) {
   const ZipArchive archive(bytes);
   if (!archive.has("data") || !archive.has("policy.pth")) throw BadInput("a zip archive, but no model of Stable-Baselines3");
-  check_data(archive.read("data"));
+  const policy::Activation activation = check_data(archive.read("data"));
   const std::string weights = archive.read("policy.pth");
   try {
-    TrainedActor actor = actor_from(read_state_dict(weights));
+    TrainedActor actor = actor_from(read_state_dict(weights), activation);
     if (const std::string entry(kSearchEntry); archive.has(entry)) actor.search = archive.read(entry);
     return actor;
   } catch (const BadInput& e) {

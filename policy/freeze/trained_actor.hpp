@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "firmware/policy/network.hpp"
+
 namespace earshot::freeze {
 
 /// output = weights * input + bias.
@@ -16,9 +18,10 @@ struct DenseLayer {
   std::vector<float> bias;     ///< [outputs]
 };
 
-/// The actor of a policy that was trained elsewhere: dense layers with a tanh after each but the last, which gives the logits.
+/// The actor of a policy that was trained elsewhere: dense layers with the activation after each but the last, which gives the logits.
 struct TrainedActor {
   std::vector<DenseLayer> layers;
+  policy::Activation activation = policy::Activation::kTanh;
   std::optional<std::string> search;              ///< text of the search description that the file carries (policy/description)
   std::vector<std::filesystem::path> data_files;  ///< that hold weights of it, besides the model itself
 };

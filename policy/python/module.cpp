@@ -314,6 +314,7 @@ void add_world(py::module_& module) {
       .def_property_readonly("arguments", &arguments_of)
       .def_property_readonly("environment_crc32", &python::SearchProblem::environment_crc32)
       .def_property_readonly("observation_size", [](const python::SearchProblem& problem) { return problem.observation().spec.size(); })
+      .def_property_readonly("observation_names", &python::SearchProblem::observation_names)
       .def_property_readonly("action_count", [](const python::SearchProblem& problem) { return problem.world().actions.size(); })
       .def_property_readonly("max_steps", [](const python::SearchProblem& problem) { return problem.world().settings.max_steps; })
       .def_property_readonly("detection_threshold_db",

@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "firmware/core/units.hpp"
 #include "firmware/policy/observation.hpp"
+#include "policy/description/element_names.hpp"
 #include "sim/search/episode/episode.hpp"
 #include "sim/search/scenario/world.hpp"
 
@@ -47,6 +49,8 @@ class SearchProblem {
   [[nodiscard]] const policy::ObservationModel& observation() const { return observation_; }
   /// The oceans that a belief thinks possible: the environment's alone.
   [[nodiscard]] const policy::OceanTables& tables() const { return tables_; }
+  /// A name for each element of an observation.
+  [[nodiscard]] std::vector<std::string> observation_names() const { return description::element_names(observation_.spec); }
   /// Text of the search description (policy/description) that travels with a policy's weights.
   [[nodiscard]] const std::string& description() const { return description_; }
 

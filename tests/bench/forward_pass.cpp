@@ -25,13 +25,13 @@ std::unique_ptr<policy::Network> any_network() {
   network->action_count = kActions;
   if (bench::is_wrong_on_purpose()) return network;
   Pcg32 random(7);
-  const auto fill = [&random](auto& layer) {
+  const auto fill = [&random](const auto& layer) {
     for (float& weight : layer.packed) weight = 2.0F * random.uniform_float() - 1.0F;
     for (float& bias : layer.bias) bias = 2.0F * random.uniform_float() - 1.0F;
   };
-  fill(network->first);
-  fill(network->second);
-  fill(network->output);
+  fill(network->layer(0));
+  fill(network->layer(1));
+  fill(network->layer(2));
   return network;
 }
 

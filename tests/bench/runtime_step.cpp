@@ -82,7 +82,7 @@ std::unique_ptr<policy::FrozenPolicy> policy_that_goes_north() {
   policy->network.observation_size = 2;
   policy->network.hidden_sizes = {64, 64};
   policy->network.action_count = 2;
-  policy->network.output.bias[0] = 1.0F;
+  policy->network.layer(2).bias[0] = 1.0F;
   policy::record_golden(*policy, *std::make_unique<policy::SearchMemory>(), *std::make_unique<policy::OceanTables>());
   return policy;
 }

@@ -78,17 +78,17 @@ void Mission::make_policy() {
   network.hidden_sizes = {64, 64};
   network.action_count = policy_.actions.size();
   Pcg32 random(77);
-  const auto draw = [&random](auto& layer, std::size_t outputs, std::size_t inputs) {
-    layer.bias = {};
+  const auto draw = [&random](const auto& layer, std::size_t outputs, std::size_t inputs) {
+    std::ranges::fill(layer.bias, 0.0F);
     for (std::size_t output = 0; output < outputs; ++output)
       for (std::size_t input = 0; input < inputs; ++input) layer.weight(output, input) = 0.5F * random.uniform_float() - 0.25F;
   };
-  draw(network.first, 64, network.observation_size);
-  draw(network.second, 64, 64);
-  draw(network.output, network.action_count, 64);
+  draw(network.layer(0), 64, network.observation_size);
+  draw(network.layer(1), 64, 64);
+  draw(network.layer(2), network.action_count, 64);
   add_small_numbers();
-  for (float& bias : network.first.bias) bias = random.uniform_float() - 0.5F;
-  for (float& bias : network.second.bias) bias = random.uniform_float() - 0.5F;
+  for (float& bias : network.layer(0).bias) bias = random.uniform_float() - 0.5F;
+  for (float& bias : network.layer(1).bias) bias = random.uniform_float() - 0.5F;
   for (policy::GoldenTrajectory& trajectory : policy_.golden) {
     for (policy::GoldenStep& step : trajectory) {
       const double north = random.next() % 7'000;  // one after the other: compilers choose the order of arguments

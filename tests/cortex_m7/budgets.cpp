@@ -60,13 +60,13 @@ void measure_network(policy::Network& network) {
   network.hidden_sizes = {kWidth, kWidth};
   network.action_count = 8;
   Pcg32 random(1);
-  const auto draw = [&random](auto& layer, std::size_t outputs, std::size_t inputs) {
+  const auto draw = [&random](const auto& layer, std::size_t outputs, std::size_t inputs) {
     for (std::size_t output = 0; output < outputs; ++output)
       for (std::size_t input = 0; input < inputs; ++input) layer.weight(output, input) = 0.5F * random.uniform_float() - 0.25F;
   };
-  draw(network.first, kWidth, network.observation_size);
-  draw(network.second, kWidth, kWidth);
-  draw(network.output, network.action_count, kWidth);
+  draw(network.layer(0), kWidth, network.observation_size);
+  draw(network.layer(1), kWidth, kWidth);
+  draw(network.layer(2), network.action_count, kWidth);
   std::array<float, 62> observation;
   for (float& element : observation) element = 2.0F * random.uniform_float() - 1.0F;
   std::array<float, 8> logits;

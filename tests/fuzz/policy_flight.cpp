@@ -7,6 +7,7 @@
 #include "firmware/core/math.hpp"
 #include "firmware/policy/check/policy_check.hpp"
 #include "firmware/policy/format/policy_format.hpp"
+#include "tests/support/layer_weights.hpp"
 #include "tests/support/mission_for.hpp"
 #include "tests/support/signed_policy.hpp"
 #include "tests/support/three_oceans.hpp"
@@ -45,7 +46,7 @@ messages::SnrMeasurement sound(Time now, Pcg32& random) {
 
 std::vector<Bytes> good_policies() {
   policy::FrozenPolicy walk = support::random_walk_policy();
-  walk.network.output.bias[3] = 0.5F;
+  walk.network.layer(2).bias[3] = 0.5F;
   std::vector<Bytes> good{support::signed_bytes(walk)};
   policy::BeliefModel& belief = walk.observation.belief;
   belief.actions = walk.actions;
@@ -55,11 +56,11 @@ std::vector<Bytes> good_policies() {
   belief.cells_north = 12;
   belief.cells_east = 10;
   walk.observation.spec = policy::belief_state(belief);
-  walk.network.observation_size = walk.observation.spec.size();
+  tests::set_inputs(walk.network, walk.observation.spec.size());
   Pcg32 random(5);
-  for (float& weight : walk.network.first.packed) weight = random.uniform_float() - 0.5F;
-  for (float& weight : walk.network.second.packed) weight = random.uniform_float() - 0.5F;
-  for (float& weight : walk.network.output.packed) weight = random.uniform_float() - 0.5F;
+  for (float& weight : walk.network.layer(0).packed) weight = random.uniform_float() - 0.5F;
+  for (float& weight : walk.network.layer(1).packed) weight = random.uniform_float() - 0.5F;
+  for (float& weight : walk.network.layer(2).packed) weight = random.uniform_float() - 0.5F;
   good.push_back(support::signed_bytes(walk));
   walk.draw = policy::ActionDraw::kArgmax;
   good.push_back(support::signed_bytes(walk));

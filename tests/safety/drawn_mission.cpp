@@ -117,18 +117,18 @@ std::unique_ptr<policy::FrozenPolicy> policy_of(const config::Mission& mission, 
   policy->draw = policy::ActionDraw::kArgmax;
   constexpr std::array<std::string_view, 3> kKinds{"random", "edge-seeking", "stuck"};
   kind = kKinds[draw.index(kKinds.size())];
-  policy->network.output.bias[0] = kWatermark;
+  policy->network.layer(2).bias[0] = kWatermark;
   if (kind == "random") {
     policy->draw = policy::ActionDraw::kSampled;
     const auto weight = [&draw] { return static_cast<float>(draw.between(-0.5, 0.5)); };
-    for (float& w : policy->network.first.packed) w = weight();
-    for (float& w : policy->network.second.packed) w = weight();
-    for (float& w : policy->network.output.packed) w = weight();
+    for (float& w : policy->network.layer(0).packed) w = weight();
+    for (float& w : policy->network.layer(1).packed) w = weight();
+    for (float& w : policy->network.layer(2).packed) w = weight();
   } else if (kind == "edge-seeking") {
-    policy->network.output.bias[1 + draw.index(3)] = 5.0F;  // one way, and along the edge when it is there
+    policy->network.layer(2).bias[1 + draw.index(3)] = 5.0F;  // one way, and along the edge when it is there
     policy->draw = policy::ActionDraw::kSampled;
   } else {
-    policy->network.output.bias[1 + draw.index(3)] = 50.0F;
+    policy->network.layer(2).bias[1 + draw.index(3)] = 50.0F;
   }
   policy::record_golden(*policy, *std::make_unique<policy::SearchMemory>(), *std::make_unique<policy::OceanTables>());
   return policy;

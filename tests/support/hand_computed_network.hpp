@@ -18,12 +18,12 @@ inline std::unique_ptr<policy::Network> hand_computed_network() {
   network->observation_size = 2;
   network->hidden_sizes = {2, 1};
   network->action_count = 2;
-  set_weights(network->first, 2, {1.0F, 2.0F, -3.0F, 0.5F});
-  std::ranges::copy(std::array{0.25F, -1.0F}, network->first.bias.begin());
-  set_weights(network->second, 2, {2.0F, -1.0F});
-  network->second.bias[0] = 0.5F;
-  set_weights(network->output, 1, {4.0F, -2.0F});
-  std::ranges::copy(std::array{1.0F, 0.0F}, network->output.bias.begin());
+  set_weights(network->layer(0), 2, {1.0F, 2.0F, -3.0F, 0.5F});
+  std::ranges::copy(std::array{0.25F, -1.0F}, network->layer(0).bias.begin());
+  set_weights(network->layer(1), 2, {2.0F, -1.0F});
+  network->layer(1).bias[0] = 0.5F;
+  set_weights(network->layer(2), 1, {4.0F, -2.0F});
+  std::ranges::copy(std::array{1.0F, 0.0F}, network->layer(2).bias.begin());
   return network;
 }
 

@@ -33,12 +33,15 @@ std::string complaint_about_provenance(std::string_view text) {
   return {};
 }
 
+std::string at_most(std::size_t count, const char* what) {
+  return std::to_string(count) + " " + what;
+}
+
 /// The most that this program holds; a microcontroller's holds less.
 std::string capacities() {
-  const auto at_most = [](std::size_t count, const char* what) { return std::to_string(count) + " " + what; };
   return at_most(config::kMaxObservation, "observations, ") + at_most(config::kMaxActions, "actions, ") +
-         at_most(config::kMaxLayerWidth, "units in each of two layers, ") + at_most(config::kMaxBeliefCells, "cells of a belief, ") +
-         at_most(config::kMaxProvenance, "bytes of provenance");
+         at_most(config::kMaxLayerWidth, "units in each of ") + at_most(config::kMaxHiddenLayers, "hidden layers, ") +
+         at_most(config::kMaxBeliefCells, "cells of a belief, ") + at_most(config::kMaxProvenance, "bytes of provenance");
 }
 
 }  // namespace
@@ -80,6 +83,9 @@ std::string to_string(const PolicyComplaint& complaint, const std::filesystem::p
   const std::string name = path.string() + ": ";
   if (complaint.fault == PolicyFault::kUnknownVersion) return name + complaint_about_version(complaint.version, path.string());
   const std::string text = name + section_of(complaint) + std::string(policy::to_string(complaint.fault));
+  if (complaint.fault == PolicyFault::kTooLarge)
+    return text + ": its weights take " + std::to_string(complaint.size) + " bytes; " +
+           at_most(sizeof(policy::Network::numbers), "bytes, and ") + at_most(config::kMaxLayerWidth, "units in a hidden layer, fit");
   return complaint.fault == PolicyFault::kBadShape ? text + ": " + capacities() : text;
 }
 

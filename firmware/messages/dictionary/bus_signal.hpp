@@ -12,7 +12,8 @@ namespace earshot::n2k {
 // A field on the CAN bus: NMEA 2000's way to lay a number out, and short words to write one with. firmware/wire/n2k reads and writes them.
 
 /// Names and units are for who reads a bus; a microcontroller, where nobody does, has no room for them: 10 KiB.
-inline constexpr bool kHasWords = config::kProfile == config::Profile::kVehicleComputer;
+inline constexpr bool kHasWords =
+    config::kProfile == config::Profile::kVehicleComputer || config::kProfile == config::Profile::kRoomyMicrocontroller;
 struct NoWords {
   constexpr NoWords() = default;
   constexpr NoWords(std::string_view /*words*/) {}  // NOLINT(google-explicit-constructor): in a string's place

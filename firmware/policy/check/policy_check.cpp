@@ -29,36 +29,37 @@ bool all_finite(std::span<const float> values) {
   return std::all_of(values.begin(), values.end(), [](float value) { return is_finite(value); });
 }
 
-PolicyFault fault_in_shape(const FrozenPolicy& policy) {
+/// The observation's and the actions' sizes.
+bool have_ends_shape(const Network& network) {
   const auto fits = [](std::size_t size, std::size_t capacity) { return size >= 1 && size <= capacity; };
+  return fits(network.observation_size, config::kMaxObservation) && fits(network.action_count, config::kMaxActions);
+}
+
+PolicyFault fault_in_sizes(const FrozenPolicy& policy) {
   const Network& network = policy.network;
-  const bool fit =
-      fits(network.observation_size, config::kMaxObservation) && fits(network.action_count, config::kMaxActions) &&
-      (!has_network(network) || (fits(network.hidden_sizes[0], Network::kWidth) && fits(network.hidden_sizes[1], Network::kWidth)));
   const bool agree = network.observation_size == policy.observation.spec.size() && network.action_count == policy.actions.size();
-  return fit && agree ? PolicyFault::kNone : PolicyFault::kBadShape;
+  if (!have_ends_shape(network) || !agree) return PolicyFault::kBadShape;
+  return has_network(network) ? fault_in_shape(network) : PolicyFault::kNone;
 }
 
 /// The most that a layer can give when no input is greater than `most_input`, either side of zero.
-template <class Layer>
-double most_output(const Layer& layer, std::size_t outputs, std::size_t inputs, double most_input) {
+double most_output(const Network::ConstLayer& layer, double most_input) {
   double most = 0.0;
-  for (std::size_t o = 0; o < outputs; ++o) {
+  for (std::size_t o = 0; o < layer.outputs; ++o) {
     double sum = absolute(double{layer.bias[o]});
-    for (std::size_t i = 0; i < inputs; ++i) sum += absolute(double{layer.weight(o, i)}) * most_input;
+    for (std::size_t i = 0; i < layer.inputs; ++i) sum += absolute(double{layer.weight(o, i)}) * most_input;
     most = std::max(most, sum);
   }
   return most;
 }
 
-template <class Layer>
-bool is_finite_layer(const Layer& layer, std::size_t outputs, std::size_t inputs) {
-  for (std::size_t o = 0; o < outputs; ++o) {
-    for (std::size_t i = 0; i < inputs; ++i) {
+bool is_finite_layer(const Network::ConstLayer& layer) {
+  for (std::size_t o = 0; o < layer.outputs; ++o) {
+    for (std::size_t i = 0; i < layer.inputs; ++i) {
       if (!is_finite(layer.weight(o, i))) return false;
     }
   }
-  return all_finite(std::span(layer.bias).first(outputs));
+  return all_finite(layer.bias.first(layer.outputs));
 }
 
 /// Whether the observation shows every action's preference, once and on one scale.
@@ -76,14 +77,16 @@ bool shows_advice(const FrozenPolicy& policy) {
 }
 
 PolicyFault fault_in_network(const Network& network, double most_element) {
-  const auto [first, second] = network.hidden_sizes;
-  if (!is_finite_layer(network.first, first, network.observation_size) || !is_finite_layer(network.second, second, first) ||
-      !is_finite_layer(network.output, network.action_count, second))
-    return PolicyFault::kNotFinite;
-  const bool bounded = most_output(network.first, first, network.observation_size, most_element) <= kMostLogit &&
-                       most_output(network.second, second, first, 1.0) <= kMostLogit &&
-                       most_output(network.output, network.action_count, second, 1.0) <= kMostLogit;
-  return bounded ? PolicyFault::kNone : PolicyFault::kUnbounded;
+  const std::size_t last = network.hidden_count();
+  for (std::size_t l = 0; l <= last; ++l)
+    if (!is_finite_layer(network.layer(l))) return PolicyFault::kNotFinite;
+  double most = most_element;
+  for (std::size_t l = 0; l <= last; ++l) {
+    const double most_sum = most_output(network.layer(l), most);
+    if (!(most_sum <= kMostLogit)) return PolicyFault::kUnbounded;
+    most = network.activation == Activation::kTanh ? 1.0 : most_sum;
+  }
+  return PolicyFault::kNone;
 }
 
 /// How many `age`s a feature of this policy may have.
@@ -189,9 +192,21 @@ PolicyFault fault_in_golden(const FrozenPolicy& policy) {
 
 }  // namespace
 
+PolicyFault fault_in_shape(const Network& network) {
+  if (network.activation != Activation::kTanh && network.activation != Activation::kRelu) return PolicyFault::kUnknownActivation;
+  if (!have_ends_shape(network) || !has_shape(network)) return PolicyFault::kBadShape;
+  return fits(network) ? PolicyFault::kNone : PolicyFault::kTooLarge;
+}
+
+PolicyComplaint with_size(PolicyComplaint complaint, const Network& network) {
+  if (complaint.fault == PolicyFault::kTooLarge) complaint.size = bytes_of_numbers(network);
+  return complaint;
+}
+
 PolicyComplaint check(const FrozenPolicy& policy) {
   const auto complaint = [](PolicyFault fault, SectionTag section) { return PolicyComplaint{.fault = fault, .section = section}; };
-  if (const PolicyFault fault = fault_in_shape(policy); fault != PolicyFault::kNone) return complaint(fault, kNetworkSection);
+  if (const PolicyFault fault = fault_in_sizes(policy); fault != PolicyFault::kNone)
+    return with_size(complaint(fault, kNetworkSection), policy.network);
   if (const PolicyFault fault = fault_in_observation(policy); fault != PolicyFault::kNone) return complaint(fault, kObservationSection);
   if (const PolicyFault fault = fault_in_actions(policy); fault != PolicyFault::kNone) return complaint(fault, kActionsSection);
   if (const PolicyFault fault = fault_in_draw(policy.draw); fault != PolicyFault::kNone) return complaint(fault, kDrawSection);

@@ -15,6 +15,8 @@ Status status_of(PolicyFault fault) {
     case PolicyFault::kBadShape:
     case PolicyFault::kNoAdvice:
       return Status::kMalformed;
+    case PolicyFault::kTooLarge:
+      return Status::kFull;
     case PolicyFault::kUnknownVersion:
     case PolicyFault::kUnknownSection:
     case PolicyFault::kUnknownSectionVersion:
@@ -60,6 +62,8 @@ std::string_view to_string(PolicyFault fault) {
       return "is not as long as what it holds";
     case PolicyFault::kBadShape:
       return "has a size that is zero, contradicts another or exceeds what this program holds";
+    case PolicyFault::kTooLarge:
+      return "has a larger network than this program holds";
     case PolicyFault::kUnknownActivation:
       return "has an activation this program does not know";
     case PolicyFault::kUnknownFeature:

@@ -22,6 +22,7 @@ enum class PolicyFault : std::uint8_t {
   kSectionTwice,           ///< a section stands there again
   kBadSectionLength,       ///< a section is longer or shorter than what it says it holds
   kBadShape,               ///< a size is zero, over its capacity, or sizes contradict each other
+  kTooLarge,               ///< a network larger than this build holds
   kUnknownActivation,
   kUnknownFeature,
   kUnknownDraw,
@@ -49,6 +50,7 @@ struct PolicyComplaint {
   PolicyFault fault = PolicyFault::kNone;
   SectionTag section{};       ///< that is wrong; zeros: what stands about the sections is
   std::uint32_t version = 0;  ///< that the file, or the section, says it has; of the two faults of versions only
+  std::uint64_t size = 0;     ///< bytes that its network takes; of kTooLarge only
 
   [[nodiscard]] constexpr bool is_none() const { return fault == PolicyFault::kNone; }
 };

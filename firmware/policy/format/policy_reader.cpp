@@ -20,35 +20,30 @@ NorthEast read_place(ByteReader& reader) {
   return {.north = Meters{north}, .east = Meters{reader.f64()}};
 }
 
-template <class Layer>
-void read_layer(ByteReader& reader, Layer& layer, std::size_t outputs, std::size_t inputs) {
-  for (std::size_t o = 0; o < outputs; ++o) {
-    for (std::size_t i = 0; i < inputs; ++i) layer.weight(o, i) = reader.f32();
+void read_layer(ByteReader& reader, const Network::Layer& layer) {
+  for (std::size_t o = 0; o < layer.outputs; ++o) {
+    for (std::size_t i = 0; i < layer.inputs; ++i) layer.weight(o, i) = reader.f32();
   }
-  read(reader, std::span(layer.bias).first(outputs));
-}
-
-bool fits(std::size_t size, std::size_t capacity) {
-  return size >= 1 && size <= capacity;
+  read(reader, layer.bias.first(layer.outputs));
 }
 
 PolicyFault read_network(ByteReader& reader, FrozenPolicy& policy) {
   Network& network = policy.network;
-  const std::uint8_t activation = reader.u8();
-  network.observation_size = reader.u8();
   network.hidden_sizes = {};
-  if (activation == kTanh)
-    for (std::size_t& size : network.hidden_sizes) size = reader.u16();
+  network.activation = Activation::kTanh;
+  const std::uint8_t form = reader.u8();
+  if (form > kStatedLayers) return PolicyFault::kUnknownActivation;
+  if (form == kStatedLayers) network.activation = static_cast<Activation>(reader.u8());
+  network.observation_size = reader.u8();
+  std::size_t hidden_count = form == kTwoTanhLayers ? 2 : 0;
+  if (form == kStatedLayers) hidden_count = reader.u8();
+  if (hidden_count > config::kMaxHiddenLayers) return PolicyFault::kBadShape;
+  for (std::size_t l = 0; l < hidden_count; ++l) network.hidden_sizes[l] = reader.u16();
   network.action_count = reader.u8();
-  if (activation == kNoNetwork) return PolicyFault::kNone;
-  if (activation != kTanh) return PolicyFault::kUnknownActivation;
-  const auto [first, second] = network.hidden_sizes;
-  if (!fits(network.observation_size, config::kMaxObservation) || !fits(first, Network::kWidth) || !fits(second, Network::kWidth) ||
-      !fits(network.action_count, config::kMaxActions))
-    return PolicyFault::kBadShape;
-  read_layer(reader, network.first, first, network.observation_size);
-  read_layer(reader, network.second, second, first);
-  read_layer(reader, network.output, network.action_count, second);
+  if (form == kNoNetwork) return PolicyFault::kNone;
+  if (network.hidden_count() != hidden_count) return PolicyFault::kBadShape;  // one of them has no units
+  if (const PolicyFault fault = fault_in_shape(network); fault != PolicyFault::kNone) return fault;
+  for (std::size_t l = 0; l <= hidden_count; ++l) read_layer(reader, network.layer(l));
   return PolicyFault::kNone;
 }
 
@@ -156,7 +151,7 @@ PolicyComplaint complaint_about(std::span<const std::uint8_t> bytes, FrozenPolic
   const PolicyComplaint complaint = read_file(bytes, kPolicyFile, [&policy](ByteReader& content, std::size_t index) {
     return read_content(content, static_cast<Content>(index), policy);
   });
-  return complaint.is_none() ? check(policy) : complaint;
+  return complaint.is_none() ? check(policy) : with_size(complaint, policy.network);
 }
 
 }  // namespace

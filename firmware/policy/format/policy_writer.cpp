@@ -20,28 +20,31 @@ void write(ByteWriter& writer, NorthEast place) {
   writer.f64(place.east.value);
 }
 
-template <class Layer>
-void write_layer(ByteWriter& writer, const Layer& layer, std::size_t outputs, std::size_t inputs) {
-  for (std::size_t o = 0; o < outputs; ++o) {
-    for (std::size_t i = 0; i < inputs; ++i) writer.f32(layer.weight(o, i));
+void write_layer(ByteWriter& writer, const Network::ConstLayer& layer) {
+  for (std::size_t o = 0; o < layer.outputs; ++o) {
+    for (std::size_t i = 0; i < layer.inputs; ++i) writer.f32(layer.weight(o, i));
   }
-  write(writer, std::span(layer.bias).first(outputs));
+  write(writer, layer.bias.first(layer.outputs));
+}
+
+/// Two layers with tanh as every program reads them.
+std::uint8_t form_of(const Network& network) {
+  if (!has_network(network)) return kNoNetwork;
+  return network.activation == Activation::kTanh && network.hidden_count() == 2 ? kTwoTanhLayers : kStatedLayers;
 }
 
 void write_network(ByteWriter& writer, const FrozenPolicy& policy) {
   const Network& network = policy.network;
-  const auto [first, second] = network.hidden_sizes;
-  writer.u8(has_network(network) ? kTanh : kNoNetwork);
+  const std::uint8_t form = form_of(network);
+  const std::size_t hidden_count = network.hidden_count();
+  writer.u8(form);
+  if (form == kStatedLayers) writer.u8(static_cast<std::uint8_t>(network.activation));
   writer.u8(static_cast<std::uint8_t>(network.observation_size));
-  if (has_network(network)) {
-    writer.u16(static_cast<std::uint16_t>(first));
-    writer.u16(static_cast<std::uint16_t>(second));
-  }
+  if (form == kStatedLayers) writer.u8(static_cast<std::uint8_t>(hidden_count));
+  for (std::size_t l = 0; l < hidden_count; ++l) writer.u16(static_cast<std::uint16_t>(network.hidden_sizes[l]));
   writer.u8(static_cast<std::uint8_t>(network.action_count));
-  if (!has_network(network)) return;
-  write_layer(writer, network.first, first, network.observation_size);
-  write_layer(writer, network.second, second, first);
-  write_layer(writer, network.output, network.action_count, second);
+  if (form == kNoNetwork) return;
+  for (std::size_t l = 0; l <= hidden_count; ++l) write_layer(writer, network.layer(l));
 }
 
 void write_observation(ByteWriter& writer, const FrozenPolicy& policy) {
@@ -129,9 +132,7 @@ void write_content(ByteWriter& writer, const FrozenPolicy& policy, Content conte
 std::size_t max_serialised_size() {
   constexpr std::size_t kObservation = config::kMaxObservation;
   constexpr std::size_t kActions = config::kMaxActions;
-  constexpr std::size_t kWidth = Network::kWidth;
-  constexpr std::size_t kParameters = (kObservation + 1) * kWidth + (kWidth + 1) * kWidth + (kWidth + 1) * kActions;
-  constexpr std::size_t kNetwork = 7 + 4 * kParameters;
+  constexpr std::size_t kNetwork = 5 + 2 * config::kMaxHiddenLayers + 4 * config::kMaxNetworkNumbers;
   constexpr std::size_t kObservationSize = 28 + 10 * kObservation;
   constexpr std::size_t kActionsSize = 9 + 16 * kActions;
   constexpr std::size_t kBelief = 40;

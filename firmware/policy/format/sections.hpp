@@ -10,9 +10,10 @@
 // Layout of a policy that reader and writer share; README.md of this folder shows it as a table.
 namespace earshot::policy::format {
 
-// Activations.
+// How a file states the shape of a network.
 inline constexpr std::uint8_t kNoNetwork = 0;
-inline constexpr std::uint8_t kTanh = 1;
+inline constexpr std::uint8_t kTwoTanhLayers = 1;
+inline constexpr std::uint8_t kStatedLayers = 2;  ///< their activation and their number, too
 
 /// What the sections hold, in their order in the file.
 enum class Content : std::uint8_t { kNetwork, kObservation, kActions, kDraw, kBelief, kProvenance, kGolden };

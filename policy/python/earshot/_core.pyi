@@ -58,6 +58,9 @@ class World:
     @property
     def observation_size(self) -> int: ...
     @property
+    def observation_names(self) -> list[str]:
+        """Of each number of an observation: "east", "step_snr_0" (the latest step's), "preference_7" (action 7's)."""
+    @property
     def action_count(self) -> int: ...
     @property
     def max_steps(self) -> int: ...

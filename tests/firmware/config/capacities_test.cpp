@@ -4,13 +4,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <span>
+#include <string>
 #include <vector>
 
+#include "firmware/core/crc32.hpp"
 #include "firmware/policy/format/policy_format.hpp"
 #include "firmware/policy/ocean_belief/ocean_belief.hpp"
 #include "firmware/runtime/runtime.hpp"
@@ -42,7 +47,7 @@ TEST(CapacitiesOfAMicrocontroller, HoldAPolicyOfTwoLayersOfSixtyFourUnitsForAWho
 TEST(CapacitiesOfAMicrocontroller, HoldABeliefInCellsOfOneKilometreForAWholeMission) {
   const auto policy = runtime::policy_that_believes();
   policy->draw = policy::ActionDraw::kSampled;  // as long as it goes north alone it ends at the edge
-  policy->network.output.bias = {};
+  std::ranges::fill(policy->network.layer(2).bias, 0.0F);
   policy->observation.belief.cells_north = 25;
   policy->observation.belief.cells_east = 25;
   ASSERT_TRUE(policy::has_valid_shape(policy->observation.belief));
@@ -75,15 +80,49 @@ TEST(CapacitiesOfAMicrocontroller, HoldABeliefInManyOceansInCellsOfOneKilometre)
   EXPECT_LT(range_between(belief->summary().likeliest, source).value, 1'500.0);
 }
 
-TEST(CapacitiesOfAMicrocontroller, RefuseThePolicyThatShipsForAVehicleComputersFinerBelief) {
-  std::ifstream stream(std::filesystem::path(EARSHOT_SOURCE_DIR) / "policy/frozen/shipped.policy", std::ios::binary);
+std::vector<std::uint8_t> shipped(const std::string& name) {
+  std::ifstream stream(std::filesystem::path(EARSHOT_SOURCE_DIR) / "policy/frozen" / name, std::ios::binary);
   const std::vector<char> text{std::istreambuf_iterator<char>(stream), {}};
-  const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+  return {text.begin(), text.end()};
+}
+
+TEST(CapacitiesOfAMicrocontroller, RefuseThePolicyThatShipsForAVehicleComputersFinerBelief) {
+  const std::vector<std::uint8_t> bytes = shipped("shipped.policy");
   const auto policy = std::make_unique<policy::FrozenPolicy>();
   policy::PolicyComplaint complaint;
   EXPECT_NE(policy::parse(bytes, *policy, complaint), Status::kOk);
   EXPECT_EQ(complaint.fault, policy::PolicyFault::kBadShape);
   EXPECT_EQ(complaint.section, policy::kBeliefSection);
+}
+
+/// fixed_source.policy with 256 units in its first layer of two: 256 * 3, 64 * 257 and 8 * 65 numbers, of 4 bytes.
+TEST(CapacitiesOfAMicrocontroller, RefuseALargerNetworkWithItsSize) {
+  std::vector<std::uint8_t> bytes = shipped("fixed_source.policy");
+  const auto policy = std::make_unique<policy::FrozenPolicy>();
+  policy::PolicyComplaint complaint;
+  ASSERT_EQ(policy::parse(bytes, *policy, complaint), Status::kOk);
+  ASSERT_EQ(policy->network.hidden_sizes, (std::array<std::size_t, 3>{64, 64}));
+  bytes[28] = 0;
+  bytes[29] = 1;
+  const std::size_t checksum = bytes.size() - policy::kSignatureSize - 4;
+  const std::uint32_t crc = crc32(std::span(bytes).first(checksum));
+  for (unsigned i = 0; i < 4; ++i) bytes[checksum + i] = static_cast<std::uint8_t>(crc >> (8U * i));
+  EXPECT_EQ(policy::parse(bytes, *policy, complaint), Status::kFull);
+  EXPECT_EQ(complaint.fault, policy::PolicyFault::kTooLarge);
+  EXPECT_EQ(complaint.size, 70'944U);
+}
+
+/// Three layers of 32 units each fill a block of 64 places.
+TEST(CapacitiesOfAMicrocontroller, HoldThreeSmallLayersAndNotThreeOfSixtyFourUnits) {
+  policy::Network network;
+  network.observation_size = 62;
+  network.action_count = 8;
+  network.hidden_sizes = {32, 32, 32};
+  EXPECT_TRUE(policy::fits(network));
+  network.hidden_sizes = {64, 64, 64};
+  EXPECT_FALSE(policy::fits(network));
+  network.hidden_sizes = {64, 64};
+  EXPECT_TRUE(policy::fits(network));
 }
 
 }  // namespace

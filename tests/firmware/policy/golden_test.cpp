@@ -140,7 +140,7 @@ TEST(Golden, IsNotRepeatedWhenABitOfAnyStepDiffers) {
 }
 
 TEST(Golden, IsNotRepeatedByOtherWeightsCostsOrSounds) {
-  EXPECT_FALSE(repeats_after([](FrozenPolicy& policy) { policy.network.first.weight(0, 0) += 1e-3F; }));
+  EXPECT_FALSE(repeats_after([](FrozenPolicy& policy) { policy.network.layer(0).weight(0, 0) += 1e-3F; }));
   EXPECT_FALSE(repeats_after([](FrozenPolicy& policy) { policy.observation.belief.costs.edge = 1.0F; }));
   EXPECT_FALSE(repeats_after([](FrozenPolicy& policy) { policy.observation.belief.costs.most_regret = 8.0F; }));
   EXPECT_FALSE(repeats_after([](FrozenPolicy& policy) { policy.golden[0][0].reception.too_faint = true; }));
@@ -149,15 +149,15 @@ TEST(Golden, IsNotRepeatedByOtherWeightsCostsOrSounds) {
 TEST(Golden, IsNotRepeatedWhenALogitIsNoNumber) {
   // What check() would refuse, and what no vehicle should trust though its bits be the same.
   const auto policy = small_policy();
-  policy->network.output.packed.fill(3e38F);
-  policy->network.second.bias.fill(9.0F);
+  std::ranges::fill(policy->network.layer(2).packed, 3e38F);
+  std::ranges::fill(policy->network.layer(1).bias, 9.0F);
   record(*policy);
   EXPECT_FALSE(repeats(*policy));
 }
 
 TEST(Golden, IsNotRepeatedWhenTheLastLogitAloneIsNan) {
   const auto policy = small_policy();
-  policy->network.output.bias[3] = std::numeric_limits<float>::quiet_NaN();
+  policy->network.layer(2).bias[3] = std::numeric_limits<float>::quiet_NaN();
   record(*policy);
   EXPECT_TRUE(is_finite(policy->golden[1][5].logits[2]));
   EXPECT_TRUE(std::isnan(policy->golden[1][5].logits[3]));

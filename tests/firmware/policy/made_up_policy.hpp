@@ -36,13 +36,13 @@ inline std::unique_ptr<FrozenPolicy> small_policy() {
   policy->network.hidden_sizes = {5, 3};
   policy->network.action_count = 4;
   Pcg32 random(21);
-  const auto fill = [&random](auto& layer, std::size_t outputs, std::size_t inputs) {
+  const auto fill = [&random](const auto& layer, std::size_t outputs, std::size_t inputs) {
     for (std::size_t i = 0; i < outputs * inputs; ++i) layer.weight(i / inputs, i % inputs) = random.uniform_float() - 0.5F;
     for (std::size_t i = 0; i < outputs; ++i) layer.bias[i] = random.uniform_float() - 0.5F;
   };
-  fill(policy->network.first, 5, 2);
-  fill(policy->network.second, 3, 5);
-  fill(policy->network.output, 4, 3);
+  fill(policy->network.layer(0), 5, 2);
+  fill(policy->network.layer(1), 3, 5);
+  fill(policy->network.layer(2), 4, 3);
   for (const char character : kProvenance) EXPECT_EQ(policy->provenance.push_back(character), Status::kOk);
   for (GoldenTrajectory& trajectory : policy->golden) {
     double along = 1000.0;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <initializer_list>
 #include <limits>
 #include <memory>
 #include <span>
@@ -16,23 +17,27 @@
 #include "firmware/core/crc32.hpp"
 #include "firmware/core/random.hpp"
 #include "tests/support/hand_computed_network.hpp"
+#include "tests/support/layer_weights.hpp"
 
 namespace earshot::policy {
 namespace {
 
-std::unique_ptr<Network> random_network(std::size_t observation, std::size_t hidden_one, std::size_t hidden_two, std::size_t actions) {
+constexpr std::size_t kPlaces = Network::kBlock;
+
+/// @param inputs_drawn  of the first layer: numbers are drawn for as many, and those of none that it has are dropped
+std::unique_ptr<Network> random_network(std::size_t observation, std::initializer_list<std::size_t> hidden, std::size_t actions,
+                                        std::size_t inputs_drawn = 0) {
   auto network = std::make_unique<Network>();
   network->observation_size = observation;
-  network->hidden_sizes = {hidden_one, hidden_two};
+  std::copy(hidden.begin(), hidden.end(), network->hidden_sizes.begin());
   network->action_count = actions;
   Pcg32 random(11);
-  const auto fill = [&random](auto& layer) {
+  for (std::size_t l = 0; l <= hidden.size(); ++l) {
+    const Network::Layer layer = network->layer(l);
     for (float& weight : layer.packed) weight = random.uniform_float() - 0.5F;
+    for (std::size_t i = layer.packed.size(); l == 0 && i < inputs_drawn * kPlaces; ++i) static_cast<void>(random.uniform_float());
     for (float& bias : layer.bias) bias = random.uniform_float() - 0.5F;
-  };
-  fill(network->first);
-  fill(network->second);
-  fill(network->output);
+  }
   return network;
 }
 
@@ -51,31 +56,72 @@ TEST(Forward, EqualsAHandComputedNetwork) {
   EXPECT_NEAR(logits[1], -1.9250854F, 1e-6F);
 }
 
-TEST(Forward, AgreesWithLongDoubleArithmeticForEverySizeOfLayer) {
-  for (const std::size_t size : {1U, 2U, 7U, 8U, 9U, 33U, 64U}) {
-    const auto network = random_network(size, size, size, std::min<std::size_t>(size, 32));
-    const std::vector<float> observation = random_observation(size);
-    std::vector<float> logits(network->action_count);
-    forward(*network, observation, logits);
-
-    std::vector<long double> values(observation.begin(), observation.end());
-    const auto apply = [&values](const auto& layer, std::size_t outputs) {
-      std::vector<long double> next(outputs);
-      for (std::size_t i = 0; i < outputs; ++i) {
-        next[i] = static_cast<long double>(layer.bias[i]);
-        for (std::size_t j = 0; j < values.size(); ++j) next[i] += static_cast<long double>(layer.weight(i, j)) * values[j];
-      }
-      values = next;
-    };
-    apply(network->first, size);
-    for (long double& value : values) value = std::tanh(value);
-    apply(network->second, size);
-    for (long double& value : values) value = std::tanh(value);
-    apply(network->output, logits.size());
-    for (std::size_t i = 0; i < logits.size(); ++i) {
-      EXPECT_NEAR(static_cast<double>(logits[i]), static_cast<double>(values[i]), 1e-5) << size;  // ~100 float roundings of sums below 10
+std::vector<long double> long_double_logits(const Network& network, std::span<const float> observation) {
+  std::vector<long double> values(observation.begin(), observation.end());
+  for (std::size_t l = 0; l <= network.hidden_count(); ++l) {
+    const Network::ConstLayer layer = network.layer(l);
+    std::vector<long double> next(layer.outputs);
+    for (std::size_t i = 0; i < next.size(); ++i) {
+      next[i] = static_cast<long double>(layer.bias[i]);
+      for (std::size_t j = 0; j < values.size(); ++j) next[i] += static_cast<long double>(layer.weight(i, j)) * values[j];
+      if (l == network.hidden_count()) continue;
+      next[i] = network.activation == Activation::kTanh ? std::tanh(next[i]) : std::max(next[i], 0.0L);
     }
+    values = next;
   }
+  return values;
+}
+
+void expect_long_doubles(const Network& network, double tolerance) {
+  const std::vector<float> observation = random_observation(network.observation_size);
+  std::vector<float> logits(network.action_count);
+  forward(network, observation, logits);
+  const std::vector<long double> expected = long_double_logits(network, observation);
+  for (std::size_t i = 0; i < logits.size(); ++i)
+    EXPECT_NEAR(static_cast<double>(logits[i]), static_cast<double>(expected[i]), tolerance) << network.hidden_sizes[0];
+}
+
+TEST(Forward, AgreesWithLongDoubleArithmeticForEverySizeOfLayer) {
+  for (const std::size_t size : {1U, 2U, 7U, 8U, 9U, 33U, 64U})
+    expect_long_doubles(*random_network(size, {size, size}, std::min<std::size_t>(size, config::kMaxActions)),
+                        1e-5);  // ~100 float roundings of sums below 10
+}
+
+TEST(Forward, AgreesWithLongDoubleArithmeticForOneToThreeLayersOfTheirOwnSizes) {
+  for (const auto& hidden : {std::initializer_list<std::size_t>{40}, {3, 50}, {50, 3}, {30, 7, 19}, {1, 60, 2}}) {
+    const auto network = random_network(6, hidden, 8);
+    expect_long_doubles(*network, 1e-5);
+    network->activation = Activation::kRelu;
+    expect_long_doubles(*network, 1e-4);  // sums up to some hundreds
+  }
+}
+
+TEST(Forward, AgreesWithLongDoubleArithmeticForTheWidestLayers) {
+  if (config::kMaxLayerWidth < 256) GTEST_SKIP() << "this program holds none of 256 units";
+  for (const auto& hidden : {std::initializer_list<std::size_t>{256, 256, 256}, {255, 65, 130}, {256}}) {
+    const auto network = random_network(64, hidden, 32);
+    expect_long_doubles(*network, 3e-5);  // ~500 roundings of sums below 10
+    network->activation = Activation::kRelu;
+    for (float& weight : network->numbers) weight *= 0.25F;  // else the sums grow eightfold with each layer
+    expect_long_doubles(*network, 3e-5);
+  }
+}
+
+/// By hand: units of 1 * 0.5 - 2 * 0.25 + 0.25 = 0.25 and of -3 * 0.5 - 0.5 * 0.25 - 1, below zero; logits 4 * 0.25 + 1 and -2 * 0.25.
+TEST(Forward, EqualsAHandComputedNetworkOfOneLayerWithRelu) {
+  Network network;
+  network.observation_size = 2;
+  network.hidden_sizes = {2};
+  network.action_count = 2;
+  network.activation = Activation::kRelu;
+  tests::set_weights(network.layer(0), 2, {1.0F, 2.0F, -3.0F, 0.5F});
+  network.layer(0).bias[0] = 0.25F;
+  network.layer(0).bias[1] = -1.0F;
+  tests::set_weights(network.layer(1), 2, {4.0F, 100.0F, -2.0F, 100.0F});
+  network.layer(1).bias[0] = 1.0F;
+  std::array<float, 2> logits{};
+  forward(network, std::array{0.5F, -0.25F}, logits);
+  EXPECT_EQ(logits, (std::array{2.0F, -0.5F}));
 }
 
 struct NamedUnit {
@@ -91,18 +137,38 @@ std::uint32_t checksum(std::span<const float> values) {
   return crc;
 }
 
-TEST(Forward, GivesTheSameBitsOnEveryMachine) {
-  const auto network = random_network(63, 64, 64, 32);
-  const std::vector<float> observation = random_observation(63);
+/// Of its logits on every vector unit.
+void expect_bits(const Network& network, std::uint32_t expected) {
+  const std::vector<float> observation = random_observation(network.observation_size);
   for (const auto [unit, name] : kUnits) {
     if (!has(unit)) {
       std::printf("not compared, for this machine or compiler has it not: %s\n", name);
       continue;
     }
-    std::vector<float> logits(32);
-    forward_on(unit, *network, observation, logits);
-    EXPECT_EQ(checksum(logits), 0x439ADB6EU) << name;  // GCC 12 at -O0 and -O3, x86-64 and aarch64 alike
+    std::vector<float> logits(network.action_count);
+    forward_on(unit, network, observation, logits);
+    EXPECT_EQ(checksum(logits), expected) << name;
   }
+}
+
+TEST(Forward, GivesTheSameBitsOnEveryMachine) {
+  expect_bits(*random_network(63, {64, 64}, 32, 64), 0x439ADB6EU);  // GCC 12 at -O0 and -O3, x86-64 and aarch64 alike
+}
+
+TEST(Forward, GivesTheSameBitsOfOneToThreeLayersOnEveryMachine) {
+  const auto network = random_network(6, {30, 7, 19}, 8);
+  expect_bits(*network, 0x72338005U);
+  network->activation = Activation::kRelu;
+  expect_bits(*network, 0x2D840D64U);
+  expect_bits(*random_network(6, {50}, 8), 0x905C6159U);
+}
+
+TEST(Forward, GivesTheSameBitsOfThreeLayersOf256UnitsOnEveryMachine) {
+  if (config::kMaxLayerWidth < 256) GTEST_SKIP() << "this program holds none of 256 units";
+  const auto network = random_network(62, {256, 256, 256}, 8);
+  expect_bits(*network, 0x89AB2CA0U);
+  network->activation = Activation::kRelu;
+  expect_bits(*network, 0x43746AA8U);
 }
 
 TEST(VectorUnit, IsNotThereWhereNobodyKnowsIt) {
@@ -119,13 +185,13 @@ TEST(VectorUnit, IsOf128BitsOnEveryProcessorThatThisCompilerBuildsFor) {
 TEST(Network, HasNoSizesUntilItIsGivenSome) {
   const auto network = std::make_unique<Network>();
   EXPECT_EQ(network->observation_size, 0U);
-  EXPECT_EQ(network->hidden_sizes, (std::array<std::size_t, 2>{}));
+  EXPECT_EQ(network->hidden_sizes, (std::array<std::size_t, 3>{}));
   EXPECT_EQ(network->action_count, 0U);
 }
 
 TEST(Forward, GivesTheSameBitsOnEveryVectorUnitForEverySizeOfLayer) {
   for (const std::size_t size : {1U, 2U, 3U, 5U, 8U, 15U, 16U, 17U, 33U, 62U, 64U}) {
-    const auto network = random_network(size, size, 65 - size, std::min<std::size_t>(size, 32));
+    const auto network = random_network(size, {size, 65 - size}, std::min<std::size_t>(size, config::kMaxActions));
     const std::vector<float> observation = random_observation(size);
     std::vector<float> float_by_float(network->action_count);
     forward_on(VectorUnit::kNone, *network, observation, float_by_float);
@@ -141,19 +207,19 @@ TEST(Forward, GivesTheSameBitsOnEveryVectorUnitForEverySizeOfLayer) {
 }
 
 TEST(Forward, NeverReadsWhatLiesBeyondTheSizeOfALayer) {
-  const auto clean = random_network(3, 5, 6, 7);
-  const auto dirty = random_network(3, 5, 6, 7);
-  const auto spoil = [](auto& layer, std::size_t outputs, std::size_t inputs) {
+  const auto clean = random_network(3, {5, 6}, 7);
+  const auto dirty = random_network(3, {5, 6}, 7);
+  const auto spoil = [](const Network::Layer& layer, std::size_t outputs) {
     for (std::size_t o = 0; o < layer.bias.size(); ++o) {
-      for (std::size_t i = 0; i < layer.packed.size() / layer.bias.size(); ++i) {
-        if (o >= outputs || i >= inputs) layer.weight(o, i) = std::numeric_limits<float>::quiet_NaN();
+      for (std::size_t i = 0; i < layer.inputs; ++i) {
+        if (o >= outputs) layer.weight(o, i) = std::numeric_limits<float>::quiet_NaN();
       }
     }
     for (std::size_t o = outputs; o < layer.bias.size(); ++o) layer.bias[o] = std::numeric_limits<float>::infinity();
   };
-  spoil(dirty->first, 5, 3);
-  spoil(dirty->second, 6, 5);
-  spoil(dirty->output, 7, 6);
+  spoil(dirty->layer(0), 5);
+  spoil(dirty->layer(1), 6);
+  spoil(dirty->layer(2), 7);
   for (const auto [unit, name] : kUnits) {
     if (!has(unit)) continue;
     std::vector<float> expected(7);
@@ -174,12 +240,12 @@ class HiddenTanh {
     network_->hidden_sizes = {kCount, kCount};
     network_->action_count = kCount;
     for (std::size_t i = 0; i < kCount; ++i) {
-      network_->second.weight(i, i) = 0x1p-40F;
-      network_->output.weight(i, i) = 0x1p40F;
+      network_->layer(1).weight(i, i) = 0x1p-40F;
+      network_->layer(2).weight(i, i) = 0x1p40F;
     }
   }
   std::array<float, kCount> operator()(std::span<const float, kCount> numbers) {
-    std::ranges::copy(numbers, network_->first.bias.begin());
+    std::ranges::copy(numbers, network_->layer(0).bias.begin());
     std::array<float, kCount> results{};
     forward(*network_, std::array{0.0F}, results);
     return results;
@@ -248,10 +314,10 @@ TEST(Tanh, IsOddAndKeepsInfinityAndNan) {
     network.observation_size = 1;
     network.hidden_sizes = {1, 1};
     network.action_count = 1;
-    network.second.weight(0, 0) = 0x1p-40F;
-    network.output.weight(0, 0) = 0x1p40F;
+    network.layer(1).weight(0, 0) = 0x1p-40F;
+    network.layer(2).weight(0, 0) = 0x1p40F;
     const auto of = [&](float x) {
-      network.first.bias[0] = x;
+      network.layer(0).bias[0] = x;
       std::array<float, 1> result{};
       forward_on(unit, network, std::array{0.0F}, result);
       return result[0];
@@ -260,6 +326,57 @@ TEST(Tanh, IsOddAndKeepsInfinityAndNan) {
     EXPECT_EQ(of(-std::numeric_limits<float>::infinity()), -1.0F) << name;
     EXPECT_TRUE(std::isnan(of(std::numeric_limits<float>::quiet_NaN()))) << name;
   }
+}
+
+/// In a unit whose sum is below zero, too: a broken weight of a hidden layer must not look like a unit that is off.
+TEST(Relu, KeepsWhatIsAboveZeroAndNanAndNothingElse) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  for (const auto [unit, name] : kUnits) {
+    if (!has(unit)) continue;
+    Network network;
+    network.observation_size = 1;
+    network.hidden_sizes = {1};
+    network.action_count = 1;
+    network.activation = Activation::kRelu;
+    network.layer(1).weight(0, 0) = 1.0F;
+    const auto of = [&](float x) {
+      network.layer(0).bias[0] = x;
+      std::array<float, 1> result{};
+      forward_on(unit, network, std::array{0.0F}, result);
+      return result[0];
+    };
+    for (const float x : {0.0F, 1e-40F, 1.0F, 3e38F, kInfinity}) EXPECT_EQ(of(x), x) << name;
+    for (const float x : {-0.0F, -1e-40F, -1.0F, -3e38F, -kInfinity}) EXPECT_EQ(of(x), 0.0F) << name << ' ' << x;
+    EXPECT_TRUE(std::isnan(of(std::numeric_limits<float>::quiet_NaN()))) << name;
+    EXPECT_TRUE(std::isnan(of(-std::numeric_limits<float>::quiet_NaN()))) << name;
+  }
+}
+
+TEST(Network, TakesTheBytesOfItsWeightsInBlocks) {
+  Network network;
+  network.observation_size = 6;
+  network.hidden_sizes = {65, 3, 64};
+  network.action_count = 9;
+  // 65 units take 128 places, 3 take 64, 9 actions 16: 128 * 7 + 64 * 66 + 64 * 4 + 16 * 65 numbers.
+  EXPECT_EQ(bytes_of_numbers(network), 4U * 6416U);
+  network.hidden_sizes = {65'535, 65'535, 65'535};
+  EXPECT_EQ(bytes_of_numbers(network), 4U * (65'536ULL * 7 + 2ULL * 65'536 * 65'536 + 16ULL * 65'536));
+}
+
+TEST(Network, HasAShapeOnlyWithLayersThatFollowEachOther) {
+  Network network;
+  const auto is_shape = [&network](std::array<std::size_t, 3> sizes) {
+    network.hidden_sizes = sizes;
+    return has_shape(network);
+  };
+  network.observation_size = network.action_count = 1;
+  EXPECT_TRUE(is_shape({1}));
+  EXPECT_TRUE(is_shape({65'535, 1, 1}));
+  EXPECT_FALSE(is_shape({}));
+  EXPECT_FALSE(is_shape({1, 0, 1}));
+  EXPECT_FALSE(is_shape({0, 1}));
+  EXPECT_FALSE(is_shape({65'536}));
+  EXPECT_FALSE(is_shape({std::size_t{1} << 31U, 1}));
 }
 
 }  // namespace

@@ -48,9 +48,9 @@ TEST(Configure, RefusesAnEmptyPolicyAndOneWhoseSizesContradictEachOther) {
 
 TEST(Configure, RefusesAPolicyOfWeightsThatAreNoNumbersOrCouldOverflow) {
   const auto policy = policy_that_goes(kNorthward);
-  policy->network.output.bias[1] = std::numeric_limits<float>::quiet_NaN();
+  policy->network.layer(2).bias[1] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(Rig(*policy).configured, Status::kOutOfRange);
-  policy->network.output.bias[1] = 2e30F;
+  policy->network.layer(2).bias[1] = 2e30F;
   EXPECT_EQ(Rig(*policy).configured, Status::kOutOfRange);
 }
 

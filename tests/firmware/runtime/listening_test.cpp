@@ -23,7 +23,7 @@ std::unique_ptr<policy::FrozenPolicy> policy_that_listens(config::ListeningWindo
   policy->observation.spec = policy::memory_state(2, step_length, Decibels{10}).value();
   policy->observation.listening = window;
   policy->step_length = step_length;
-  policy->network.observation_size = policy->observation.spec.size();
+  tests::set_inputs(policy->network, policy->observation.spec.size());
   return policy;
 }
 

@@ -17,6 +17,7 @@
 #include "firmware/runtime/runtime.hpp"
 #include "tests/firmware/place.hpp"
 #include "tests/firmware/policy/format/unsigned_file.hpp"
+#include "tests/support/layer_weights.hpp"
 #include "tests/support/three_oceans.hpp"
 
 namespace earshot::runtime {
@@ -62,7 +63,7 @@ inline std::unique_ptr<policy::FrozenPolicy> policy_that_goes(std::size_t action
   policy->network.observation_size = 2;
   policy->network.hidden_sizes = {64, 64};
   policy->network.action_count = 4;
-  policy->network.output.bias[action] = 1.0F;
+  policy->network.layer(2).bias[action] = 1.0F;
   return policy;
 }
 
@@ -71,11 +72,11 @@ inline std::unique_ptr<policy::FrozenPolicy> policy_that_wanders() {
   auto policy = policy_that_goes(kNorthward);
   policy->observation.spec = policy::memory_state(2, Meters{1000}, Decibels{10}).value();
   policy->draw = policy::ActionDraw::kSampled;
-  policy->network.observation_size = 6;
+  tests::set_inputs(policy->network, 6);
   Pcg32 random(77);
-  for (float& weight : policy->network.first.packed) weight = random.uniform_float() - 0.5F;
-  for (float& weight : policy->network.second.packed) weight = random.uniform_float() - 0.5F;
-  for (float& weight : policy->network.output.packed) weight = random.uniform_float() - 0.5F;
+  for (float& weight : policy->network.layer(0).packed) weight = random.uniform_float() - 0.5F;
+  for (float& weight : policy->network.layer(1).packed) weight = random.uniform_float() - 0.5F;
+  for (float& weight : policy->network.layer(2).packed) weight = random.uniform_float() - 0.5F;
   return policy;
 }
 
@@ -87,7 +88,7 @@ inline std::unique_ptr<policy::FrozenPolicy> policy_that_believes() {
   belief.actions = policy->actions;
   belief.cells_north = belief.cells_east = 25;  // a quarter of what it has else, for machines that are emulated
   policy->observation.spec = policy::belief_state(belief);
-  policy->network.observation_size = policy->observation.spec.size();
+  tests::set_inputs(policy->network, policy->observation.spec.size());
   return policy;
 }
 

@@ -30,7 +30,7 @@ TEST(Runtime, UsesNoHeapFromConfigurationToTheEndOfAHundredSteps) {
 TEST(Runtime, UsesNoHeapForABeliefEither) {
   const auto policy = policy_that_believes();
   policy->draw = policy::ActionDraw::kSampled;  // as long as it goes north alone it ends at the edge
-  policy->network.output.bias = {};
+  std::ranges::fill(policy->network.layer(2).bias, 0.0F);
   ASSERT_TRUE(policy::needs_belief(policy->observation.spec));
   expect_no_heap_in_a_hundred_steps(*policy);
 }

@@ -103,7 +103,7 @@ TEST(Runtime, DecidesAgainAfterOneStepLength) {
 TEST(Runtime, RemembersStepsAndSnrForAMemoryPolicy) {
   const auto policy = policy_that_goes(kWestward);
   policy->observation.spec = policy::memory_state(2, Meters{1000}, Decibels{10}).value();
-  policy->network.observation_size = 6;
+  tests::set_inputs(policy->network, 6);
   Rig rig(*policy);
   rig.snr = Decibels{40};
   rig.sail(Order::kStart);

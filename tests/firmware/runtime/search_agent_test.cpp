@@ -40,7 +40,7 @@ TEST(SearchAgent, IsIntactAfterEachOfItsCalls) {
 
 TEST(SearchAgent, IsNotIntactWithABitFlippedInPolicyOrTablesOrMemory) {
   const auto policy = policy_that_believes();
-  policy->network.first.bias[3] = 0.123456F;
+  policy->network.layer(0).bias[3] = 0.123456F;
   const auto in_policy = started(*policy);
   flip_in(*in_policy, 0.123456F);
   EXPECT_FALSE(in_policy->is_intact());
@@ -118,7 +118,7 @@ TEST(SearchAgent, RefusesAPolicyOfAnotherMissionAndOneThatThisBuildDoesNotRepeat
   config::Mission longer = paper_mission();
   longer.step_length = Meters{2000};
   EXPECT_EQ(agent->load(longer, *policy, *paper_oceans()), Status::kOutOfRange);
-  policy->network.output.bias[1] += 1.0F;
+  policy->network.layer(2).bias[1] += 1.0F;
   EXPECT_EQ(agent->load(paper_mission(), *policy, *paper_oceans()), Status::kCorrupt);
 }
 

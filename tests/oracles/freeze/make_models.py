@@ -6,7 +6,7 @@ needs: stable-baselines3==2.3.2 gymnasium==0.29.1 torch (toolchains/python-envir
 
 memory.zip        PPO at its defaults, memory state, saved by earshot_gym.sb3.save
 memory.onnx       the same policy, exported by earshot_gym.sb3.export_onnx
-memory.json       its decisions (predict, deterministic) for 10 000 observations that `uniform` below gives and
+memory.json       its decisions (predict, deterministic) for 10 000 observations that uniform.py gives and
                   sb3_model_test.cpp repeats, one digit each; CRC-32 of every weight's bytes as NumPy has them
 named_tanh.zip    activation and layers named in policy_kwargs, hidden layers 32 and 16
 plain_save.zip    saved by Stable-Baselines3 itself: says nothing of the search
@@ -14,7 +14,8 @@ documented.onnx   the same policy as Stable-Baselines3's documentation exports i
 with_cast.onnx    its features extractor, layers and action_net: logits, of observations cast to float32
 external.onnx     not made here: memory.onnx with its weights in external.onnx.data, as onnx.save_model writes it with
                   save_as_external_data=True, location="external.onnx.data", size_threshold=0
-relu.zip, three_layers.zip, named_extractor.zip, own_policy.zip, continuous.zip   what cannot be frozen
+relu.zip, three_layers.zip   untrained, of layers of four units
+named_extractor.zip, own_policy.zip, continuous.zip   what cannot be frozen
 
 Left out of every zip: the optimiser, and what names the machine it was made on (system_info.txt; functions, whose
 pickles hold file paths).
@@ -36,20 +37,12 @@ import sb3_without_plots  # noqa: F401
 from stable_baselines3 import PPO
 from stable_baselines3.common.policies import ActorCriticPolicy
 from stable_baselines3.common.torch_layers import FlattenExtractor
+from uniform import uniform
 
 import earshot_gym.sb3
 
 DECISIONS, OBSERVATION_SIZE = 10_000, 6
 FUNCTION = "<class 'function'>"  # as Stable-Baselines3 names the type of what it pickled
-
-
-def uniform(stream: int, i: int) -> float:
-    """In [0, 1), 16 bits: exact in a float."""
-    x = (i * 2654435761 + stream * 40503 + 12345) % 2**32
-    x ^= x >> 15
-    x = x * 2246822519 % 2**32
-    x ^= x >> 13
-    return (x >> 16) / 65536.0
 
 
 class Continuous(gymnasium.Env):

@@ -176,10 +176,10 @@ TEST_F(Programs, FreezeRefusesModelsItCannotBeSureOfInOneLine) {
   };
   refuses_model("cut.zip", {"cut.zip", "cut short"});
   refuses_model("text.onnx", {"text.onnx"});
-  refuses_model(models + "relu.zip", {"relu.zip", "activation_fn", "ReLU"});
+  refuses_model(models + "continuous.zip", {"continuous.zip", "action_space"});
   refuses_model(models + "own_policy.zip", {"own_policy.zip", "policy_class"});
-  refuses_model(models + "documented.onnx", {"documented.onnx", "3", "earshot_gym.sb3.export_onnx"});
-  refuses_model(models + "plain_save.zip", {"plain_save.zip", "earshot_gym.sb3.save or export_onnx", "--search"});
+  refuses_model(models + "documented.onnx", {"documented.onnx", "earshot.gym.sb3.save or export_onnx", "--search"});
+  refuses_model(models + "plain_save.zip", {"plain_save.zip", "earshot.gym.sb3.save or export_onnx", "--search"});
   refuses_model(models + "plain_save.zip --search bad.json", {"plain_save.zip", "search description"});
   refuses_model(models + "memory.zip --search bad.json", {"memory.zip", "--search"});
 }

@@ -108,7 +108,7 @@ std::unique_ptr<policy::FrozenPolicy> goes_north(float margin) {
   policy->network.observation_size = 2;
   policy->network.hidden_sizes = {1, 1};
   policy->network.action_count = 4;
-  policy->network.output.bias[0] = margin;
+  policy->network.layer(2).bias[0] = margin;
   return policy;
 }
 

@@ -24,8 +24,9 @@ TEST(ActionMap, RunsFromTheSouthWestCornerInRowsFromWestToEast) {
 
 TEST(ActionMap, PointsWhereThePolicyGoes) {
   const auto policy = place_policy(1);
-  policy->network.output = {};
-  policy->network.output.bias[2] = 20.0F;  // east, almost surely
+  std::ranges::fill(policy->network.layer(2).packed, 0.0F);
+  std::ranges::fill(policy->network.layer(2).bias, 0.0F);
+  policy->network.layer(2).bias[2] = 20.0F;  // east, almost surely
   for (const MapPoint& point : after_a_first_measurement(*policy, falling_ocean(), 3, nothing)) {
     EXPECT_EQ(point.likeliest, 2U);
     EXPECT_NEAR(point.agreement, 1.0, 1e-6);
@@ -35,8 +36,9 @@ TEST(ActionMap, PointsWhereThePolicyGoes) {
 
 TEST(ActionMap, ShowsThatDirectionsWhichCancelOutDoNotAgree) {
   const auto policy = place_policy(1);
-  policy->network.output = {};
-  policy->network.output.bias[0] = policy->network.output.bias[4] = 20.0F;  // north or south
+  std::ranges::fill(policy->network.layer(2).packed, 0.0F);
+  std::ranges::fill(policy->network.layer(2).bias, 0.0F);
+  policy->network.layer(2).bias[0] = policy->network.layer(2).bias[4] = 20.0F;  // north or south
   for (const MapPoint& point : after_a_first_measurement(*policy, falling_ocean(), 2, nothing)) EXPECT_NEAR(point.agreement, 0.0, 1e-6);
 }
 

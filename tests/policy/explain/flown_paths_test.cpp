@@ -17,8 +17,9 @@ policy::Reception nothing(NorthEast) {
 /// Goes east, whatever it sees; one start in the middle of its 25 km x 25 km, steps of 1 km.
 std::vector<FlownPath> eastward(NorthEast source, std::size_t max_steps = 100) {
   const auto policy = place_policy(1);
-  policy->network.output = {};
-  policy->network.output.bias[2] = 20.0F;
+  std::ranges::fill(policy->network.layer(2).packed, 0.0F);
+  std::ranges::fill(policy->network.layer(2).bias, 0.0F);
+  policy->network.layer(2).bias[2] = 20.0F;
   return flown_from_all_over(*policy, falling_ocean(), source, {.per_side = 1, .max_steps = max_steps}, nothing);
 }
 

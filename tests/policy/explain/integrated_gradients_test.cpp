@@ -26,7 +26,7 @@ std::unique_ptr<policy::FrozenPolicy> with(const policy::Network& network) {
 TEST(IntegratedGradients, AreThoseOfAHandComputedNetwork) {
   Pcg32 random(5);
   const auto network = random_network({3, {1, 4}, 3}, 2.0F, random);
-  tests::set_weights(network->first, 3, {2.0F, -1.0F, 0.0F});
+  tests::set_weights(network->layer(0), 3, {2.0F, -1.0F, 0.0F});
   const std::array x{0.75, 0.25, 0.9};
   const std::array baseline{0.25, 0.75, -0.5};
   // w (x - x') = 2 * 0.5, -1 * -0.5, 0: two thirds, one third, nothing.
@@ -70,11 +70,11 @@ TEST(IntegratedGradients, TakeMoreStepsForATighterTolerance) {
 TEST(IntegratedGradients, TakeMoreStepsUntilEachPartIsRightAndNotOnlyTheirSum) {
   Pcg32 random(9);
   const auto network = random_network({2, {2, 2}, 2}, 0.0F, random);
-  tests::set_weights(network->first, 2, {200.0F, 0.0F, 0.0F, 200.0F});
-  network->first.bias[0] = -100.0F;
-  network->first.bias[1] = -100.0F;
-  tests::set_weights(network->second, 2, {1.0F, -1.0F});
-  tests::set_weights(network->output, 2, {1.0F});
+  tests::set_weights(network->layer(0), 2, {200.0F, 0.0F, 0.0F, 200.0F});
+  network->layer(0).bias[0] = -100.0F;
+  network->layer(0).bias[1] = -100.0F;
+  tests::set_weights(network->layer(1), 2, {1.0F, -1.0F});
+  tests::set_weights(network->layer(2), 2, {1.0F});
   const std::array x{1.0, 1.0};
   const std::array baseline{0.0, 0.0};
   const Attribution a = integrated_gradients(*with(*network), {.observation = x, .baseline = baseline}, 0);

@@ -24,7 +24,9 @@ TEST(LogProbability, EqualsAHandComputedNetwork) {
 
 TEST(LogProbability, HasTheGradientThatFiniteDifferencesShow) {
   Pcg32 random(3);
-  for (const NetworkSizes& sizes : {NetworkSizes{1, {1, 1}, 1}, NetworkSizes{5, {7, 6}, 4}, NetworkSizes{64, {64, 64}, 32}}) {
+  for (const NetworkSizes& sizes :
+       {NetworkSizes{1, {1, 1}, 1}, NetworkSizes{5, {7, 6}, 4}, NetworkSizes{64, {64, 64}, 32}, NetworkSizes{5, {9}, 4},
+        NetworkSizes{5, {7, 6, 8}, 4}, NetworkSizes{5, {7, 6, 8}, 4, policy::Activation::kRelu}}) {
     const auto network = random_network(sizes, 0.4F, random);
     std::vector<double> x = random_observation(sizes.observation, random);
     for (std::size_t action = 0; action < sizes.actions; action += 3) {

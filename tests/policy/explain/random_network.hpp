@@ -12,8 +12,9 @@ namespace earshot::explain {
 
 struct NetworkSizes {
   std::size_t observation;
-  std::array<std::size_t, 2> hidden;
+  std::array<std::size_t, 3> hidden;
   std::size_t actions;
+  policy::Activation activation = policy::Activation::kTanh;
 };
 
 /// Weights and biases uniform in [-largest, largest).
@@ -22,13 +23,11 @@ inline std::unique_ptr<policy::Network> random_network(const NetworkSizes& sizes
   network->observation_size = sizes.observation;
   network->hidden_sizes = sizes.hidden;
   network->action_count = sizes.actions;
-  const auto fill = [&](auto& layer) {
-    for (float& weight : layer.packed) weight = largest * (2.0F * random.uniform_float() - 1.0F);
-    for (float& bias : layer.bias) bias = largest * (2.0F * random.uniform_float() - 1.0F);
-  };
-  fill(network->first);
-  fill(network->second);
-  fill(network->output);
+  network->activation = sizes.activation;
+  for (std::size_t l = 0; l <= network->hidden_count(); ++l) {
+    for (float& weight : network->layer(l).packed) weight = largest * (2.0F * random.uniform_float() - 1.0F);
+    for (float& bias : network->layer(l).bias) bias = largest * (2.0F * random.uniform_float() - 1.0F);
+  }
   return network;
 }
 

@@ -21,7 +21,7 @@ namespace earshot::freeze::test {
 template <class Action>
 [[nodiscard]] std::string refusal(Action action);
 
-/// In [0, 1), 16 bits: the function `uniform` of make_models.py.
+/// In [0, 1), 16 bits: the function `uniform` of tests/oracles/freeze/uniform.py.
 [[nodiscard]] double uniform(std::uint32_t stream, std::uint32_t i);
 
 }  // namespace earshot::freeze::test

@@ -129,7 +129,7 @@ TEST(Freeze, PutsEveryWeightOfAnActorTrainedElsewhereInItsPlace) {
   const auto frozen = freeze(actor, made_up_checkpoint(), policy::ActionDraw::kArgmax);
   const policy::Network& network = frozen->network;
   EXPECT_EQ(network.observation_size, 6U);
-  EXPECT_EQ(network.hidden_sizes, (std::array<std::size_t, 2>{5, 4}));
+  EXPECT_EQ(network.hidden_sizes, (std::array<std::size_t, 3>{5, 4}));
   EXPECT_EQ(network.action_count, 8U);
   const auto expect_layer = [](const DenseLayer& from, const auto& to) {
     for (std::size_t o = 0; o < from.outputs; ++o) {
@@ -137,9 +137,9 @@ TEST(Freeze, PutsEveryWeightOfAnActorTrainedElsewhereInItsPlace) {
       EXPECT_EQ(to.bias[o], from.bias[o]) << o;
     }
   };
-  expect_layer(actor.layers[0], network.first);
-  expect_layer(actor.layers[1], network.second);
-  expect_layer(actor.layers[2], network.output);
+  expect_layer(actor.layers[0], network.layer(0));
+  expect_layer(actor.layers[1], network.layer(1));
+  expect_layer(actor.layers[2], network.layer(2));
   EXPECT_EQ(frozen->draw, policy::ActionDraw::kArgmax);
   EXPECT_TRUE(policy::repeats_golden(*frozen, *std::make_unique<policy::SearchMemory>(), *std::make_unique<policy::OceanTables>()));
 }
@@ -155,11 +155,12 @@ TEST(Freeze, RefusesAnActorThatDoesNotFitItsSearchOrAVehicle) {
   };
   EXPECT_EQ(refused(actor_of({6, 64, 64, 8})), "");
   EXPECT_EQ(refused({}), "has no layers");
-  EXPECT_EQ(refused(actor_of({6, 8})), "has 0 hidden layers; 2 fly");
-  EXPECT_EQ(refused(actor_of({6, 64, 8})), "has 1 hidden layers; 2 fly");
-  EXPECT_EQ(refused(actor_of({6, 4, 4, 4, 8})), "has 3 hidden layers; 2 fly");
-  EXPECT_TRUE(support::tells(refused(actor_of({6, 65, 64, 8})), {"layer 1", "65 units", "at most 64 fly"}));
-  EXPECT_TRUE(support::tells(refused(actor_of({6, 64, 65, 8})), {"layer 2", "65 units", "at most 64 fly"}));
+  EXPECT_EQ(refused(actor_of({6, 64, 8})), "");
+  EXPECT_EQ(refused(actor_of({6, 4, 4, 4, 8})), "");
+  EXPECT_EQ(refused(actor_of({6, 8})), "has 0 hidden layers; 1 to 3 fly");
+  EXPECT_EQ(refused(actor_of({6, 4, 4, 4, 4, 8})), "has 4 hidden layers; 1 to 3 fly");
+  EXPECT_TRUE(support::tells(refused(actor_of({6, 257, 64, 8})), {"layer 1", "257 units", "at most 256 fly"}));
+  EXPECT_TRUE(support::tells(refused(actor_of({6, 64, 257, 8})), {"layer 2", "257 units", "at most 256 fly"}));
   EXPECT_TRUE(support::tells(refused(actor_of({5, 4, 4, 8})), {"5 inputs", "8 outputs", "6 observations", "8 directions"}));
   EXPECT_TRUE(support::tells(refused(actor_of({6, 4, 4, 7})), {"6 inputs", "7 outputs", "6 observations", "8 directions"}));
   TrainedActor broken = actor_of({6, 5, 4, 8});
@@ -264,7 +265,7 @@ TEST(FreezeAdvice, RefusesASearchThatDoesNotShowEveryActionsPreference) {
 
 TEST(Sign, RefusesAPolicyOfASizeThatNoFileHolds) {
   const auto frozen = freeze(made_up_checkpoint(), policy::ActionDraw::kSampled);
-  frozen->network.hidden_sizes[0] = 65;
+  frozen->network.hidden_sizes[0] = 257;
   EXPECT_THROW((void)sign(*frozen, host::make_key()), host::BadInput);
 }
 
@@ -274,7 +275,7 @@ TEST(Sign, MakesBytesThatTheVehicleParses) {
   auto parsed = std::make_unique<policy::FrozenPolicy>();
   policy::PolicyComplaint complaint;
   ASSERT_EQ(policy::parse(bytes, *parsed, complaint), Status::kOk);
-  EXPECT_EQ(parsed->network.output.bias, frozen->network.output.bias);
+  EXPECT_EQ(parsed->network.numbers, frozen->network.numbers);
 }
 
 TEST(Sign, CoversEveryByteAndOnlyItsOwnKey) {

@@ -7,7 +7,7 @@
 #include "firmware/core/crc32.hpp"
 #include "policy/freeze/sb3_model.hpp"
 #include "tests/policy/freeze/bytes.hpp"
-#include "tests/policy/freeze/onnx_bytes.hpp"
+#include "tests/policy/freeze/onnx/onnx_bytes.hpp"
 #include "tests/support/text/tells.hpp"
 
 namespace earshot::freeze {
@@ -15,23 +15,12 @@ namespace {
 
 using test::bytes_of;
 using test::field;
-using test::real_field;
+using test::integer_attribute;
+using test::node;
+using test::real_attribute;
 using test::refusal;
 using test::tensor;
 using namespace std::string_literals;
-
-std::string node(const std::string& operation, std::initializer_list<std::string> inputs, const std::string& output,
-                 const std::string& attributes = "") {
-  std::string bytes;
-  for (const std::string& input : inputs) bytes += field(1, input);
-  return field(1, bytes + field(2, output) + field(4, operation) + attributes);
-}
-std::string integer_attribute(const std::string& name, std::uint64_t value) {
-  return field(5, field(1, name) + field(3, value));
-}
-std::string real_attribute(const std::string& name, float value) {
-  return field(5, field(1, name) + real_field(2, value));
-}
 
 const std::string kPriorities = field(5, tensor("w", {2, 3}, {1, 2, 3, 4, 5, 6})) + field(5, tensor("b", {2}, {7, 8}));
 const std::string kWeightsTurned = field(5, tensor("w", {3, 2}, {1, 4, 2, 5, 3, 6})) + field(5, tensor("b", {2}, {7, 8}));
@@ -102,11 +91,61 @@ TEST(OnnxModel, HoldsTheWeightsOfStableBaselines3sOwnLayers) {
   }
 }
 
-TEST(OnnxModel, SaysWhatToDoInPlaceOfTheExportThatStableBaselines3Documents) {
-  const std::string said = refusal([] { (void)read_bytes(test::model("documented.onnx")); });
-  EXPECT_NE(said.find("one output (logits) but 1 and 3"), std::string::npos) << said;
-  EXPECT_NE(said.find("earshot_gym.sb3.export_onnx"), std::string::npos) << said;
-  EXPECT_NE(said.find("freeze the model's .zip"), std::string::npos) << said;
+/// By hand, of (x - (1, 2, 3)) / (2, 4, 8): weights over 2, 4 and 8; 7 - 1/2 - 2 2/4 - 3 3/8 and 8 - 4/2 - 5 2/4 - 6 3/8.
+TEST(OnnxModel, FoldsWhatNormalisesObservationsIntoTheFirstLayer) {
+  const std::string numbers = field(5, tensor("mean", {3}, {1, 2, 3})) + field(5, tensor("deviation", {1, 3}, {2, 4, 8})) +
+                              field(5, tensor("inverse", {3}, {0.5, 0.25, 0.125})) + field(5, tensor("less", {3}, {-1, -2, -3})) +
+                              field(5, tensor("variance", {3}, {3, 15, 63})) + field(5, tensor("one", {3}, {1, 1, 1})) +
+                              field(5, tensor("zero", {3}, {0, 0, 0}));
+  const std::string gemm = node("Gemm", {"n", "w", "b"}, "y", kTurned);
+  const auto expect = [&](const std::string& front, const std::string& layer) {
+    const TrainedActor actor = read(kEnds + kPriorities + field(5, tensor("turned", {3, 2}, {1, 4, 2, 5, 3, 6})) + numbers + front + layer);
+    ASSERT_EQ(actor.layers.size(), 1U);
+    EXPECT_EQ(actor.layers[0].weights, (std::vector<float>{0.5, 0.5, 0.375, 2, 1.25, 0.75}));
+    EXPECT_EQ(actor.layers[0].bias, (std::vector<float>{4.375, 1.25}));
+  };
+  expect(node("Sub", {"x", "mean"}, "m") + node("Div", {"m", "deviation"}, "n"), gemm);
+  expect(node("Add", {"less", "x"}, "m") + node("Mul", {"m", "inverse"}, "n"), gemm);
+  expect(node("Sub", {"x", "mean"}, "m") + node("Div", {"m", "deviation"}, "n"),
+         node("MatMul", {"n", "turned"}, "t") + node("Add", {"t", "b"}, "y"));
+  const std::string epsilon = real_attribute("epsilon", 1.0F) + real_attribute("momentum", 0.9F) + integer_attribute("training_mode", 0);
+  expect(node("BatchNormalization", {"x", "one", "zero", "mean", "variance"}, "n", epsilon), gemm);
+}
+
+TEST(OnnxModel, TakesOneNumberForAllElementsAlsoFromAConstant) {
+  const std::string two = node("Constant", {}, "two", field(5, field(1, "value"s) + field(5, tensor("", {}, {2}))));
+  const TrainedActor actor = read(kEnds + kPriorities + two + node("Mul", {"x", "two"}, "n") + node("Gemm", {"n", "w", "b"}, "y", kTurned));
+  EXPECT_EQ(actor.layers[0].weights, (std::vector<float>{2, 4, 6, 8, 10, 12}));
+  EXPECT_EQ(actor.layers[0].bias, (std::vector<float>{7, 8}));
+}
+
+TEST(OnnxModel, RefusesNormalisationsThatItCannotFoldIn) {
+  const auto with = [](const std::string& front) {
+    return refused(kEnds + kPriorities + field(5, tensor("few", {2}, {1, 2})) + field(5, tensor("null", {3}, {1, 0, 1})) +
+                   field(5, tensor("square", {3, 3}, std::vector<float>(9, 1.0F))) + front + node("Gemm", {"n", "w", "b"}, "y", kTurned));
+  };
+  EXPECT_NE(with(node("Mul", {"x", "few"}, "n")).find("not as many numbers as the observation"), std::string::npos);
+  EXPECT_NE(with(node("Div", {"x", "null"}, "n")).find("divides by zero"), std::string::npos);
+  EXPECT_NE(with(node("Mul", {"x", "square"}, "n")).find("numbers of another shape"), std::string::npos);
+  EXPECT_NE(with(node("Sub", {"null", "x"}, "n")).find("operator Sub: its numbers are not in the file"), std::string::npos);
+  EXPECT_NE(with(node("Div", {"x", "null"}, "n", integer_attribute("axis", 1))).find("not as a normalisation"), std::string::npos);
+  EXPECT_NE(with(node("Clip", {"x"}, "n")).find("operator Clip is unknown"), std::string::npos);
+  const std::string training = integer_attribute("training_mode", 1);
+  EXPECT_NE(with(node("BatchNormalization", {"x", "null", "null", "null", "null"}, "n", training)).find("training_mode"),
+            std::string::npos);
+  EXPECT_NE(with(node("BatchNormalization", {"x", "null", "null"}, "n")).find("four rows"), std::string::npos);
+  EXPECT_NE(with(node("BatchNormalization", {"x", "null", "null", "few", "null"}, "n")).find("differ in length"), std::string::npos);
+}
+
+TEST(OnnxModel, TakesReluBetweenLayersAndNoMixtureOfItWithTanh) {
+  const std::string weights = kEnds + kPriorities + field(5, tensor("v", {2, 2}, {1, 2, 3, 4}));
+  const auto gemm = [](const char* from, const char* what, const char* to) { return node("Gemm", {from, what, "b"}, to, kTurned); };
+  const TrainedActor actor = read(weights + gemm("x", "w", "t") + node("Relu", {"t"}, "u") + gemm("u", "v", "y"));
+  EXPECT_EQ(actor.activation, policy::Activation::kRelu);
+  ASSERT_EQ(actor.layers.size(), 2U);
+  EXPECT_EQ(refused(weights + gemm("x", "w", "t") + node("Relu", {"t"}, "u") + gemm("u", "v", "s") + node("Tanh", {"s"}, "r") +
+                    gemm("r", "v", "y")),
+            "graph: tanh after one layer and ReLU after another; one of them flies");
 }
 
 TEST(OnnxModel, TakesACastToFloatWhereItChangesNothing) {
@@ -207,7 +246,7 @@ TEST(OnnxModel, RefusesMoreOperatorsThanAnyPolicyHas) {
 
 TEST(OnnxModel, RefusesOtherOperatorsByName) {
   const std::string layer = kEnds + kPriorities + node("Gemm", {"x", "w", "b"}, "t", kTurned);
-  for (const std::string operation : {"Relu", "Softmax", "ArgMax", "Sigmoid", "Constant", "If", "Loop"}) {
+  for (const std::string operation : {"LeakyRelu", "Softmax", "ArgMax", "Sigmoid", "Constant", "If", "Loop"}) {
     EXPECT_NE(refused(layer + node(operation, {"t"}, "y")).find("operator " + operation), std::string::npos);
     EXPECT_NE(refused(layer + node(operation, {"t"}, "y")).find("freeze the model's .zip"), std::string::npos);
   }

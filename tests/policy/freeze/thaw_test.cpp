@@ -41,9 +41,7 @@ TEST(Thaw, KeepsEveryBitOfWhatPoliciesThatShipHold) {
     EXPECT_TRUE(std::ranges::equal(policy->provenance, read->provenance));
     EXPECT_EQ(policy->observation.listening, read->observation.listening);
     EXPECT_EQ(policy->draw, read->draw);
-    EXPECT_EQ(policy->network.first.packed, read->network.first.packed);
-    EXPECT_EQ(policy->network.second.packed, read->network.second.packed);
-    EXPECT_EQ(policy->network.output.packed, read->network.output.packed);
+    EXPECT_EQ(policy->network.numbers, read->network.numbers);
   }
 }
 

@@ -46,6 +46,29 @@ class Environment(unittest.TestCase):
                     env = gymnasium.make(earshot_gym.ID, state=state, source=source, render_mode="rgb_array")
                     check_env(env.unwrapped)
 
+    def test_names_each_number_of_an_observation(self):
+        for state in STATES:
+            with self.subTest(state=state):
+                env = earshot_gym.AcousticSearchEnv(state=state)
+                self.assertEqual((len(env.observation_names),), env.observation_space.shape)
+                self.assertEqual(len(set(env.observation_names)), len(env.observation_names))
+                envs = earshot_gym.AcousticSearchVectorEnv(2, state=state)
+                self.assertEqual(envs.observation_names, env.observation_names)
+        names = earshot_gym.AcousticSearchEnv(state="position_memory", remembered_steps=1).observation_names
+        self.assertEqual(sorted(names), ["east", "north", "step_east_0", "step_north_0", "step_snr_0"])
+
+    def test_the_numbers_that_its_names_tell_of_are_there(self):
+        env = earshot_gym.AcousticSearchEnv(state="position_memory", remembered_steps=1, source="changing")
+        env.reset(seed=3)
+        observation, _, _, _, info = env.step(EAST)
+        seen = dict(zip(env.observation_names, observation, strict=True))
+        north_m, east_m = info["position_m"]
+        half_m = 12_500.0
+        self.assertAlmostEqual(seen["east"], (east_m - half_m) / half_m, places=5)
+        self.assertAlmostEqual(seen["north"], (north_m - half_m) / half_m, places=5)
+        self.assertAlmostEqual(seen["step_east_0"], 1.0, places=5)
+        self.assertAlmostEqual(seen["step_north_0"], 0.0, places=5)
+
     def test_repeats_an_episode_from_its_seed(self):
         rng = np.random.default_rng(1)
         actions = rng.integers(0, 8, 100)

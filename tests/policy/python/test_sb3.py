@@ -4,6 +4,7 @@ Run by ctest where PyTorch is there.
 """
 
 import copy
+import inspect
 import json
 import os
 import pickle
@@ -38,6 +39,30 @@ def trained(env, steps=4_096):
     model = PPO("MlpPolicy", env, n_steps=256, seed=1, device="cpu")
     model.learn(steps)
     return model
+
+
+class Documented(torch.nn.Module):
+    """As in Stable-Baselines3's guide, "Exporting models"."""
+
+    def __init__(self, policy):
+        super().__init__()
+        self.policy = policy
+
+    def forward(self, observation):
+        return self.policy(observation, deterministic=True)
+
+
+class Normalised(torch.nn.Module):
+    """The logits of a policy that sees observations less their mean, in units of their deviation."""
+
+    def __init__(self, policy, mean, deviation):
+        super().__init__()
+        self.layers = torch.nn.Sequential(*policy.mlp_extractor.policy_net, policy.action_net)
+        self.register_buffer("mean", mean)
+        self.register_buffer("deviation", deviation)
+
+    def forward(self, observation):
+        return self.layers((observation - self.mean) / self.deviation)
 
 
 class StableBaselines3(unittest.TestCase):
@@ -79,6 +104,39 @@ class StableBaselines3(unittest.TestCase):
             print(f"{file.name}: {differ.sum()} of {len(seen)} decisions differ", file=sys.stderr)
             self.assertTrue(np.all(best[differ, -1] - best[differ, -2] < 1e-5))
             self.assertLessEqual(differ.sum(), 1)
+
+    def export(self, module, name: str) -> Path:
+        file = self.folder / name
+        older = {"dynamo": False} if "dynamo" in inspect.signature(torch.onnx.export).parameters else {}
+        torch.onnx.export(module, torch.zeros(1, 6), file, opset_version=17, input_names=["input"], **older)
+        return file
+
+    def test_frozen_gives_the_logits_of_layers_of_256_units_with_relu_whatever_file_they_come_in(self):
+        """Logits are below one, of sums that PyTorch adds in another order."""
+        env = earshot_gym.sb3.SearchVecEnv(2, **OPTIONS)
+        layers = {"net_arch": {"pi": [256, 256, 256], "vf": [4]}, "activation_fn": torch.nn.ReLU}
+        model = PPO("MlpPolicy", env, n_steps=16, seed=1, device="cpu", policy_kwargs=layers)
+        description = self.folder / "search.json"
+        description.write_text(earshot_gym.sb3.describe(model))
+        seen = np.random.default_rng(2).uniform(-1.5, 1.5, (1_000, 6)).astype(np.float32)
+        mean, deviation = torch.linspace(-0.4, 0.6, 6), torch.linspace(0.5, 2.0, 6)
+        normalised = Normalised(model.policy, mean, deviation)
+        with torch.no_grad():
+            plain = normalised.layers(torch.tensor(seen)).numpy()
+            other = normalised(torch.tensor(seen)).numpy()
+        search = ("--search", description)
+        for file, options, expected in (
+            (earshot_gym.sb3.save(model, self.folder / "model"), (), plain),
+            (earshot_gym.sb3.export_onnx(model, self.folder / "model.onnx"), (), plain),
+            (self.export(Documented(model.policy), "documented.onnx"), search, plain),
+            (self.export(normalised, "normalised.onnx"), search, other),
+        ):
+            with self.subTest(file=file.name):
+                done = self.freeze(file, *options, "--force")
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertIn("network 256-256-256 ReLU of 541728 bytes", done.stdout)
+                logits = earshot_gym.FrozenPolicy(self.policy).logits(seen)
+                np.testing.assert_allclose(logits, expected, atol=1e-6)
 
     def test_trains_on_the_registered_environment_too(self):
         model = trained(gymnasium.make(earshot_gym.ID, **OPTIONS), 512)

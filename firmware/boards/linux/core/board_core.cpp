@@ -27,7 +27,7 @@ Message read(const wire::FramedRecord& record) {
   return message;
 }
 
-std::string why(Status status) {
+std::string why(Status status, std::size_t policy_bytes, std::size_t tables_bytes) {
   switch (status) {
     case Status::kCorrupt:
       return "it does not repeat what the policy's freezer computed, or a piece of it was lost on the line";
@@ -36,7 +36,8 @@ std::string why(Status status) {
     case Status::kOutOfRange:
       return "the mission does not fit its policy, or its ocean tables, with the capacities of this board";
     case Status::kFull:
-      return "its capacities are too small for them";
+      return "its capacities are too small for the policy, of " + std::to_string(policy_bytes) + " bytes, or its ocean tables, of " +
+             std::to_string(tables_bytes);
     default:
       return "status " + std::to_string(static_cast<int>(status));
   }
@@ -56,7 +57,7 @@ BoardCore::BoardCore(host::SerialLine line, const config::Mission& mission, std:
     note(report);
     if (report.event == messages::BoardEvent::kArmed) return;
     if (report.event == messages::BoardEvent::kRefused)
-      throw host::BadInput(name + ": the board refuses the mission: " + why(report.status));
+      throw host::BadInput(name + ": the board refuses the mission: " + why(report.status, policy.size(), tables.size()));
   }
   throw host::BadInput(name + ": no board answers");
 }

@@ -59,6 +59,11 @@ class AcousticSearchEnv(gymnasium.Env[NDArray[np.float32], np.int64]):
         return copy.deepcopy(self)
 
     @property
+    def observation_names(self) -> list[str]:
+        """Of each number of an observation: "east", "step_snr_0" (the latest step's), "preference_7" (action 7's)."""
+        return self.world.observation_names
+
+    @property
     def search_description(self) -> str:
         """What `earshot freeze` must know of a policy trained here."""
         return self.world.description

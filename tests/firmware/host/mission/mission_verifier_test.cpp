@@ -8,6 +8,7 @@
 
 #include "firmware/host/file/bad_input.hpp"
 #include "tests/firmware/host/trust/complaint.hpp"
+#include "tests/support/layer_weights.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/signed_mission.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -235,7 +236,7 @@ class MissionVerifiedWithTables : public MissionVerified {
     policy.observation.belief.area_size = policy.area_size;
     policy.observation.belief.actions = policy.actions;
     policy.observation.spec = policy::belief_state(policy.observation.belief);
-    policy.network.observation_size = policy.observation.spec.size();
+    tests::set_inputs(policy.network, policy.observation.spec.size());
     return policy;
   }
   void write_tables(Meters depth) {

@@ -71,7 +71,8 @@ TEST_F(PolicyFile, IsRefusedWithTheProgramsLimitsWhenItIsTooLarge) {
   const std::uint32_t checksum = crc32(std::span(bytes).first(checksum_at));
   for (std::size_t i = 0; i < 4; ++i) bytes[checksum_at + i] = static_cast<std::uint8_t>(checksum >> (8U * i));
   support::sign(bytes);
-  EXPECT_TRUE(support::has_line(complaint(bytes), {"holds", "64 observations", "32 actions", "64 units", "2500 cells", "1024 bytes"}))
+  EXPECT_TRUE(support::has_line(complaint(bytes),
+                                {"holds", "64 observations", "32 actions", "256 units", "3 hidden layers", "2500 cells", "1024 bytes"}))
       << complaint(bytes);
 }
 

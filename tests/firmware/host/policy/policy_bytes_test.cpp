@@ -52,6 +52,13 @@ TEST(PolicyBytes, AreRefusedWithTheSectionThatIsWrong) {
   EXPECT_EQ(complaint_about({}), "a.policy: is cut short");
 }
 
+/// The walk's network has 2 inputs, layers of 8 and 8 units and 8 actions; 65 288 units take 65 344 places, 8 take 64.
+TEST(PolicyBytes, AreRefusedWithTheSizeOfANetworkThatIsTooLarge) {
+  const std::string said = complaint_after([](Bytes& bytes) { bytes[29] = 0xFF; });
+  const std::string size = std::to_string(4U * (65'344ULL * 3 + 64ULL * 65'289 + 8 * 9)) + " bytes";
+  EXPECT_TRUE(support::tells(said, {"a.policy", "NETW", "larger network", size, "625792 bytes", "256 units"})) << said;
+}
+
 TEST(PolicyBytes, OfALaterVersionSaySo) {
   EXPECT_TRUE(support::tells(complaint_after([](Bytes& bytes) { bytes[8] = 5; }), {"a.policy", "version 5", "version 4", "later"}));
 }

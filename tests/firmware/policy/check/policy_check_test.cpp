@@ -29,11 +29,30 @@ TEST(PolicyCheck, FindsNothingWrongWithAGoodPolicy) {
   EXPECT_TRUE(check(*advising_policy()).is_none());
 }
 
+TEST(PolicyCheck, RefusesAnActivationThatNobodyKnows) {
+  for (const int activation : {0, 3, 255})
+    EXPECT_EQ(fault_after([activation](FrozenPolicy& policy) { policy.network.activation = static_cast<Activation>(activation); }),
+              PolicyFault::kUnknownActivation)
+        << activation;
+}
+
+TEST(PolicyCheck, RefusesANetworkThatIsTooLargeWithItsSize) {
+  const auto policy = small_policy();
+  policy->network.hidden_sizes = {Network::kWidth + 1, 3};
+  const PolicyComplaint complaint = check(*policy);
+  EXPECT_EQ(complaint.fault, PolicyFault::kTooLarge);
+  EXPECT_EQ(complaint.section, kNetworkSection);
+  // Two inputs, four actions: blocks of 64 outputs, one more than holds the widest layer.
+  constexpr std::size_t kFirst = Network::kWidth + 64;
+  EXPECT_EQ(complaint.size, 4 * (kFirst * 3 + 64 * (Network::kWidth + 2) + 8 * 4));
+}
+
 TEST(PolicyCheck, RefusesSizesThatDoNotFit) {
   EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.observation_size = 3; }), PolicyFault::kBadShape);
   EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.hidden_sizes[0] = 0; }), PolicyFault::kBadShape);
-  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.hidden_sizes[1] = 0; }), PolicyFault::kBadShape);
-  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.hidden_sizes[1] = 65; }), PolicyFault::kBadShape);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.hidden_sizes[1] = 0; }), PolicyFault::kNone) << "one layer";
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.hidden_sizes = {5, 0, 3}; }), PolicyFault::kBadShape);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.hidden_sizes[0] = std::size_t{1} << 31U; }), PolicyFault::kBadShape);
   EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.actions.clear(); }), PolicyFault::kBadShape);
   EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.observation.spec[0].age = 1; }), PolicyFault::kBadShape);
 }
@@ -87,29 +106,46 @@ TEST(PolicyCheck, RefusesGoldenPlacesAndSoundsThatCannotBe) {
 }
 
 TEST(PolicyCheck, RefusesWeightsThatAreNotFinite) {
-  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.second.bias[2] = kNan; }), PolicyFault::kNotFinite);
-  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.first.weight(4, 1) = kNan; }), PolicyFault::kNotFinite);
-  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.first.weight(5, 0) = kNan; }), PolicyFault::kNone) << "not a weight";
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.layer(1).bias[2] = kNan; }), PolicyFault::kNotFinite);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.layer(0).weight(4, 1) = kNan; }), PolicyFault::kNotFinite);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.layer(0).weight(5, 0) = kNan; }), PolicyFault::kNone) << "not a weight";
 }
 
 TEST(PolicyCheck, RefusesWhatCouldOverflowForSomeObservation) {
   // Of three units with tanh <= 1: |logit| <= 3 |w| + |b|, which may be 1e30. The golden searches alone would not find it.
-  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.output.weight(1, 1) = 0.9e30F; }), PolicyFault::kNone);
-  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.output.weight(1, 1) = -1.1e30F; }), PolicyFault::kUnbounded);
-  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.second.bias[0] = 1.1e30F; }), PolicyFault::kUnbounded);
-  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.first.weight(0, 0) = 1.1e30F; }), PolicyFault::kUnbounded);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.layer(2).weight(1, 1) = 0.9e30F; }), PolicyFault::kNone);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.layer(2).weight(1, 1) = -1.1e30F; }), PolicyFault::kUnbounded);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.layer(1).bias[0] = 1.1e30F; }), PolicyFault::kUnbounded);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.layer(0).weight(0, 0) = 1.1e30F; }), PolicyFault::kUnbounded);
   // A place in an area of 25 km x 26 km is within 103 km whatever it is measured from: scaled by more than 1e4 it could pass 1e9.
   EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.observation.spec[0].scale = 1e5F; }), PolicyFault::kUnbounded);
   EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.observation.spec[0].offset = -3e38F; }), PolicyFault::kUnbounded);
+}
+
+/// By hand: no place north is farther than 103 km from where it is measured, which makes an element of (103 + 13) / 13 = 8.92; a unit of it
+/// is at most 4.46e14 where its weight is 5e13; then 4.46e28, and 4.46e29 or 1.8e30.
+TEST(PolicyCheck, BoundsWhatComesOfLayersWithReluByAllWeightsBefore) {
+  const auto fault_of = [](Activation activation, float last) {
+    return fault_after([activation, last](FrozenPolicy& policy) {
+      std::ranges::fill(policy.network.numbers, 0.0F);
+      policy.network.activation = activation;
+      policy.network.layer(0).weight(4, 1) = 5e13F;
+      policy.network.layer(1).weight(2, 4) = 1e14F;
+      policy.network.layer(2).weight(3, 2) = last;
+    });
+  };
+  EXPECT_EQ(fault_of(Activation::kRelu, 10.0F), PolicyFault::kNone);
+  EXPECT_EQ(fault_of(Activation::kRelu, 40.0F), PolicyFault::kUnbounded);
+  EXPECT_EQ(fault_of(Activation::kTanh, 40.0F), PolicyFault::kNone);
 }
 
 TEST(PolicyCheck, LetsPassNoWeightsWhoseLogitsOverflowAnywhereInTheArea) {
   // The largest weights that may fly, all of one sign, in the corner where every element is largest.
   auto policy = small_policy();
   for (ObservationElement& element : policy->observation.spec) element = {.feature = element.feature, .offset = 0.0F, .scale = 9e3F};
-  policy->network.first.packed.fill(5e20F);
-  policy->network.second.packed.fill(1.9e29F);
-  policy->network.output.packed.fill(3.2e29F);
+  std::ranges::fill(policy->network.layer(0).packed, 5e20F);
+  std::ranges::fill(policy->network.layer(1).packed, 1.9e29F);
+  std::ranges::fill(policy->network.layer(2).packed, 3.2e29F);
   ASSERT_TRUE(check(*policy).is_none());
   for (GoldenStep& step : policy->golden[0]) step.place = policy->area_size;
   record(*policy);
@@ -266,7 +302,7 @@ TEST(PolicyCheck, BoundsAHiddenUnitByTheLargestElementThatItSees) {
   const auto fault_with = [](float weight) {
     return fault_after([weight](FrozenPolicy& policy) {
       for (ObservationElement& element : policy.observation.spec) element = {.feature = Feature::kEast, .scale = 1e-6F};
-      policy.network.first.weight(2, 1) = weight;  // no element is greater than 0.103
+      policy.network.layer(0).weight(2, 1) = weight;  // no element is greater than 0.103
     });
   };
   EXPECT_EQ(fault_with(9.6e30F), PolicyFault::kNone);
@@ -339,12 +375,12 @@ TEST(PolicyCheck, RefusesAWindowThatCannotBeListenedOver) {
 
 TEST(PolicyCheck, LooksAtEveryWeightAndAtNothingElse) {
   // Layers of 5 x 2, 3 x 5 and 4 x 3: the last weight of each, and the first beyond.
-  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.second.weight(2, 4) = 1.1e30F; }), PolicyFault::kUnbounded);
-  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.second.weight(2, 4) = 0.995e30F; }), PolicyFault::kNone);
-  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.output.weight(3, 2) = -0.995e30F; }), PolicyFault::kNone);
-  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.first.weight(0, 2) = kNan; }), PolicyFault::kNone);
-  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.second.weight(0, 5) = kNan; }), PolicyFault::kNone);
-  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.output.weight(0, 3) = kNan; }), PolicyFault::kNone);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.layer(1).weight(2, 4) = 1.1e30F; }), PolicyFault::kUnbounded);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.layer(1).weight(2, 4) = 0.995e30F; }), PolicyFault::kNone);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.layer(2).weight(3, 2) = -0.995e30F; }), PolicyFault::kNone);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.layer(0).weight(5, 0) = kNan; }), PolicyFault::kNone);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.layer(1).weight(3, 4) = kNan; }), PolicyFault::kNone);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.layer(2).weight(4, 2) = kNan; }), PolicyFault::kNone);
 }
 
 TEST(PolicyCheck, LetsPassAnElementOfExactlyTheMost) {

@@ -41,6 +41,7 @@ TEST(PolicyFault, SaysWhatTheCallerShouldDoAndWhatIsWrong) {
         Expected{PolicyFault::kSectionTwice, Status::kMalformed, "twice"},
         Expected{PolicyFault::kBadSectionLength, Status::kMalformed, "not as long as"},
         Expected{PolicyFault::kBadShape, Status::kMalformed, "a size that is zero"},
+        Expected{PolicyFault::kTooLarge, Status::kFull, "larger network"},
         Expected{PolicyFault::kUnknownActivation, Status::kUnsupported, "activation"},
         Expected{PolicyFault::kUnknownFeature, Status::kUnsupported, "feature"},
         Expected{PolicyFault::kUnknownDraw, Status::kUnsupported, "draws"},

@@ -29,9 +29,8 @@ TEST(Parse, GivesThePolicyBackAsItWas) {
   EXPECT_EQ(std::tuple(after->step_length, after->area_size, after->detection_threshold, after->draw),
             std::tuple(before->step_length, before->area_size, before->detection_threshold, before->draw));
   EXPECT_EQ(after->network.hidden_sizes, before->network.hidden_sizes);
-  EXPECT_EQ(after->network.first.packed, before->network.first.packed);
-  EXPECT_EQ(after->network.second.bias, before->network.second.bias);
-  EXPECT_EQ(after->network.output.packed, before->network.output.packed);
+  EXPECT_EQ(after->network.activation, before->network.activation);
+  EXPECT_EQ(after->network.numbers, before->network.numbers);
   EXPECT_TRUE(repeats(*after));
   EXPECT_EQ(bytes_of(*after), bytes);
 }
@@ -94,6 +93,66 @@ TEST(Parse, RefusesAPolicyWithoutANetworkThatDoesNotShowItsPreferences) {
   bytes[second_element] = 33;  // its reach
   mend(bytes);
   EXPECT_TRUE(is(complaint_about(bytes), PolicyFault::kNoAdvice, "OBSV"));
+}
+
+/// small_policy() with another network of numbers that differ. Its file says form, activation, inputs, number of layers, layers, actions.
+std::unique_ptr<FrozenPolicy> policy_with(std::array<std::size_t, 3> hidden, Activation activation) {
+  auto policy = small_policy();
+  policy->network.hidden_sizes = hidden;
+  policy->network.activation = activation;
+  for (std::size_t l = 0; l <= policy->network.hidden_count(); ++l) {
+    const Network::Layer layer = policy->network.layer(l);
+    std::ranges::fill(layer.packed, 0.0F);
+    std::ranges::fill(layer.bias, 0.0F);
+    for (std::size_t o = 0; o < layer.outputs; ++o) {
+      for (std::size_t i = 0; i < layer.inputs; ++i)
+        layer.weight(o, i) = 0.1F * static_cast<float>(l + 1) - 0.01F * static_cast<float>(o + 3 * i);
+      layer.bias[o] = 0.02F * static_cast<float>(o);
+    }
+  }
+  record(*policy);
+  return policy;
+}
+
+TEST(Parse, GivesNetworksOfOneToThreeLayersBack) {
+  const auto after = std::make_unique<FrozenPolicy>();
+  for (const Activation activation : {Activation::kTanh, Activation::kRelu}) {
+    for (const std::array<std::size_t, 3> hidden : {std::array<std::size_t, 3>{7}, {5, 3}, {5, 3, 6}}) {
+      const auto before = policy_with(hidden, activation);
+      const Bytes bytes = bytes_of(*before);
+      PolicyComplaint complaint;
+      ASSERT_EQ(parse(bytes, *after, complaint), Status::kOk);
+      EXPECT_EQ(after->network.hidden_sizes, hidden);
+      EXPECT_EQ(after->network.activation, activation);
+      EXPECT_TRUE(repeats(*after));
+      EXPECT_EQ(bytes_of(*after), bytes);
+    }
+  }
+}
+
+TEST(Parse, RefusesLayersAndActivationsThatNobodyHas) {
+  // 2 (its layers stated), 2 (ReLU), 2 inputs, 3 layers, their units in two bytes each, 4 actions.
+  const Bytes good = bytes_of(*policy_with({5, 3, 6}, Activation::kRelu));
+  const Bytes stated{2, 2, 2, 3, 5, 0, 3, 0, 6, 0, 4};
+  ASSERT_TRUE(std::ranges::equal(stated, std::span(good).subspan(kActivationAt, stated.size())));
+  const auto with = [&good](std::size_t at, std::uint8_t value) {
+    Bytes bytes = good;
+    bytes[kActivationAt + at] = value;
+    mend(bytes);
+    return complaint_about(bytes);
+  };
+  for (const std::uint8_t form : Bytes{3, 128, 255}) EXPECT_TRUE(is(with(0, form), PolicyFault::kUnknownActivation, "NETW")) << int{form};
+  for (const std::uint8_t activation : Bytes{0, 3, 255})
+    EXPECT_TRUE(is(with(1, activation), PolicyFault::kUnknownActivation, "NETW")) << int{activation};
+  for (const std::uint8_t count : Bytes{0, 4, 128, 255}) EXPECT_TRUE(is(with(3, count), PolicyFault::kBadShape, "NETW")) << int{count};
+  for (const std::uint8_t count : Bytes{1, 2}) EXPECT_FALSE(with(3, count).is_none()) << int{count};
+  for (const std::size_t layer : {0U, 1U, 2U}) EXPECT_TRUE(is(with(4 + 2 * layer, 0), PolicyFault::kBadShape, "NETW")) << layer;
+  EXPECT_TRUE(is(with(2, 65), PolicyFault::kBadShape, "NETW"));
+  EXPECT_TRUE(is(with(10, 33), PolicyFault::kBadShape, "NETW"));
+  // The high byte: 65 285, 65 283 and 65 286 units.
+  for (const std::size_t layer : {0U, 1U, 2U}) EXPECT_TRUE(is(with(5 + 2 * layer, 255), PolicyFault::kTooLarge, "NETW")) << layer;
+  // 65 344 places for 65 285 units: of 2 inputs, then into 64 places of the second layer; 64 of the third, and 8 of the output.
+  EXPECT_EQ(with(5, 255).size, 4U * (65'344ULL * 3 + 64ULL * 65'286 + 64 * 4 + 8 * 7));
 }
 
 TEST(Parse, NamesANetworkOfTheFormatBefore) {
@@ -253,12 +312,12 @@ TEST(Parse, NamesALastSectionThatSaysItIsLongerThanTheFile) {
 }
 
 TEST(Parse, NamesWhatIsWrongInASection) {
-  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kActivationAt] = 2; }), PolicyFault::kUnknownActivation, "NETW"));
+  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kActivationAt] = 3; }), PolicyFault::kUnknownActivation, "NETW"));
   EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kActivationAt] = 0; }), PolicyFault::kBadSectionLength, "NETW"))
       << "layers without a network";
   for (const std::uint8_t count : Bytes{0, 5, 33})
     EXPECT_EQ(complaint_after([count](Bytes& bytes) { bytes[kActionCountAt] = count; }).section, kNetworkSection) << int{count};
-  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kActivationAt + 3] = 0xFF; }), PolicyFault::kBadShape, "NETW"));
+  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kActivationAt + 3] = 0xFF; }), PolicyFault::kTooLarge, "NETW"));
   EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kListeningAt] = 1; }), PolicyFault::kUnknownListening, "OBSV"));
   EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kListeningAt + 1] = 1; }), PolicyFault::kUnknownListening, "OBSV"));
   const auto mean_of_121_s = [](Bytes& bytes) { bytes[kListeningAt] = 2, bytes[kListeningAt + 1] = 121; };

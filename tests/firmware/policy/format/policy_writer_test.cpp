@@ -100,7 +100,8 @@ TEST(Serialise, FillsTheLargestSerialisedSizeWithThePolicyOfTheLargestSizes) {
   belief.area_size = policy->area_size;
   belief.detection_threshold = policy->detection_threshold;
   policy->network.observation_size = config::kMaxObservation;
-  policy->network.hidden_sizes = {Network::kWidth, Network::kWidth};
+  policy->network.hidden_sizes = {Network::kWidth, Network::kWidth, Network::kWidth};
+  if (!fits(policy->network)) policy->network.hidden_sizes = {Network::kWidth, Network::kWidth};
   policy->network.action_count = config::kMaxActions;
   const Bytes bytes = bytes_of(*policy);
   EXPECT_EQ(bytes.size(), max_serialised_size());
@@ -115,7 +116,7 @@ TEST(Serialise, RefusesAPolicyThatParseWouldRefuse) {
     return serialise(*policy, kPublicKey, bytes).status();
   };
   EXPECT_EQ(refused([](FrozenPolicy& policy) { policy.network.observation_size = 3; }), Status::kOutOfRange);
-  EXPECT_EQ(refused([](FrozenPolicy& policy) { policy.network.second.bias[2] = std::numeric_limits<float>::infinity(); }),
+  EXPECT_EQ(refused([](FrozenPolicy& policy) { policy.network.layer(1).bias[2] = std::numeric_limits<float>::infinity(); }),
             Status::kOutOfRange);
 }
 

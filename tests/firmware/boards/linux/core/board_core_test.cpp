@@ -8,13 +8,16 @@
 
 #include <atomic>
 #include <memory>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "firmware/boards/cortex_m7/flight_board.hpp"
+#include "firmware/core/crc32.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/file_descriptor.hpp"
+#include "firmware/policy/envelope/envelope.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/firmware/boards/cortex_m7/fake_machine.hpp"
 #include "tests/firmware/policy/format/unsigned_file.hpp"
@@ -158,6 +161,15 @@ TEST_F(BoardCoreTest, GivesTheSetPointsDecisionsAndHealthOfARuntimeInThisProcess
 TEST_F(BoardCoreTest, SaysWhyTheBoardRefusesAMission) {
   mission_.step_length = Meters{500};
   EXPECT_TRUE(support::has_line(refusal(), {"refuses", "mission", "mission", "not"})) << refusal();
+}
+
+TEST_F(BoardCoreTest, SaysTheSizeOfAPolicyWhoseNetworkTheBoardDoesNotHold) {
+  const std::size_t first_layer = 28;                   // 16 of header, 10 of the section, its form, its inputs
+  policy_[first_layer] = policy_[first_layer + 1] = 1;  // 257 units
+  const std::size_t checksum = policy_.size() - policy::kSignatureSize - 4;
+  const std::uint32_t crc = crc32(std::span(policy_).first(checksum));
+  for (unsigned i = 0; i < 4; ++i) policy_[checksum + i] = static_cast<std::uint8_t>(crc >> (8U * i));
+  EXPECT_TRUE(support::has_line(refusal(), {"refuses", "capacities", "small", std::to_string(policy_.size()) + " bytes"})) << refusal();
 }
 
 TEST_F(BoardCoreTest, SaysThatNoBoardAnswers) {

@@ -24,4 +24,10 @@ namespace earshot::freeze::test {
                                           std::initializer_list<std::pair<std::string, std::string>> entries);
 [[nodiscard]] std::string bytes_of(const std::vector<float>& values);
 
+/// An operator of a graph: field 1 of GraphProto. @param attributes  its field 5, one after another
+[[nodiscard]] std::string node(const std::string& operation, std::initializer_list<std::string> inputs, const std::string& output,
+                               const std::string& attributes = "");
+[[nodiscard]] std::string integer_attribute(const std::string& name, std::uint64_t value);
+[[nodiscard]] std::string real_attribute(const std::string& name, float value);
+
 }  // namespace earshot::freeze::test

@@ -1,4 +1,4 @@
-#include "policy/freeze/protobuf.hpp"
+#include "policy/freeze/onnx/protobuf.hpp"
 
 #include "firmware/host/toml/table_reader.hpp"
 

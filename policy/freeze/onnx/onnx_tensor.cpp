@@ -1,4 +1,4 @@
-#include "policy/freeze/onnx_tensor.hpp"
+#include "policy/freeze/onnx/onnx_tensor.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -11,7 +11,7 @@
 
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/toml/table_reader.hpp"
-#include "policy/freeze/protobuf.hpp"
+#include "policy/freeze/onnx/protobuf.hpp"
 
 // Field numbers are those of onnx.proto3 (ONNX 1.17), the schema of every version up to it.
 

@@ -1,4 +1,4 @@
-#include "policy/freeze/onnx_tensor.hpp"
+#include "policy/freeze/onnx/onnx_tensor.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "tests/policy/freeze/bytes.hpp"
-#include "tests/policy/freeze/onnx_bytes.hpp"
+#include "tests/policy/freeze/onnx/onnx_bytes.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/text/tells.hpp"
 

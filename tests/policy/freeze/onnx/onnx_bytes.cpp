@@ -1,4 +1,4 @@
-#include "tests/policy/freeze/onnx_bytes.hpp"
+#include "tests/policy/freeze/onnx/onnx_bytes.hpp"
 
 namespace earshot::freeze::test {
 
@@ -39,6 +39,21 @@ std::string external_tensor(const std::string& name, std::initializer_list<std::
   bytes += field(2, 1) + field(8, name) + field(14, 1);
   for (const auto& [key, value] : entries) bytes += field(13, field(1, key) + field(2, value));
   return bytes;
+}
+
+std::string node(const std::string& operation, std::initializer_list<std::string> inputs, const std::string& output,
+                 const std::string& attributes) {
+  std::string bytes;
+  for (const std::string& input : inputs) bytes += field(1, input);
+  return field(1, bytes + field(2, output) + field(4, operation) + attributes);
+}
+
+std::string integer_attribute(const std::string& name, std::uint64_t value) {
+  return field(5, field(1, name) + field(3, value));
+}
+
+std::string real_attribute(const std::string& name, float value) {
+  return field(5, field(1, name) + real_field(2, value));
 }
 
 }  // namespace earshot::freeze::test
