@@ -83,7 +83,7 @@ class Belief:
         """Takes in one measurement: what was heard at a place, once the vehicle has made a step.
 
         position   (north, east), m, where navigation believes the vehicle
-        snr        dB, -1000 to 1000; where it was too faint to measure, the least that could have been measured
+        snr        dB, -600 to 600; where it was too faint to measure, the least that could have been measured
         too_faint  whether the signal lies somewhere below `snr`
         bearing    (direction, standard deviation), degrees, true, clockwise from north; of a line of hydrophones, which
                    hears the same from either side of its axis, (direction, standard deviation, axis)
@@ -128,7 +128,7 @@ class Belief:
         spread              m, root mean square distance from the mean
         likeliest_share     probability of the likeliest cell
         effective_cells     over how many cells the belief is spread: one over the sum of squared probabilities
-        mismatch_bits       how unlikely what was heard is under all that is thought possible
+        mismatch_bits       how much better what was heard is explained without any ocean; below 0 the oceans explain more
         is_mismatched       whether that ever came to 6.75 bits
         calls_for_sweep     whether the vehicle had better sweep the area
         """
@@ -136,7 +136,7 @@ class Belief:
 
     @property
     def mismatch(self) -> float:
-        """bits; from 6.75 on what was heard is not explained."""
+        """bits, of `summary`; below 0 the oceans explain what was heard, from 6.75 on they do not."""
         return float(self._state.summary()["mismatch_bits"])
 
     @property

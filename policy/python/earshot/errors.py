@@ -11,6 +11,7 @@ __all__ = ["BadInput", "BadType"]
 _PLACE = re.compile(r"(?P<file>[^\n]*?):(?P<line>\d+): ")
 _FILE = re.compile(r"(?P<file>[^\n:]*[/.][^\n:]*): (?=[\w.\[\]]+ (?:= |is missing: ))")  # no argument has such a name
 _KEY = re.compile(r"(?P<key>[\w.\[\]() ,-]+?)(?: = (?P<value>[^\n]+?): | is missing: )")
+_FILE_ALONE = re.compile(r"(?P<file>[^\n:]*/[^\n:]*): ")  # about the whole of it
 _BARE_KEY = re.compile(r"(?P<key>[\w.\[\]() ,-]+?): ")
 _ARGUMENT = re.compile(r"(?P<key>[a-z][a-z_0-9]*): ")
 
@@ -48,11 +49,13 @@ class BadInput(ValueError):
             if self.value is not None and len(self.value) > 1 and self.value[0] == self.value[-1] == '"':
                 self.value = self.value[1:-1]
         elif self.line is not None:
-            found = _BARE_KEY.match(rest)
+            found = None if rest.startswith("not TOML: ") else _BARE_KEY.match(rest)
             self.key = found["key"] if found else self.key
         elif self.file is None:
             found = _ARGUMENT.match(rest)
             self.key = found["key"] if found else self.key
+            alone = None if found else _FILE_ALONE.match(rest)
+            self.file = alone["file"] if alone else None
 
     def about(self, file: str, shown: str, *, key: str, value: Any) -> BadInput:
         """The same, where `file` was read: what is wrong with all of that is wrong with the argument that names it.

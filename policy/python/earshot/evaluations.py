@@ -24,7 +24,7 @@ __all__ = ["EvaluationWarning", "baselines", "evaluate"]
 Path_ = Union[str, "os.PathLike[str]"]
 Choose = Callable[[tuple[float, float], float, bool, int], int]
 
-_UNITS = {"hours": "h", "db": "dB", "us": "us", "steps": "1", "fraction": "1", "reward": "1"}
+_UNITS = {"hours": "h", "us": "us"}  # by a word of the column's name; all else is a number or a share
 
 
 class EvaluationWarning(UserWarning):
@@ -44,11 +44,19 @@ def _bound(name: str, policy: Any) -> tuple[str, tuple[Any, Any, Any]]:
             key="policies",
             value=policy,
         )
-    return name, (getattr(policy, "begin", None), choose, getattr(policy, "declares_found", None))
+    begin, declares_found = getattr(policy, "begin", None), getattr(policy, "declares_found", None)
+    for method, what in (("begin", begin), ("declares_found", declares_found)):
+        if what is not None and not callable(what):
+            raise BadType(f"policies: {method} of {name} must be callable", key="policies", value=policy)
+    if not name or not name.isprintable():
+        raise BadInput(f"policies: {name!r} must be a name of printable characters", key="policies", value=name)
+    return name, (begin, choose, declares_found)
 
 
 def _policies(given: Any) -> list[Any]:
     if isinstance(given, Mapping):
+        if not given:
+            raise BadInput("policies: must be one or more", key="policies", value=given)
         return [_bound(text("policies", name), policy) for name, policy in given.items()]
     each = given if isinstance(given, Sequence) and not isinstance(given, (str, bytes)) else [given]
     if not each:
@@ -94,8 +102,10 @@ def _several(name: str, given: Any) -> list[Any]:
         return []
     if isinstance(given, (Environment, Tables, str, os.PathLike)):
         return [given]
-    if not isinstance(given, Sequence):
+    if not isinstance(given, Sequence) or isinstance(given, bytes):
         raise BadType(f"{name}: must be one, or a list of them", key=name, value=given)
+    if not given:
+        raise BadInput(f"{name}: must be one or more, or None", key=name, value=given)
     return list(given)
 
 
@@ -141,7 +151,8 @@ def evaluate(
                   several those for a world's depth and frequency. None: the environment's own ocean alone
     seed          of starts, sources and what policies draw; None: a world's own, or 1
     source        "changing" or "fixed"; start: "domain" or "inside_border"; vehicle_depth, border_width: m;
-                  max_steps. None: as the policies were trained, or "changing", "inside_border", 300 m, 1000 m, 100
+                  max_steps. None: as the policies were trained, or "changing", "inside_border", 300 m, 1000 m, 100;
+                  `earshot.gym` starts in the "domain" where nothing is given
     declared      as at sea: a search of a policy that declares the source found ends when it rightly does
     progress      called with the share of the work that is done, 0 to 1
 
@@ -198,6 +209,8 @@ def evaluate(
         float_precision="round_trip",
     )
     frame.attrs["units"] = {
-        str(column): unit for column in frame for word, unit in _UNITS.items() if word in str(column).split("_")
+        str(column): next((unit for word, unit in _UNITS.items() if word in str(column).split("_")), "1")
+        for column in frame
+        if column not in ("world", "policy")
     }
     return frame

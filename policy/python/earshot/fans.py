@@ -131,7 +131,7 @@ def horizontal_map(
     side       m, 1 to 4 000 000, of the square, centred on the source; None: the largest within `max_range`
     intervals  grid steps along a side, 1 to 10 000
     All other arguments are those of `earshot.fan`, which is computed; the map is linear in dB along range, then between
-    bearings. The environment must know source level and noise level.
+    bearings. The source is the map's centre. The environment must know source level and noise level.
 
     Returns a Dataset over depth, north, east (the first only where an array of receiver depths was given) with
       snr                    dB; NaN on land, below the sea floor and beyond the fan

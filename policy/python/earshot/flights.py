@@ -31,14 +31,19 @@ _PROGRAM = "earshot-fly"
 
 
 class FlightLost(RuntimeError):
-    """A process, the bus or a file was lost in mid-flight; what there is of the flight stays in its folder."""
+    """A process, the bus or a file was lost in mid-flight; what there is of the flight stays in the folder named."""
 
 
 class Flight:
     """A flight's folder, read when it is asked for.
 
     folder  pathlib.Path of journal.lcmlog, track.csv, summary.json and the others
+
+    Where `earshot.fly` was given no folder, this one goes with the object, in the process that flew. Such a flight
+    cannot be pickled.
     """
+
+    _is_temporary = False
 
     def __init__(self, folder: Path_) -> None:
         self.folder = path("folder", folder)
@@ -50,15 +55,24 @@ class Flight:
     @functools.cached_property
     def summary(self) -> dict[str, Any]:
         """found, reward, steps, end_reason, source, start and the rest of summary.json, in SI units."""
-        found = json.loads((self.folder / "summary.json").read_text())
-        return dict(found)
+        file = self.folder / "summary.json"
+        try:
+            found = json.loads(file.read_text(encoding="utf-8"))
+        except (OSError, ValueError) as wrong:
+            raise BadInput(f"folder = {self.folder}: {file} cannot be read: {wrong}", key="folder") from None
+        if not isinstance(found, dict) or not {"found", "steps"} <= found.keys():
+            raise BadInput(f"folder = {self.folder}: {file} is no summary of a flight", key="folder")
+        return found
 
     @functools.cached_property
     def track(self) -> pandas.DataFrame:
         """A row each second: time, place, depth, heading, speed, SNR, range to the source, state; names have units."""
         import pandas
 
-        return pandas.read_csv(self.folder / "track.csv")
+        file = self.folder / "track.csv"
+        if not file.is_file():
+            raise BadInput(f"folder = {self.folder}: has no track.csv", key="folder")
+        return pandas.read_csv(file)
 
     @functools.cached_property
     def journal(self) -> dict[str, pandas.DataFrame]:
@@ -71,8 +85,20 @@ class Flight:
         return self.journal["decision"]
 
     def __repr__(self) -> str:
-        found = "found" if self.summary["found"] else "not found"
-        return f"<earshot.Flight: {found} after {self.summary['steps']} steps, {self.folder}>"
+        return f"<earshot.Flight {self.folder}>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        if self._is_temporary:
+            raise BadInput(
+                "out: must be given to a flight that is to be pickled, for its folder goes with it", key="out"
+            )
+        return Flight, (self.folder,)
+
+
+def _remove(folder: Path, process: int) -> None:
+    """A child process has the object, too, and must leave the folder to its parent."""
+    if os.getpid() == process:
+        shutil.rmtree(folder, ignore_errors=True)
 
 
 def _program(programs: Path_ | None) -> str:
@@ -121,8 +147,10 @@ def _run(command: list[str], argument_of: dict[str, str]) -> None:
         return
     words = "\n".join(line.removeprefix("earshot fly: ") for line in errors.strip().splitlines())
     if process.returncode == _BAD_INPUT:
-        path = next((path for path in argument_of if words.startswith(path)), None)
-        raise BadInput(words, key=argument_of[path], value=path) if path is not None else BadInput(words)
+        for file, argument in argument_of.items():
+            if words.startswith(file):
+                raise BadInput(words, key=argument, value=file)
+        raise BadInput(words)
     raise FlightLost(words or f"{_PROGRAM} ended with status {process.returncode}")
 
 
@@ -153,53 +181,60 @@ def fly(
     hear             "synthetic", or a file of recorded calls: the vehicle hears sound and measures the SNR itself
     battery_percent  a battery is simulated, which holds so much at first
     ignore_source    fly on to the last step even when the source is found
-    lcm_url          the bus; two flights at once need one each
-    out              folder of the flight's files; None: one that goes with the returned object
+    lcm_url          the bus; the default is the mission's
+    out              folder of the flight's files, in place of those of an earlier flight; None: one that goes with the
+                     returned object
     programs         folder of Earshot's programs; None: EARSHOT_PROGRAMS, or the PATH. The wheel holds none
 
-    Raises BadInput, BadType, and FlightLost where a process or the bus was lost. Ctrl-C ends the flight in order.
+    Raises BadInput, BadType, and FlightLost where a process or the bus was lost. Ctrl-C ends the flight in order, and
+    its journal stays.
     """
     if source not in ("changing", "fixed"):
         raise BadInput(f'source = {source!r}: must be "changing" or "fixed"', key="source", value=source)
+    if isinstance(tables, Tables):
+        raise BadType(
+            "tables: must be a path of signed tables, for a vehicle refuses others", key="tables", value=tables
+        )
+    options = ["--seed", str(whole_number("seed", seed)), "--source", source]
+    argument_of: dict[str, str] = {}
+
+    def add(name: str, value: str) -> None:
+        argument_of[value] = name
+        options.extend(["--" + name.replace("_", "-"), value])
+
+    for name, named in (("mission", mission), ("policy", policy), ("public_key", public_key), ("tables", tables)):
+        if named is not None:
+            add(name, _path(name, named))
+    if hear is not None:
+        add("hear", hear if hear == "synthetic" else _path("hear", hear))
+    if battery_percent is not None:
+        charge = number("battery_percent", battery_percent)
+        if not 0.0 <= charge <= 100.0:
+            raise BadInput(f"battery_percent = {charge:g}: must be 0 to 100", key="battery_percent", value=charge)
+        add("battery_percent", repr(charge))
+    if lcm_url is not None:
+        add("lcm_url", text("lcm_url", lcm_url))
+    if truth_value("ignore_source", ignore_source):
+        options.append("--ignore-source")
+    kept = None if out is None else _path("out", out)
     program = _program(programs)
     given = Path(tempfile.mkdtemp(prefix="earshot-flight-"))
+    is_kept = False
     try:
-        folder = given / "flight" if out is None else Path(_path("out", out))
-        command = [program, "--quiet", "--no-report", "--out", str(folder), "--source", source]
-        argument_of = {str(folder): "out"}
-        command += ["--seed", str(whole_number("seed", seed))]
-        for name, value in (
-            ("environment", environment),
-            ("mission", mission),
-            ("policy", policy),
-            ("public_key", public_key),
-        ):
-            if value is not None:
-                path = _in_file(name, value, given)
-                argument_of[path] = name
-                command += ["--" + name.replace("_", "-"), path]
-        if isinstance(tables, Tables):
-            raise BadType(
-                "tables: must be a path of signed tables, for a vehicle refuses others", key="tables", value=tables
-            )
-        if tables is not None:
-            argument_of[_path("tables", tables)] = "tables"
-            command += ["--tables", _path("tables", tables)]
-        if hear is not None:
-            command += ["--hear", hear if hear == "synthetic" else _path("hear", hear)]
-        if battery_percent is not None:
-            command += ["--battery-percent", repr(number("battery_percent", battery_percent))]
-        if lcm_url is not None:
-            command += ["--lcm-url", text("lcm_url", lcm_url)]
-        if truth_value("ignore_source", ignore_source):
-            command.append("--ignore-source")
-        _run(command, argument_of)
+        if environment is not None:
+            add("environment", _in_file("environment", environment, given))
+        folder = Path(kept) if kept is not None else given / "flight"
+        add("out", str(folder))
+        _run([program, "--quiet", "--no-report", *options], argument_of)
         flight = Flight(folder)
-    except BaseException:
-        shutil.rmtree(given, ignore_errors=True)
+        is_kept = kept is None
+    except (FlightLost, KeyboardInterrupt):
+        is_kept = kept is None  # what there is of the flight lies there
         raise
-    if out is None:
-        weakref.finalize(flight, shutil.rmtree, given, ignore_errors=True)
-    else:
-        shutil.rmtree(given, ignore_errors=True)
+    finally:
+        if not is_kept:
+            shutil.rmtree(given, ignore_errors=True)
+    if kept is None:
+        flight._is_temporary = True
+        weakref.finalize(flight, _remove, given, os.getpid())
     return flight

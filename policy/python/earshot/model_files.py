@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import os
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from earshot import core
+from earshot import arguments, core
 from earshot.arguments import Numbers, axis, is_labelled
 from earshot.errors import BadInput, BadType
 
@@ -50,14 +49,14 @@ def write_shd(
     if arrays["pressure"] is None or "frequency" not in sound.coords:
         raise BadInput("sound: must hold the pressure of one frequency, not of a band or without", key="sound")
     core.write_shade(
-        _path(path),
+        arguments.path("path", path),
         **arrays,
         reference_wavenumber=float(sound["reference_wavenumber"]) if "reference_wavenumber" in sound else np.nan,
         title=str(sound.attrs.get("environment", "")),
         frequency=float(sound["frequency"]),
         source_depth=float(sound["source_depth"]),
         single_precision=layout == "single",
-        force=bool(force),
+        force=arguments.truth_value("force", force),
     )
 
 
@@ -80,13 +79,11 @@ def write_tl_grid(
     Raises as `earshot.write_shd` does.
     Source: Collins, User's Guide for RAM Versions 1.0 and 1.0p, Naval Research Laboratory.
     """
-    core.write_tl_grid(_path(path), **_arrays(sound, receiver_depth, receiver_range), force=bool(force))
-
-
-def _path(path: Any) -> Path:
-    if not isinstance(path, (str, os.PathLike)):
-        raise BadType("path: must be a text or a path", key="path", value=path)
-    return Path(path)
+    core.write_tl_grid(
+        arguments.path("path", path),
+        **_arrays(sound, receiver_depth, receiver_range),
+        force=arguments.truth_value("force", force),
+    )
 
 
 def _arrays(sound: Any, receiver_depth: Any, receiver_range: Any) -> dict[str, Any]:
@@ -100,6 +97,17 @@ def _arrays(sound: Any, receiver_depth: Any, receiver_range: Any) -> dict[str, A
             key="sound",
         )
     ordered = sound.transpose("range", "depth")
+    for name in ("range", "depth", "sea_floor_depth", "source_depth"):
+        if name not in ordered or ordered[name].dtype.kind not in "iuf":
+            raise BadInput(f"sound: must hold numbers of {name}, as earshot.field gives them", key="sound")
+    for name in ("range", "depth"):
+        values = ordered[name].values
+        if not (np.all(np.isfinite(values)) and np.all(np.diff(values) > 0.0) and np.all(values >= 0.0)):
+            raise BadInput(f"sound: its {name} must increase, from 0 m on", key="sound")
+    if "frequency" in ordered.coords and not 0.0 < float(ordered["frequency"]) < np.inf:
+        raise BadInput("sound: its frequency must be above 0 Hz", key="sound")
+    if "frequency" not in ordered.coords and "band_hz" not in ordered.attrs:
+        raise BadInput("sound: must state its frequency, or the attribute band_hz", key="sound")
     arrays: dict[str, Any] = {
         "range": ordered["range"].values.tolist(),
         "depth": ordered["depth"].values.tolist(),

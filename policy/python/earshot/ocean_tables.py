@@ -23,6 +23,9 @@ __all__ = ["Tables", "tables"]
 Oceans = Union[Environment, str, "os.PathLike[str]", Sequence[Union[Environment, str, "os.PathLike[str]"]]]
 
 
+_BEGIN = b"EARSHOTT"  # of a file of tables
+
+
 class Tables:
     """SNR against range in each of some oceans, at one depth of the vehicle and one frequency. Nothing of it changes.
 
@@ -44,25 +47,35 @@ class Tables:
         except BadInput as bad:
             raise bad.about(str(file), core.printable(file), key="path", value=path) from None
 
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes a `.tables` file, whole or not at all, in place of one of that name.
+    def save(self, path: str | os.PathLike[str], *, force: bool = False) -> None:
+        """Writes a `.tables` file, whole or not at all.
+
+        force  replace a file that is there already, of whatever kind; otherwise only tables are replaced
 
         Every tool on a desk reads it. A vehicle refuses tables that `earshot.tables` made, for they are not signed:
-        `earshot tables ... --key` makes signed ones.
+        `earshot tables ... --key` makes signed ones. Raises BadInput where it cannot be written.
         """
         target = arguments.path("path", path)
-        if target.exists() and not target.is_file():
+        arguments.truth_value("force", force)
+        if target.is_symlink() or (target.exists() and not target.is_file()):
             raise BadInput(f"path = {target}: must be a file, or not be there yet", key="path", value=path)
-        with tempfile.NamedTemporaryFile(dir=target.parent, prefix=target.name + ".", delete=False) as file:
-            written = Path(file.name)
-            try:
-                file.write(self._tables.bytes)
-                file.flush()
-                written.chmod(0o644)
-                written.replace(target)
-            except BaseException:
-                written.unlink(missing_ok=True)
-                raise
+        try:
+            if target.exists() and not force and target.read_bytes()[: len(_BEGIN)] != _BEGIN:
+                raise BadInput(
+                    f"path = {target}: is there and holds no tables; force=True replaces it", key="path", value=path
+                )
+            with tempfile.NamedTemporaryFile(dir=target.parent, prefix=target.name + ".", delete=False) as file:
+                written = Path(file.name)
+                try:
+                    file.write(self._tables.bytes)
+                    file.flush()
+                    written.chmod(0o644)
+                    written.replace(target)
+                except BaseException:
+                    written.unlink(missing_ok=True)
+                    raise
+        except OSError as wrong:
+            raise BadInput(f"path = {target}: cannot be written: {wrong.strerror}", key="path", value=path) from None
 
     @property
     def frequency(self) -> float:
@@ -166,14 +179,18 @@ def tables(
     """
     if progress is not None and not callable(progress):
         raise BadType("progress: must be callable, or None", key="progress", value=progress)
-    return Tables(
-        core.Tables.make(
-            oceans=_oceans(environments),
-            vehicle_depth=number("vehicle_depth", vehicle_depth),
-            max_range=number("max_range", max_range),
-            range_step=number("range_step", range_step),
-            bearings=whole_number("bearings", bearings),
-            at_most=whole_number("at_most", at_most),
-            progress=progress,
-        )
-    )
+    asked: dict[str, Any] = {
+        "oceans": _oceans(environments),
+        "vehicle_depth": number("vehicle_depth", vehicle_depth),
+        "max_range": number("max_range", max_range),
+        "range_step": number("range_step", range_step),
+        "bearings": whole_number("bearings", bearings),
+        "at_most": whole_number("at_most", at_most),
+        "progress": progress,
+    }
+    try:
+        return Tables(core.Tables.make(**asked))
+    except BadInput as bad:
+        if bad.file is not None or bad.key in asked:
+            raise
+        raise BadInput(f"environments: {bad}", key="environments", value=environments) from None

@@ -170,6 +170,23 @@ std::pair<std::string, std::vector<std::string>> evaluated(const Asked& asked, c
   return {evaluate::as_csv(rows, evaluate::Timing::kIncluded), warnings};
 }
 
+/// How many evaluations are under way in this thread: a policy may begin one, and each takes some 200 kB of the stack.
+class Nesting {
+ public:
+  Nesting() {
+    constexpr int kMost = 8;
+    if (depth_ >= kMost) throw BadInput("policies: must not evaluate policies that evaluate policies, more than 8 deep");
+    ++depth_;
+  }
+  Nesting(const Nesting&) = delete;
+  Nesting& operator=(const Nesting&) = delete;
+  ~Nesting() { --depth_; }
+
+ private:
+  static thread_local int depth_;
+};
+thread_local int Nesting::depth_ = 0;
+
 py::tuple evaluate_policies(std::vector<PolicyGiven> policies, std::vector<OceanGiven> worlds, OceanGiven environment,
                             std::vector<std::pair<std::string, std::shared_ptr<Tables>>> tables, std::size_t episodes,
                             std::optional<std::uint64_t> seed, std::optional<double> vehicle_depth, std::optional<std::string> source,
@@ -187,6 +204,7 @@ py::tuple evaluate_policies(std::vector<PolicyGiven> policies, std::vector<Ocean
                                 .border_width_m = border_width,
                                 .max_steps = max_steps},
                     .declared = declared};
+  const Nesting nesting;
   const std::vector<evaluate::Candidate> candidates = candidates_of(asked);
   Watch watch(std::move(progress));
   const auto [csv, warnings] = [&] {

@@ -46,7 +46,11 @@ std::optional<bool> PythonSearcher::declares_found() const {
   if (!declares_) return std::nullopt;
   if (step_ == 0) return false;  // it has chosen nothing yet
   const py::gil_scoped_acquire with_python;
-  return bound_[kDeclaresFound]().cast<bool>();
+  const py::object answer = bound_[kDeclaresFound]();
+  if (!py::isinstance<py::bool_>(answer))
+    throw host::BadInput("policies: declares_found of " + name_ + " must give True or False, and gave " +
+                         std::string(py::str(py::repr(answer))));
+  return answer.cast<bool>();
 }
 
 }  // namespace earshot::python

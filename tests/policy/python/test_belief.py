@@ -202,13 +202,27 @@ class OfOceans(unittest.TestCase):
             with self.subTest(key=key), self.assertRaises(earshot.BadInput) as raised:
                 wrong()
             self.assertEqual(raised.exception.key, key)
-        with self.assertRaisesRegex(earshot.BadInput, "must be one frequency in all environments"):
+        with self.assertRaisesRegex(earshot.BadInput, "must be one frequency in all environments") as raised:
             earshot.tables([shallow(), shallow(frequency=20.0)], vehicle_depth=50.0)
+        self.assertEqual(raised.exception.key, "environments")
         (self.folder / "torn.tables").write_bytes(SHIPPED.read_bytes()[:1_000])
         with self.assertRaisesRegex(earshot.BadInput, "torn.tables"):
             earshot.Tables.from_file(self.folder / "torn.tables")
-        with self.assertRaises(earshot.BadInput):
-            earshot.tables(shallow(), vehicle_depth=50.0).save(self.folder)
+        tables = earshot.tables(shallow(), vehicle_depth=50.0)
+        (self.folder / "mine.txt").write_text("mine")
+        (self.folder / "link.tables").symlink_to(SHIPPED)
+        for place in (
+            self.folder,
+            self.folder / "mine.txt",
+            self.folder / "link.tables",
+            self.folder / "no" / "x.tables",
+        ):
+            with self.subTest(place=place), self.assertRaises(earshot.BadInput) as raised:
+                tables.save(place)
+            self.assertEqual(raised.exception.key, "path")
+        self.assertEqual((self.folder / "mine.txt").read_text(), "mine")
+        tables.save(self.folder / "mine.txt", force=True)
+        tables.save(self.folder / "mine.txt")
 
 
 if __name__ == "__main__":

@@ -120,6 +120,27 @@ class InPython(unittest.TestCase):
                 earshot.evaluate({"mine": lambda *_, wrong=wrong: wrong}, n=1)
             self.assertEqual(raised.exception.key, "policies")
 
+    def test_must_say_whether_it_declares(self):
+        class Unsure:
+            def choose(self, position, snr, too_faint, step):
+                return 0
+
+            def declares_found(self):
+                return "perhaps"
+
+        with self.assertRaisesRegex(
+            earshot.BadInput, "declares_found of mine must give True or False, and gave 'perhaps'"
+        ):
+            earshot.evaluate({"mine": Unsure()}, n=1)
+
+    def test_may_evaluate_others_but_not_without_end(self):
+        def within(position, snr, too_faint, step):
+            earshot.evaluate(within, n=1, max_steps=1)
+            return 0
+
+        with self.assertRaisesRegex(earshot.BadInput, "more than 8 deep"):
+            earshot.evaluate(within, n=1, max_steps=1)
+
     def test_ends_at_ctrl_c(self):
         threading.Timer(1.0, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
         began = time.monotonic()
@@ -133,7 +154,7 @@ class InPython(unittest.TestCase):
 class Refused(unittest.TestCase):
     def test_are_arguments_that_cannot_be(self):
         for key, wrong in {
-            "policies": lambda: earshot.evaluate([]),
+            "policies": lambda: earshot.evaluate({}),
             "worlds": lambda: earshot.evaluate("sweep", THREE),
             "n": lambda: earshot.evaluate("sweep", n=0),
             "seed": lambda: earshot.evaluate("sweep", n=1, seed=-1),
@@ -142,7 +163,7 @@ class Refused(unittest.TestCase):
             "vehicle_depth": lambda: earshot.evaluate("sweep", n=1, vehicle_depth=5_000.0),
             "border_width": lambda: earshot.evaluate("sweep", n=1, border_width=-1.0),
             "max_steps": lambda: earshot.evaluate("sweep", n=1, max_steps=0),
-            "tables": lambda: earshot.evaluate("sweep", n=1, tables=[THREE]),
+            "tables": lambda: earshot.evaluate("sweep", n=1, tables=[]),
             "environment": lambda: earshot.evaluate("sweep", n=1, environment=THREE),
             "progress": lambda: earshot.evaluate("sweep", n=1, progress=THREE),
         }.items():

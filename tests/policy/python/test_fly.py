@@ -4,6 +4,7 @@ Run by ctest (run in this folder).
 """
 
 import os
+import pickle
 import tempfile
 import unittest
 from pathlib import Path
@@ -65,8 +66,24 @@ class AFlight(unittest.TestCase):
                 self.assertEqual(raised.exception.key, key)
             with self.assertRaisesRegex(earshot.BadInput, "holds no flight"):
                 earshot.Flight(folder)
-            with self.assertRaisesRegex(earshot.BadInput, "--battery-percent"):
+            with self.assertRaisesRegex(earshot.BadInput, "battery_percent = 200: must be 0 to 100"):
                 earshot.fly(battery_percent=200.0, programs=PROGRAMS)
+            (Path(folder) / "summary.json").write_text("{}")
+            with self.assertRaisesRegex(earshot.BadInput, "is no summary of a flight"):
+                earshot.Flight(folder).summary  # noqa: B018
+            with self.assertRaisesRegex(earshot.BadInput, "has no track.csv"):
+                earshot.Flight(folder).track  # noqa: B018
+
+    def test_goes_with_the_object_in_the_process_that_flew_alone(self):
+        flight = earshot.fly(seed=7, programs=PROGRAMS)
+        child = os.fork()
+        if child == 0:
+            del flight
+            os._exit(0)
+        os.waitpid(child, 0)
+        self.assertTrue((flight.folder / "summary.json").is_file())
+        with self.assertRaisesRegex(earshot.BadInput, "^out: must be given"):
+            pickle.dumps(flight)
 
 
 if __name__ == "__main__":
