@@ -128,7 +128,7 @@ class Belief:
         spread              m, root mean square distance from the mean
         likeliest_share     probability of the likeliest cell
         effective_cells     over how many cells the belief is spread: one over the sum of squared probabilities
-        mismatch_bits       how much better what was heard is explained without any ocean; below 0 the oceans explain more
+        mismatch_bits       how much better the sound is explained without any ocean; below 0 the oceans explain more
         is_mismatched       whether that ever came to 6.75 bits
         calls_for_sweep     whether the vehicle had better sweep the area
         """
