@@ -59,10 +59,11 @@ void sign(std::vector<std::uint8_t>& bytes) {
   crypto_sign_detached(bytes.data() + message_size, nullptr, bytes.data(), message_size, keys.secret.data());
 }
 
-std::vector<std::uint8_t> signed_bytes(policy::FrozenPolicy policy) {
-  record(policy);
+std::vector<std::uint8_t> signed_bytes(const policy::FrozenPolicy& policy) {
+  const auto recorded = std::make_unique<policy::FrozenPolicy>(policy);
+  record(*recorded);
   std::vector<std::uint8_t> bytes(policy::max_serialised_size());
-  const Result<std::size_t> size = policy::serialise(policy, test_keys().open, bytes);
+  const Result<std::size_t> size = policy::serialise(*recorded, test_keys().open, bytes);
   if (!size.ok()) std::abort();
   bytes.resize(size.value());
   sign(bytes);

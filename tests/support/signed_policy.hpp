@@ -14,7 +14,7 @@ namespace earshot::support {
 [[nodiscard]] policy::FrozenPolicy random_walk_policy();
 
 /// The bytes of a signed `.policy` file, with what this build makes of the policy's golden trajectories.
-[[nodiscard]] std::vector<std::uint8_t> signed_bytes(policy::FrozenPolicy policy);
+[[nodiscard]] std::vector<std::uint8_t> signed_bytes(const policy::FrozenPolicy& policy);
 
 /// The bytes of a signed `.tables` file, with the same key.
 [[nodiscard]] std::vector<std::uint8_t> signed_bytes(const policy::OceanTables& tables);
