@@ -10,9 +10,9 @@ __all__ = ["BadInput", "BadType"]
 # All of Earshot says "FILE:LINE: KEY = VALUE: what is allowed", and leaves out what it does not know.
 _PLACE = re.compile(r"(?P<file>[^\n]*?):(?P<line>\d+): ")
 _FILE = re.compile(r"(?P<file>[^\n:]*[/.][^\n:]*): (?=[\w.\[\]]+ (?:= |is missing: ))")  # no argument has such a name
-_KEY = re.compile(r"(?P<key>[\w.\[\]() ,-]+?)(?: = (?P<value>[^\n]+?): | is missing: )")
+_KEY = re.compile(r"(?P<key>[\w.\[\]() ,/-]+?)(?: = (?P<value>[^\n]+?): | is missing: )")
 _FILE_ALONE = re.compile(r"(?P<file>[^\n:]*/[^\n:]*): ")  # about the whole of it
-_BARE_KEY = re.compile(r"(?P<key>[\w.\[\]() ,-]+?): ")
+_BARE_KEY = re.compile(r"(?P<key>[\w.\[\]() ,/-]+?): ")
 _ARGUMENT = re.compile(r"(?P<key>[a-z][a-z_0-9]*): ")
 
 

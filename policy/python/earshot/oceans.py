@@ -56,13 +56,13 @@ _ARGUMENT_OF = {
 
 def _as_argument(bad: BadInput) -> BadInput:
     """What is wrong with the text, as it is wrong with an argument."""
-    key = bad.key or ""
-    argument = next((name for start, name in _ARGUMENT_OF.items() if key.startswith(start)), None)
     problems = [re.sub(f"^{_NAME}:([0-9]+:)? ", "", line) for line in str(bad).splitlines()]
+    stated = bad if bad.key is not None else BadInput(problems[0])
+    argument = next((name for start, name in _ARGUMENT_OF.items() if (stated.key or "").startswith(start)), None)
     return BadInput(
         "\n".join([f"{argument}: {problems[0]}" if argument else problems[0], *problems[1:]]),
         key=argument,
-        value=bad.value,
+        value=stated.value,
     )
 
 

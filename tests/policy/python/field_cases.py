@@ -21,7 +21,15 @@ def read_netcdf(file, name, kind, size):
     identity, variable = ctypes.c_int(), ctypes.c_int()
     assert _NETCDF.nc_open(str(file).encode(), 0, ctypes.byref(identity)) == 0
     assert _NETCDF.nc_inq_varid(identity, name.encode(), ctypes.byref(variable)) == 0
+    dimensions = (ctypes.c_int * 8)()
+    count, length, sizes = ctypes.c_int(), ctypes.c_size_t(), []
+    assert _NETCDF.nc_inq_varndims(identity, variable, ctypes.byref(count)) == 0
+    assert _NETCDF.nc_inq_vardimid(identity, variable, dimensions) == 0
+    for dimension in dimensions[: count.value]:
+        assert _NETCDF.nc_inq_dimlen(identity, dimension, ctypes.byref(length)) == 0
+        sizes.append(length.value)
     values = np.empty(size, kind)
+    assert values.size == np.prod(sizes), f"{name} of {file} is {sizes}, not {size}"
     read = {np.float32: _NETCDF.nc_get_var_float, np.float64: _NETCDF.nc_get_var_double}[kind]
     assert read(identity, variable, values.ctypes.data_as(ctypes.c_void_p)) == 0
     assert _NETCDF.nc_close(identity) == 0

@@ -291,11 +291,12 @@ class Package(unittest.TestCase):
 
     def test_runs_the_blocks_of_its_readme_pasted_whole(self):
         blocks = (ROOT / "policy/python/README.md").read_text().split("```python\n")[1:]
-        self.assertEqual(len(blocks), 6)
+        self.assertEqual(len(blocks), 9)
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         (Path(folder.name) / "out").mkdir()
-        (Path(folder.name) / "sim").symlink_to(ROOT / "sim")
+        for name in ("sim", "policy"):
+            (Path(folder.name) / name).symlink_to(ROOT / name)
         for command in (
             "fin_song out/song.wav out/song.txt",
             "earshot-field --library sim/field_library/example_library.toml -o out/library.nc",
