@@ -24,19 +24,27 @@ class Waiting(Cases):
 
         def interrupt():
             time.sleep(0.2)
-            signalled.append(time.monotonic())
             os.kill(os.getpid(), signal.SIGINT)
 
-        file = write_wav(self.folder / "long.wav", samples, rate)
-        listener = earshot.Listener(rate, dtype=np.float32)
-        for work in (lambda: earshot.listen(file), lambda: listener.push(samples)):
-            signalled: list[float] = []
+        def interrupted(work):
             thread = threading.Thread(target=interrupt)
             thread.start()
             self.assertRaises(KeyboardInterrupt, work)
-            self.assertLess(time.monotonic() - signalled[0], 1.0)  # 0.1 s, and a computer that has other work
             thread.join()
-        self.assertRaisesRegex(RuntimeError, "interrupted", listener.push, samples[:10])
+
+        file = write_wav(self.folder / "long.wav", samples, rate)
+        shares: list[float] = []
+        interrupted(lambda: earshot.listen(file, progress=shares.append))
+        self.assertLess(max(shares, default=0.0), 1.0)
+        for _ in range(10):  # on a busy computer the signal may come before the work has begun
+            listener = earshot.Listener(rate, dtype=np.float32)
+            interrupted(lambda listener=listener: listener.push(samples))
+            try:
+                listener.push(samples[:10])
+            except RuntimeError as refused:
+                self.assertIn("interrupted", str(refused))
+                return
+        self.fail("no push was interrupted")
 
     def test_shows_how_far_it_is_and_lets_others_run(self):
         samples = in_steps(np.tile(song(60, [5], 48_000), 4), np.int16)
