@@ -100,7 +100,7 @@ TEST_F(NoAllocationOverLcm, GivenAWholeMissionWithRefusedOrdersAndNonsenseOnTheB
   EXPECT_EQ(vehicle.health.commands_refused, 1);
   EXPECT_EQ(stop(), 0);
   expect_output("\nearshotd: 0 allocations in 5 threads over ");
-  expect_output("  runtime, of 340992 allowed\n");
+  expect_output("  runtime, of 925696 allowed\n");
   expect_output("     7159244  journal ring\n");
   expect_output("      262144  stack of thread journal\n");
   expect_output("      262144  stack of thread event-log\n");
