@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, Union
 
@@ -12,7 +12,18 @@ from numpy.typing import NDArray
 
 from earshot.errors import BadInput, BadType
 
-__all__ = ["Numbers", "axis", "is_labelled", "is_path", "number", "path", "text", "truth_value", "whole_number"]
+__all__ = [
+    "Numbers",
+    "axis",
+    "is_labelled",
+    "is_path",
+    "number",
+    "path",
+    "require_callable",
+    "text",
+    "truth_value",
+    "whole_number",
+]
 
 Numbers = Union[float, Sequence[float], NDArray[Any]]
 
@@ -56,6 +67,11 @@ def truth_value(name: str, value: Any) -> bool:
     if not isinstance(value, (bool, np.bool_)):
         raise BadType(f"{name}: must be True or False", key=name, value=value)
     return bool(value)
+
+
+def require_callable(progress: Callable[[float], object] | None) -> None:
+    if progress is not None and not callable(progress):
+        raise BadType("progress: must be callable, or None", key="progress", value=progress)
 
 
 def axis(name: str, value: Any, dimensions: int = 1) -> NDArray[np.float64]:

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Union
 
 from earshot import core
-from earshot.arguments import is_path, number, path, text, truth_value, whole_number
+from earshot.arguments import is_path, number, path, require_callable, text, truth_value, whole_number
 from earshot.errors import BadInput, BadType
 from earshot.ocean_tables import Tables
 from earshot.oceans import PAPER_ENVIRONMENT, Environment
@@ -175,8 +175,7 @@ def evaluate(
     """
     import pandas
 
-    if progress is not None and not callable(progress):
-        raise BadType("progress: must be callable, or None", key="progress", value=progress)
+    require_callable(progress)
     asked: dict[str, Any] = {
         "policies": _policies(policies),
         "worlds": [_ocean("worlds", world) for world in _several("worlds", worlds)],

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from earshot import core
-from earshot.arguments import Numbers, number, whole_number
+from earshot.arguments import Numbers, number, require_callable, whole_number
 from earshot.errors import BadInput
 from earshot.oceans import Environment
-from earshot.questions import Question, question_of, require_callable
+from earshot.questions import Question, question_of
 from earshot.variables import describe
 
 if TYPE_CHECKING:

@@ -10,10 +10,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from earshot.arguments import axis, whole_number
+from earshot.arguments import axis, require_callable, whole_number
 from earshot.core import read_library
 from earshot.errors import BadType
-from earshot.questions import require_callable
 from earshot.variables import describe
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from typing import Any, Union
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-from earshot.arguments import axis, is_path, number, path, text, whole_number
+from earshot.arguments import axis, is_path, number, path, require_callable, text, whole_number
 from earshot.core import Listening, SoundStream, listen_to_files, printable
 from earshot.errors import BadInput, BadType
 from earshot.heard import Completed, Heard, completed_of, heard_of, in_python, joined
@@ -83,8 +83,7 @@ def listen(
     samples that are not finite, masked or too few, too; BadType for what is of another kind; KeyboardInterrupt within
     0.1 s. Other threads of Python run meanwhile.
     """
-    if progress is not None and not callable(progress):
-        raise BadType("progress: must be callable, or None", key="progress", value=progress)
+    require_callable(progress)
     asked = _asked(preset, band, threshold_db, channel, calibration, full_scale_db, levels_interval)
     files = files_of(samples)
     if files is None:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Union
 import numpy as np
 
 from earshot import arguments, core
-from earshot.arguments import number, whole_number
+from earshot.arguments import number, require_callable, whole_number
 from earshot.errors import BadInput, BadType
 from earshot.oceans import Environment
 
@@ -177,8 +177,7 @@ def tables(
 
     Raises BadInput with the argument as `key`, BadType for what is of another kind.
     """
-    if progress is not None and not callable(progress):
-        raise BadType("progress: must be callable, or None", key="progress", value=progress)
+    require_callable(progress)
     asked: dict[str, Any] = {
         "oceans": _oceans(environments),
         "vehicle_depth": number("vehicle_depth", vehicle_depth),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,7 +12,7 @@ from earshot.core import SoundRequest
 from earshot.errors import BadInput, BadType
 from earshot.oceans import Environment
 
-__all__ = ["Question", "question_of", "require_callable"]
+__all__ = ["Question", "question_of"]
 
 _ANY_HZ = 100.0  # stands where a band is asked for, which states its frequencies
 _DEFAULT_MAX_RANGE_M = 25_000.0
@@ -29,11 +28,6 @@ def _known(name: str, value: Any, known: Any) -> Any:
 
 def _optional(name: str, value: float | None) -> float | None:
     return None if value is None else number(name, value)
-
-
-def require_callable(progress: Callable[[float], object] | None) -> None:
-    if progress is not None and not callable(progress):
-        raise BadType("progress: must be callable, or None", key="progress", value=progress)
 
 
 def _edges(band: Any, frequency: Any) -> tuple[float, float] | None:

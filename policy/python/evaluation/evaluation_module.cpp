@@ -82,10 +82,7 @@ std::string name_of(const OceanGiven& given, const search::Scenario& scenario) {
   return file != nullptr ? file->stem().string() : scenario.environment.name;
 }
 
-evaluate::WorldFile world_of(const OceanGiven& given) {
-  const auto* const file = std::get_if<std::filesystem::path>(&given);
-  if (file != nullptr && search::kind_of(*file) == search::FileKind::kWorld) return evaluate::load_world(*file);
-  search::Scenario scenario = scenario_of(given);
+evaluate::WorldFile world_of(const OceanGiven& given, search::Scenario scenario) {
   return {.name = name_of(given, scenario), .what = scenario.environment.name, .seed = 1, .scenario = std::move(scenario)};
 }
 
@@ -98,10 +95,15 @@ void require_in_water(const evaluate::WorldFile& world) {
                  " m, the depth of the sea floor in " + world.name);
 }
 
-std::vector<evaluate::WorldFile> worlds_of(const Asked& asked, const evaluate::Task& task) {
+/// @param believed  the environment's scenario: where it is searched where no world is given
+std::vector<evaluate::WorldFile> worlds_of(const Asked& asked, const evaluate::Task& task, const search::Scenario& believed) {
   std::vector<evaluate::WorldFile> worlds;
-  for (const OceanGiven& given : asked.worlds) worlds.push_back(world_of(given));
-  if (worlds.empty()) worlds.push_back(world_of(asked.environment));
+  for (const OceanGiven& given : asked.worlds) {
+    const auto* const file = std::get_if<std::filesystem::path>(&given);
+    const bool is_world = file != nullptr && search::kind_of(*file) == search::FileKind::kWorld;
+    worlds.push_back(is_world ? evaluate::load_world(*file) : world_of(given, scenario_of(given)));
+  }
+  if (worlds.empty()) worlds.push_back(world_of(asked.environment, believed));
   for (evaluate::WorldFile& world : worlds) {
     world.seed = asked.seed.value_or(world.seed);
     if (asked.choices.vehicle_depth_m || !world.vehicle_depth) world.vehicle_depth = task.depth;
@@ -138,7 +140,7 @@ std::pair<std::string, std::vector<std::string>> evaluated(const Asked& asked, c
   const evaluate::Candidate* const leading = evaluate::leading(candidates);
   evaluate::Task task = evaluate::task_of(asked.choices, candidates, leading);
   const search::Scenario believed = scenario_of(asked.environment);
-  const std::vector<evaluate::WorldFile> worlds = worlds_of(asked, task);
+  const std::vector<evaluate::WorldFile> worlds = worlds_of(asked, task, believed);
   task.settings.source = evaluate::source_of(leading, believed.environment, asked.worlds.empty());
   if (!description::apply(task.choices, task.settings))
     throw BadInput("border_width, start: nothing of the area is left to start in, or all of it lies within a step of the source");
