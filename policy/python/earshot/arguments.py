@@ -14,17 +14,22 @@ from earshot.errors import BadInput, BadType
 
 __all__ = [
     "Numbers",
+    "Place",
     "axis",
     "is_labelled",
     "is_path",
     "number",
+    "one_or_more",
     "path",
+    "place",
+    "rank",
     "require_callable",
     "text",
     "truth_value",
     "whole_number",
 ]
 
+Place = tuple[float, float]  # north and east, m
 Numbers = Union[float, Sequence[float], NDArray[Any]]
 
 
@@ -44,7 +49,8 @@ def _floats(name: str, value: Any) -> NDArray[np.float64]:
         ) from None
     if given.dtype.kind not in "iuf":
         raise BadType(f"{name}: must be numbers, not {given.dtype}", key=name, value=value)
-    return np.ascontiguousarray(given, dtype=np.float64).reshape(given.shape)
+    with np.errstate(over="ignore"):  # of more than float64: infinite, as whoever bounds it sees
+        return np.ascontiguousarray(given, dtype=np.float64).reshape(given.shape)
 
 
 def number(name: str, value: Any) -> float:
@@ -53,6 +59,11 @@ def number(name: str, value: Any) -> float:
     if found.ndim != 0:
         raise BadType(f"{name}: must be one number, has the shape {found.shape}", key=name, value=value)
     return float(found)
+
+
+def rank(name: str, value: Any) -> int:
+    """How many axes the numbers have, 0 for one. BadType for what are none."""
+    return int(_floats(name, value).ndim)
 
 
 def whole_number(name: str, value: Any) -> int:
@@ -84,6 +95,19 @@ def axis(name: str, value: Any, dimensions: int = 1) -> NDArray[np.float64]:
     if found.size == 0:
         raise BadInput(f"{name}: must hold one number or more", key=name, value=value)
     return found
+
+
+def place(name: str, value: Any) -> Place:
+    """Two numbers, finite or not."""
+    found = axis(name, value)
+    if found.size != 2:
+        raise BadInput(f"{name}: must be two numbers, north and east", key=name, value=value)
+    return float(found[0]), float(found[1])
+
+
+def one_or_more(name: str, value: Any) -> Any:
+    """[n], or [] of one number."""
+    return np.float64(number(name, value)) if rank(name, value) == 0 else axis(name, value)
 
 
 def text(name: str, value: Any) -> str:
