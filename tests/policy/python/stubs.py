@@ -18,7 +18,8 @@ from mypy import stubtest
 ROOT = Path(__file__).resolve().parents[3]
 
 # Types are checked elsewhere (toolchains/format).
-_CONFIGURATION = """[mypy]
+_CONFIGURATION = f"""[mypy]
+mypy_path = {ROOT / "policy/python"}
 ignore_errors = True
 ignore_missing_imports = True
 no_site_packages = True

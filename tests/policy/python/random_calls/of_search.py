@@ -98,7 +98,8 @@ class OfSearch:
         """Arguments alone: the folder holds no program."""
         empty = self.given.folder / "empty"
         empty.mkdir(exist_ok=True)
-        asked = {name: self.given.toml for name in ("mission", "environment", "policy", "public_key", "tables", "hear", "out")}
+        names = ("mission", "environment", "policy", "public_key", "tables", "hear", "out")
+        asked = dict.fromkeys(names, self.given.toml)
         more = {"seed": 1, "source": "fixed", "battery_percent": v.number(0.0, 100.0), "ignore_source": True}
         return asked | more | {"lcm_url": "udpm://", "programs": empty}
 
@@ -128,7 +129,7 @@ class OfSearch:
 
     def _play(self, render_mode: Any = None, seed: Any = None, options: Any = None, actions: Any = ()) -> Any:
         env = earshot.gym.AcousticSearchEnv(render_mode=render_mode, environment=self.given.toml, vehicle_depth_m=50.0)
-        seen = [env.reset(seed=seed, options=options)]
+        seen: list[Any] = [env.reset(seed=seed, options=options)]
         for action in actions:
             seen.append(env.step(action))
         return seen, env.render()
@@ -141,7 +142,7 @@ class OfSearch:
 
     def _play_many(self, num_envs: Any = 1, seed: Any = None, options: Any = None, actions: Any = ()) -> Any:
         env = AcousticSearchVectorEnv(num_envs, environment=self.given.toml, state="memory", vehicle_depth_m=50.0)
-        seen = [env.reset(seed=seed, options=options)]
+        seen: list[Any] = [env.reset(seed=seed, options=options)]
         for each in actions:
             seen.append(env.step(each))
         return seen, env.world.snr_db(np.abs(seen[0][0]))

@@ -3,15 +3,16 @@
 Used as a module by random_calls.
 """
 
+import contextlib
 import functools
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pandas
 import xarray
 from material import ROOT, Material
-from pathlib import Path
 from random_values import Values
 from thing import Thing
 
@@ -78,10 +79,8 @@ class OfSound:
     def _make_environment(self, **given: Any) -> earshot.Environment:
         """The three that must be stated are."""
         environment = earshot.Environment(**{**self.given.ocean(), **given})
-        try:
+        with contextlib.suppress(earshot.BadInput):  # an ocean that is there, but not for these receivers
             earshot.field(environment, frequency=30.0, source_depth=20.0, max_range=150.0, receiver_depth=30.0)
-        except earshot.BadInput:
-            pass  # an ocean that is there, but not for these receivers
         return environment
 
     def _question(self, v: Values) -> dict[str, Any]:
@@ -127,7 +126,8 @@ class OfSound:
         return self._grid(v) | {"path": self.given.folder / "sound.shd", "layout": v.one_of(("double", "single"))}
 
     def _grid(self, v: Values) -> dict[str, Any]:
-        sound = v.one_of((self.given.one, self.given.one, self.given.one, self.given.one.isel(range=slice(0, 9)), self.given.sound))
+        one = self.given.one
+        sound = v.one_of((one, one, one, one.isel(range=slice(0, 9)), self.given.sound))
         if v.chance(0.3):
             name = v.one_of(list(sound.variables))
             variable = sound[name].variable
@@ -138,7 +138,7 @@ class OfSound:
                 sound = sound.drop_vars(name)
         if v.chance(0.1):
             sound = sound.assign_attrs({v.one_of(("receiver_depth_m", "environment", "band_hz")): v.anything()})
-        ranges = self.given.one["range"].values[: int(v.rng.integers(1, 9))]
+        ranges = one["range"].values[: int(v.rng.integers(1, 9))]
         path = self.given.folder / "sound.grid"
         return {
             "sound": sound,
@@ -165,7 +165,8 @@ class OfSound:
     def _listened(self, v: Values) -> dict[str, Any]:
         size = int(v.one_of((self.given.noise.size, self.given.noise.size, 5_000)))
         noise = self.given.noise[:size]
-        sounds = (noise, (noise * 2**14).astype(np.int16), np.stack([noise, noise], 1), self.given.wav, [self.given.wav])
+        whole, wav = (noise * 2**14).astype(np.int16), self.given.wav
+        sounds = (noise, whole, np.stack([noise, noise], 1), wav, [wav])
         asked = {"samples": v.one_of(sounds), **self._asked_of_sound(v)}
         return asked if isinstance(asked["samples"], (Path, list)) else asked | {"rate": 200.0}
 

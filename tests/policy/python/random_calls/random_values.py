@@ -31,7 +31,7 @@ class Awkward:
         raise ValueError("no number")
 
     def __len__(self) -> int:
-        return -1
+        raise ValueError("no length")
 
     def __fspath__(self) -> Any:
         return 5
@@ -125,7 +125,7 @@ class Values:
         """A DataArray or a Dataset with these dimensions, coordinates or none."""
         sizes = self.rng.integers(0, 5, len(dims))
         values = self.odd_array(self.rng.uniform(0.0, 2_000.0, sizes)) if self.chance(0.2) else np.full(sizes, 1_500.0)
-        coords = {d: np.arange(n) * 100.0 for d, n in zip(dims, sizes) if self.chance(0.8)}
+        coords = {dims[i]: np.arange(sizes[i]) * 100.0 for i in range(len(dims)) if self.chance(0.8)}
         try:
             array = xarray.DataArray(values, coords, dims, "sound_speed")
         except (ValueError, TypeError):
@@ -133,7 +133,7 @@ class Values:
         return array.to_dataset() if self.chance(0.3) else array
 
     def damaged(self, file: Path) -> Path:
-        """A copy of a file with some bytes changed, cut or doubled; where it is one of several, beside copies of all."""
+        """A copy of a file with some bytes changed, cut or doubled."""
         data = bytearray(file.read_bytes())
         for _ in range(int(self.rng.integers(1, 5))):
             at = int(self.rng.integers(max(len(data), 1)))
