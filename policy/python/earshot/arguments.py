@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -127,6 +128,15 @@ def is_path(value: Any) -> bool:
     return isinstance(value, (str, os.PathLike))
 
 
+def _is_too_long(file: str) -> bool:
+    """For the computer's file system."""
+    try:
+        os.lstat(file)
+    except (OSError, ValueError) as wrong:
+        return isinstance(wrong, OSError) and wrong.errno == errno.ENAMETOOLONG
+    return False
+
+
 def path(name: str, value: Any) -> Path:
     """A file's or a folder's name, whether it is there or not."""
     if not is_path(value):
@@ -139,6 +149,6 @@ def path(name: str, value: Any) -> Path:
         os.fsencode(given)
     except UnicodeEncodeError:
         given = ""
-    if not given or "\0" in given:
+    if not given or "\0" in given or _is_too_long(given):
         raise BadInput(f"{name} = {value!r}: must be the name of a file or a folder", key=name, value=value)
     return Path(given)

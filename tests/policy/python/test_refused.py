@@ -95,7 +95,7 @@ class Refused(Refusals):
             earshot.Environment.from_toml,
             earshot.Tables.from_file,
         ):
-            for value in ("a\0b", HALF, "", 5, b"bytes", OfBytes(), OfNumbers(), self.folder / "loop"):
+            for value in ("a\0b", HALF, "", "x" * 5_000, 5, b"bytes", OfBytes(), OfNumbers(), self.folder / "loop"):
                 with self.subTest(call=call.__qualname__, value=repr(value)):
                     bad = self.require("path", call, value)
                     self.assertIs(bad.value, value)
@@ -108,7 +108,7 @@ class Refused(Refusals):
             ("policies", lambda path: earshot.evaluate(path, n=1)),
         )
         for key, call in taking:
-            for value in ("a\0b", HALF):
+            for value in ("a\0b", HALF, "x" * 5_000):
                 with self.subTest(key=key, value=repr(value)):
                     self.require(key, call, value)
 
@@ -187,6 +187,7 @@ class Objects(Refusals):
         sound = earshot.field(shallow(), **named, max_range=200.0, receiver_depth=[20.0, 30.0])
         for key in ("receiver_depth", "receiver_range"):
             self.require_bad_type(key, earshot.write_shd, sound, self.folder / "x.shd", **{key: dataset})
+        self.require_bad_type("environments", earshot.tables, xarray.DataArray(5.0))
         self.require_bad_type("position_m", self.search, position_m=pandas.DataFrame({"a": [1.0], "b": [2.0]}))
 
     def test_are_no_words(self):
