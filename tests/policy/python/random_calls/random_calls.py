@@ -9,6 +9,7 @@ PYTHON: one into which policy/python/install-into has put the package
 
 import dataclasses
 import faulthandler
+import os
 import pickle
 import sys
 import tempfile
@@ -134,7 +135,9 @@ def shown(arguments: dict[str, Any]) -> str:
 def run(programs: Path, count: int, first: int = 0, seed: int = 1, *, tell: bool = False) -> Tally:
     """Makes calls first, ..., first + count - 1; `tell` names each on the error output before it is made."""
     tally = Tally()
+    programs = programs.resolve()
     with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)  # what is told to write writes there
         things = Things(programs, Path(folder))
         for i in range(first, first + count):
             values = Values(np.random.default_rng([seed, i]), Path(folder))
