@@ -24,6 +24,7 @@
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/python/boundary/array_of.hpp"
 #include "policy/python/boundary/checked.hpp"
+#include "policy/python/boundary/given_array.hpp"
 #include "policy/python/boundary/watch.hpp"
 #include "sim/annotation/score.hpp"
 #include "sim/annotation/selection_table.hpp"
@@ -42,7 +43,7 @@ using host::BadInput;
 using host::Range;
 using listening::Plan;
 
-using Samples = py::array_t<float, py::array::c_style>;
+using Samples = GivenArray<float>;
 
 /// NumPy's "not a time".
 constexpr std::int64_t kNoTime = std::numeric_limits<std::int64_t>::min();

@@ -13,6 +13,7 @@
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/python/belief/belief_module.hpp"
 #include "policy/python/boundary/errors.hpp"
+#include "policy/python/boundary/given_array.hpp"
 #include "policy/python/evaluation/evaluation_module.hpp"
 #include "policy/python/journal_module.hpp"
 #include "policy/python/listening_module.hpp"
@@ -33,8 +34,8 @@ using search::EpisodeEnd;
 using Running = python::ReplayableEpisode;
 
 using Floats = py::array_t<float, py::array::c_style>;
-using Actions = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;  // of whole_numbers() only: it truncates
-using Place = std::pair<double, double>;                                               // north, east
+using Actions = python::GivenArray<std::int64_t, py::array::forcecast>;  // of whole_numbers() only: it truncates
+using Place = std::pair<double, double>;                                 // north, east
 
 std::span<float> span_of(Floats& array) {
   return {array.mutable_data(), static_cast<std::size_t>(array.size())};
@@ -278,7 +279,7 @@ std::shared_ptr<python::SearchProblem> make_world(std::filesystem::path environm
 }
 
 py::array_t<double> snr_against_range(const python::SearchProblem& problem,
-                                      const py::array_t<double, py::array::c_style | py::array::forcecast>& range_m) {
+                                      const python::GivenArray<double, py::array::forcecast>& range_m) {
   py::array_t<double> snr_db(std::vector<py::ssize_t>(range_m.shape(), range_m.shape() + range_m.ndim()));
   for (py::ssize_t i = 0; i < range_m.size(); ++i)
     snr_db.mutable_data()[i] = problem.world().expected().at(Meters{range_m.data()[i]}).value;

@@ -15,6 +15,7 @@
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/policy/format/policy_format.hpp"
+#include "policy/python/boundary/given_array.hpp"
 
 namespace earshot::python {
 namespace {
@@ -34,7 +35,7 @@ class FrozenPolicy {
   [[nodiscard]] py::bytes state() const { return {reinterpret_cast<const char*>(bytes_.data()), bytes_.size()}; }
   static FrozenPolicy from_state(const std::string& bytes) { return {{bytes.begin(), bytes.end()}, "the pickled policy"}; }
 
-  [[nodiscard]] Floats logits(const py::array_t<float, py::array::c_style | py::array::forcecast>& observations) const {
+  [[nodiscard]] Floats logits(const GivenArray<float, py::array::forcecast>& observations) const {
     const std::size_t size = policy_->observation.spec.size();
     if (observations.ndim() != 2 || static_cast<std::size_t>(observations.shape(1)) != size) {
       throw py::value_error("observations: must be of shape [count x " + std::to_string(size) + "]");

@@ -17,11 +17,11 @@ from earshot._search import Tables as Tables
 from earshot._search import baselines as baselines
 from earshot._search import evaluate as evaluate
 
-Place = tuple[float, float]
+_Place = tuple[float, float]
 
 # snr_db (as heard; where it was too faint to measure, the least that could have been), too_faint, position_m, source_m;
 # at the end of an episode also found and detections. A plain dict, as Gymnasium wants it.
-Info = dict[str, Any]
+_Info = dict[str, Any]
 
 def environment_crc32(environment: os.PathLike[str] | str) -> int:
     """CRC-32 of an environment file and of all that it names: data files, charts, other oceans, field library."""
@@ -67,7 +67,7 @@ class World:
     @property
     def detection_threshold_db(self) -> float: ...
     @property
-    def area_m(self) -> Place:
+    def area_m(self) -> _Place:
         """Size of the search domain, north and east."""
     @property
     def description(self) -> str:
@@ -89,11 +89,11 @@ class Episodes:
     def __deepcopy__(self, memo: dict[int, Any]) -> Episodes: ...
     def start(self, index: int, seed: int | None = None) -> None:
         """Draws the next search of one episode; a seed restarts its random numbers first."""
-    def start_at(self, index: int, position_m: Place, source_m: Place) -> None:
+    def start_at(self, index: int, position_m: _Place, source_m: _Place) -> None:
         """Starts one episode at a given place."""
     def observations(self) -> NDArray[np.float32]:
         """[count x observation_size]"""
-    def step_one(self, action: SupportsIndex) -> tuple[NDArray[np.float32], float, bool, bool, Info]:
+    def step_one(self, action: SupportsIndex) -> tuple[NDArray[np.float32], float, bool, bool, _Info]:
         """Steps episode 0: observation [observation_size], reward, terminated, truncated, info."""
     def step(
         self, actions: NDArray[np.int64]
@@ -110,12 +110,12 @@ class Episodes:
         next, rewards [count], terminated [count], truncated [count], and for each episode that ended (index, last
         observation [observation_size], record).
         """
-    def position_m(self, index: int) -> Place: ...
-    def source_m(self, index: int) -> Place: ...
+    def position_m(self, index: int) -> _Place: ...
+    def source_m(self, index: int) -> _Place: ...
     def snr_db(self, index: int) -> float:
         """As heard; where it was too faint to measure, the least that could have been."""
     def is_too_faint(self, index: int) -> bool: ...
-    def info(self, index: int) -> Info: ...
+    def info(self, index: int) -> _Info: ...
     def record(self, index: int) -> dict[str, float]:
         """reward (sum so far), steps, detections (steps with SNR at or over the threshold), found"""
 
@@ -360,12 +360,12 @@ class SoundStream:
     def settings(self) -> dict[str, Any]: ...
 
 # begin and end, s; low and high, Hz, 0 where not given; channel, from 1, or 0; file or ""; offset in it, s
-Selected = tuple[float, float, float, float, int, str, float | None]
+_Selected = tuple[float, float, float, float, int, str, float | None]
 
-def selections(path: os.PathLike[str] | str) -> list[Selected]: ...
+def selections(path: os.PathLike[str] | str) -> list[_Selected]: ...
 def placed(
     *,
-    selected: list[Selected],
+    selected: list[_Selected],
     name: os.PathLike[str] | str,
     files: list[tuple[str, int, int]],
     rate: float,

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from earshot._core import Ocean, Place
+from earshot._core import Ocean, _Place
 
 class Tables:
     """What a belief thinks possible of the ocean: SNR against range in each of some oceans. Nothing of it changes."""
@@ -43,7 +43,7 @@ class BeliefState:
         self,
         *,
         tables: Tables,
-        area: Place,
+        area: _Place,
         step_length: float,
         directions: int,
         border_width: float,
@@ -52,13 +52,13 @@ class BeliefState:
     def __copy__(self) -> BeliefState: ...
     def __deepcopy__(self, memo: dict[int, Any]) -> BeliefState: ...
     def update(
-        self, position: Place, *, snr: float, too_faint: bool, bearing: tuple[float, float, float | None] | None
+        self, position: _Place, *, snr: float, too_faint: bool, bearing: tuple[float, float, float | None] | None
     ) -> None:
         """bearing: direction, deviation, and mirror axis or None, degrees"""
     @property
     def tables(self) -> Tables: ...
     @property
-    def area(self) -> Place: ...
+    def area(self) -> _Place: ...
     @property
     def measurements(self) -> int: ...
     @property

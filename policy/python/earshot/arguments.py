@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -14,17 +15,22 @@ from earshot.errors import BadInput, BadType
 
 __all__ = [
     "Numbers",
+    "Place",
     "axis",
     "is_labelled",
     "is_path",
     "number",
+    "one_or_more",
     "path",
+    "place",
+    "rank",
     "require_callable",
     "text",
     "truth_value",
     "whole_number",
 ]
 
+Place = tuple[float, float]  # north and east, m
 Numbers = Union[float, Sequence[float], NDArray[Any]]
 
 
@@ -44,7 +50,8 @@ def _floats(name: str, value: Any) -> NDArray[np.float64]:
         ) from None
     if given.dtype.kind not in "iuf":
         raise BadType(f"{name}: must be numbers, not {given.dtype}", key=name, value=value)
-    return np.ascontiguousarray(given, dtype=np.float64).reshape(given.shape)
+    with np.errstate(over="ignore"):  # of more than float64: infinite, as whoever bounds it sees
+        return np.ascontiguousarray(given, dtype=np.float64).reshape(given.shape)
 
 
 def number(name: str, value: Any) -> float:
@@ -53,6 +60,11 @@ def number(name: str, value: Any) -> float:
     if found.ndim != 0:
         raise BadType(f"{name}: must be one number, has the shape {found.shape}", key=name, value=value)
     return float(found)
+
+
+def rank(name: str, value: Any) -> int:
+    """How many axes the numbers have, 0 for one. BadType for what are none."""
+    return int(_floats(name, value).ndim)
 
 
 def whole_number(name: str, value: Any) -> int:
@@ -86,6 +98,19 @@ def axis(name: str, value: Any, dimensions: int = 1) -> NDArray[np.float64]:
     return found
 
 
+def place(name: str, value: Any) -> Place:
+    """Two numbers, finite or not."""
+    found = axis(name, value)
+    if found.size != 2:
+        raise BadInput(f"{name}: must be two numbers, north and east", key=name, value=value)
+    return float(found[0]), float(found[1])
+
+
+def one_or_more(name: str, value: Any) -> Any:
+    """[n], or [] of one number."""
+    return np.float64(number(name, value)) if rank(name, value) == 0 else axis(name, value)
+
+
 def text(name: str, value: Any) -> str:
     """A text that others can be given, in UTF-8."""
     if not isinstance(value, str):
@@ -103,6 +128,15 @@ def is_path(value: Any) -> bool:
     return isinstance(value, (str, os.PathLike))
 
 
+def _is_too_long(file: str) -> bool:
+    """For the computer's file system."""
+    try:
+        os.lstat(file)
+    except (OSError, ValueError) as wrong:
+        return isinstance(wrong, OSError) and wrong.errno == errno.ENAMETOOLONG
+    return False
+
+
 def path(name: str, value: Any) -> Path:
     """A file's or a folder's name, whether it is there or not."""
     if not is_path(value):
@@ -115,6 +149,6 @@ def path(name: str, value: Any) -> Path:
         os.fsencode(given)
     except UnicodeEncodeError:
         given = ""
-    if not given or "\0" in given:
+    if not given or "\0" in given or _is_too_long(given):
         raise BadInput(f"{name} = {value!r}: must be the name of a file or a folder", key=name, value=value)
     return Path(given)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from earshot.arguments import axis, is_path, number, path, truth_value, whole_number
+from earshot.arguments import Place, axis, is_path, number, path, place, truth_value, whole_number
 from earshot.core import BeliefState
 from earshot.errors import BadInput, BadType
 from earshot.ocean_tables import Tables
@@ -18,15 +18,6 @@ if TYPE_CHECKING:
     import xarray
 
 __all__ = ["Belief"]
-
-Place = tuple[float, float]
-
-
-def _pair(name: str, value: Any) -> Place:
-    found = axis(name, value)
-    if found.size != 2:
-        raise BadInput(f"{name}: must be two numbers, north and east", key=name, value=value)
-    return float(found[0]), float(found[1])
 
 
 class Belief:
@@ -65,7 +56,7 @@ class Belief:
             tables = Tables.from_file(path("tables", tables))
         self._state = BeliefState(
             tables=tables._tables,
-            area=_pair("area", area),
+            area=place("area", area),
             step_length=number("step_length", step_length),
             directions=whole_number("directions", directions),
             border_width=number("border_width", border_width),
@@ -97,7 +88,7 @@ class Belief:
                 )
             heard = (float(angles[0]), float(angles[1]), float(angles[2]) if angles.size == 3 else None)
         is_faint = truth_value("too_faint", too_faint)
-        self._state.update(_pair("position", position), snr=number("snr", snr), too_faint=is_faint, bearing=heard)
+        self._state.update(place("position", position), snr=number("snr", snr), too_faint=is_faint, bearing=heard)
 
     @property
     def measurements(self) -> int:

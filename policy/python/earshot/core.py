@@ -35,8 +35,8 @@ try:
         write_shade,
         write_tl_grid,
     )
-except ModuleNotFoundError as missing:
-    if missing.name != "earshot._core":
+except ModuleNotFoundError as _missing:
+    if _missing.name != "earshot._core":
         raise
     raise ImportError(
         f"{_Path(__file__).parent} is the package's source, without its compiled part: pip install ./policy/python "

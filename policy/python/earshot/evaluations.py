@@ -10,6 +10,8 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Union
 
+import numpy as np
+
 from earshot import core
 from earshot.arguments import is_path, number, path, require_callable, text, truth_value, whole_number
 from earshot.errors import BadInput, BadType
@@ -38,7 +40,7 @@ def baselines() -> dict[str, str]:
 
 def _bound(name: str, policy: Any) -> tuple[str, tuple[Any, Any, Any]]:
     choose = getattr(policy, "choose", None) or policy
-    if not callable(choose):
+    if not callable(choose) or isinstance(policy, (np.ndarray, np.generic)):  # NumPy's choose() is another one
         raise BadType(
             f"policies: {name} must be a name, a path, a callable, or an object with choose()",
             key="policies",

@@ -189,7 +189,7 @@ def fly(
     Raises BadInput, BadType, and FlightLost where a process or the bus was lost. Ctrl-C ends the flight in order, and
     its journal stays.
     """
-    if source not in ("changing", "fixed"):
+    if text("source", source) not in ("changing", "fixed"):
         raise BadInput(f'source = {source!r}: must be "changing" or "fixed"', key="source", value=source)
     if isinstance(tables, Tables):
         raise BadType(
@@ -206,7 +206,7 @@ def fly(
         if named is not None:
             add(name, _path(name, named))
     if hear is not None:
-        add("hear", hear if hear == "synthetic" else _path("hear", hear))
+        add("hear", "synthetic" if isinstance(hear, str) and hear == "synthetic" else _path("hear", hear))
     if battery_percent is not None:
         charge = number("battery_percent", battery_percent)
         if not 0.0 <= charge <= 100.0:

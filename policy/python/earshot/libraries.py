@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from earshot import arguments
 from earshot.arguments import axis, require_callable, whole_number
 from earshot.core import read_library
-from earshot.errors import BadType
 from earshot.variables import describe
 
 if TYPE_CHECKING:
@@ -47,12 +47,11 @@ def library(
     import xarray
 
     require_callable(progress)
-    if not isinstance(path, (str, os.PathLike)):
-        raise BadType("path: must be a text or a path", key="path", value=path)
+    file = arguments.path("path", path)
     chosen = None
     if positions is not None:
         chosen = [whole_number("positions", position) for position in axis("positions", positions).tolist()]
-    given = read_library(Path(path).resolve(), positions=chosen, progress=progress)
+    given = read_library(Path(os.path.realpath(file)), positions=chosen, progress=progress)
     middle, around = ("hydrophone", "source") if given["is_around_hydrophone"] else ("source", "receiver")
     per_position = {name: (("position",), given[name]) for name in ("position_north", "position_east")}
     axes = {name: ((name,), given[name]) for name in ("position", "bearing", "range", "depth", "frequency")}

@@ -9,13 +9,26 @@ import numpy as np
 from numpy.typing import NDArray
 
 from earshot import arguments, core
-from earshot.arguments import Numbers, axis, is_labelled
+from earshot.arguments import Numbers, axis, is_labelled, one_or_more
 from earshot.errors import BadInput, BadType
 
 __all__ = ["write_shd", "write_tl_grid"]
 
 _SAME_RANGE_M = 1e-3
 _LAYOUTS = ("double", "single")
+
+# Kinds of number and dimensions of what `earshot.field` gives of one source.
+_VARIABLES: dict[str, tuple[str, tuple[str, ...]]] = {
+    "transmission_loss": ("f", ("range", "depth")),
+    "range": ("iuf", ("range",)),
+    "depth": ("iuf", ("depth",)),
+    "sea_floor_depth": ("iuf", ("range",)),
+    "source_depth": ("iuf", ()),
+    "pressure": ("c", ("range", "depth")),
+    "frequency": ("iuf", ()),
+    "reference_wavenumber": ("iuf", ()),
+}
+_NEEDED = ("transmission_loss", "range", "depth", "sea_floor_depth", "source_depth")
 
 
 def write_shd(
@@ -43,7 +56,7 @@ def write_shd(
     Raises BadInput with the argument as `key`, or naming the file; BadType for what is of another kind.
     Source: the files that the Acoustics Toolbox writes, and its readers.
     """
-    if layout not in _LAYOUTS:
+    if not isinstance(layout, str) or layout not in _LAYOUTS:
         raise BadInput(f'layout = {layout!r}: must be "double" or "single"', key="layout", value=layout)
     arrays = _arrays(sound, receiver_depth, receiver_range)
     if arrays["pressure"] is None or "frequency" not in sound.coords:
@@ -97,8 +110,10 @@ def _arrays(sound: Any, receiver_depth: Any, receiver_range: Any) -> dict[str, A
             key="sound",
         )
     ordered = sound.transpose("range", "depth")
-    for name in ("range", "depth", "sea_floor_depth", "source_depth"):
-        if name not in ordered or ordered[name].dtype.kind not in "iuf":
+    for name, (kinds, its_dims) in _VARIABLES.items():
+        if name not in _NEEDED and name not in ordered:
+            continue
+        if name not in ordered or ordered[name].dtype.kind not in kinds or ordered[name].dims != its_dims:
             raise BadInput(f"sound: must hold numbers of {name}, as earshot.field gives them", key="sound")
     for name in ("range", "depth"):
         values = ordered[name].values
@@ -108,6 +123,10 @@ def _arrays(sound: Any, receiver_depth: Any, receiver_range: Any) -> dict[str, A
         raise BadInput("sound: its frequency must be above 0 Hz", key="sound")
     if "frequency" not in ordered.coords and "band_hz" not in ordered.attrs:
         raise BadInput("sound: must state its frequency, or the attribute band_hz", key="sound")
+    if "band_hz" in ordered.attrs:
+        band: NDArray[np.float64] = axis("sound", ordered.attrs["band_hz"])
+        if band.size != 2 or not np.all((band > 0.0) & np.isfinite(band)):
+            raise BadInput("sound: its attribute band_hz must be two frequencies above 0 Hz", key="sound")
     arrays: dict[str, Any] = {
         "range": ordered["range"].values.tolist(),
         "depth": ordered["depth"].values.tolist(),
@@ -118,7 +137,8 @@ def _arrays(sound: Any, receiver_depth: Any, receiver_range: Any) -> dict[str, A
     if "pressure" in ordered:
         arrays["pressure"] = np.ascontiguousarray(ordered["pressure"].values, np.complex128)
     for name, value in (("receiver_depth", receiver_depth), ("receiver_range", receiver_range)):
-        arrays[name] = _receivers(name, sound.attrs.get(f"{name}_m", ()) if value is None else np.atleast_1d(value))
+        stated = sound.attrs.get(f"{name}_m") if value is None else value
+        arrays[name] = [] if stated is None else _receivers(name, stated)
     _require_covered(arrays, None if receiver_range is not None else _finest_step(sound))
     return arrays
 
@@ -130,9 +150,7 @@ def _finest_step(sound: Any) -> float:
 
 
 def _receivers(name: str, values: Any) -> list[float]:
-    if len(values) == 0:
-        return []
-    found: NDArray[np.float64] = axis(name, values)
+    found: NDArray[np.float64] = np.atleast_1d(one_or_more(name, values))
     if not (np.all(np.isfinite(found)) and found[0] >= 0.0 and np.all(np.diff(found) > 0.0)):
         raise BadInput(f"{name}: must increase, from 0 m on", key=name, value=values)
     if name == "receiver_range" and not found[-1] > 0.0:

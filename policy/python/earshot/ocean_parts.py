@@ -9,7 +9,7 @@ from typing import Any, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from earshot.arguments import axis, is_labelled, number
+from earshot.arguments import axis, is_labelled, number, rank
 from earshot.errors import BadInput, BadType
 
 __all__ = [
@@ -138,7 +138,7 @@ def water_table(sound_speed: Profile) -> str:
     if is_labelled(labelled):
         dimensions = ("range", "depth") if "range" in labelled.dims else ("depth",)
         parts = _labelled(name, labelled, dimensions)
-    elif not isinstance(sound_speed, (tuple, list)) and np.ndim(sound_speed) == 0:
+    elif not isinstance(sound_speed, (tuple, list)) and rank(name, sound_speed) == 0:
         parts = (np.array([0.0, 12_000.0]), np.full(2, number(name, sound_speed)))
     else:
         given = _parts(name, sound_speed, (2, 3))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Union
 
@@ -138,9 +138,10 @@ class Tables:
 
 
 def _oceans(given: Any) -> list[Any]:
-    if not isinstance(given, (Environment, str, os.PathLike, Iterable)):
-        raise BadType("environments: must be of earshot.Environment, or paths", key="environments", value=given)
-    each = [given] if isinstance(given, (Environment, str, os.PathLike)) else list(given)
+    try:
+        each = [given] if isinstance(given, (Environment, str, os.PathLike)) else list(given)
+    except TypeError:
+        each = [given]
     if not each:
         raise BadInput("environments: must be one or more", key="environments", value=given)
     oceans: list[Any] = []

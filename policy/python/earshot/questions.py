@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from earshot.arguments import axis, number, text, whole_number
+from earshot.arguments import axis, number, one_or_more, text, whole_number
 from earshot.core import SoundRequest
 from earshot.errors import BadInput, BadType
 from earshot.oceans import Environment
@@ -22,8 +22,7 @@ def _known(name: str, value: Any, known: Any) -> Any:
     """[n], or [] of one number; what the environment knows where nothing is asked."""
     if value is None and known is None:
         raise BadInput(f"{name}: must be given, for the environment does not state it", key=name)
-    given = known if value is None else value
-    return np.float64(number(name, given)) if np.ndim(given) == 0 else axis(name, given)
+    return one_or_more(name, known if value is None else value)
 
 
 def _optional(name: str, value: float | None) -> float | None:

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "firmware/host/file/output_file.hpp"
+#include "policy/python/boundary/given_array.hpp"
 #include "sim/sonar/model_files/receiver_grid.hpp"
 #include "sim/sonar/model_files/shade_file.hpp"
 #include "sim/sonar/model_files/tl_grid.hpp"
@@ -25,9 +26,9 @@ namespace {
 
 namespace py = pybind11;
 using sonar::model_files::ReceiverGrid;
-using Floats = py::array_t<float, py::array::c_style>;
+using Floats = GivenArray<float>;
 using Doubles = std::vector<double>;
-using Pressure = py::array_t<std::complex<double>, py::array::c_style>;
+using Pressure = GivenArray<std::complex<double>>;
 
 template <class Array>
 auto values_of(const Array& array) {

@@ -19,9 +19,11 @@ from listening_cases import Cases, in_steps, song, write_wav
 
 import earshot
 import earshot.annotations
+import earshot.gym
 
 HALF = "\ud800"  # half of a character: no UTF-8 and no byte of a file's name
 BYTE = "\udc80"  # as os.fsdecode gives a byte that is no UTF-8
+GREAT: Any = np.longdouble("1e4000")
 FAR_WEST = datetime.timezone(datetime.timedelta(hours=-5))
 
 
@@ -40,7 +42,7 @@ def shallow(**named):
     return earshot.Environment(**{**given, **named})
 
 
-class Refused(Cases):
+class Refusals(Cases):
     def refusal(self, call, *arguments, **named):
         with self.assertRaises(earshot.BadInput) as caught:
             call(*arguments, **named)
@@ -51,6 +53,8 @@ class Refused(Cases):
         self.assertEqual(bad.key, key, str(bad))
         return bad
 
+
+class Refused(Refusals):
     def test_are_sample_rates_that_no_recorder_has(self):
         for rate in (1e15, 2.0**53, 2.0**63, 1e300):
             for bad in (
@@ -91,7 +95,7 @@ class Refused(Cases):
             earshot.Environment.from_toml,
             earshot.Tables.from_file,
         ):
-            for value in ("a\0b", HALF, "", 5, b"bytes", OfBytes(), OfNumbers(), self.folder / "loop"):
+            for value in ("a\0b", HALF, "", "x" * 5_000, 5, b"bytes", OfBytes(), OfNumbers(), self.folder / "loop"):
                 with self.subTest(call=call.__qualname__, value=repr(value)):
                     bad = self.require("path", call, value)
                     self.assertIs(bad.value, value)
@@ -104,7 +108,7 @@ class Refused(Cases):
             ("policies", lambda path: earshot.evaluate(path, n=1)),
         )
         for key, call in taking:
-            for value in ("a\0b", HALF):
+            for value in ("a\0b", HALF, "x" * 5_000):
                 with self.subTest(key=key, value=repr(value)):
                     self.require(key, call, value)
 
@@ -165,6 +169,69 @@ class Refused(Cases):
     def test_are_layers_without_a_sound_speed(self):
         layers = xarray.Dataset({"sound_speed": ("layer", [1600.0, np.nan]), "thickness": ("layer", [5.0, np.nan])})
         self.require("sediment", shallow, sediment=layers)
+
+
+class Objects(Refusals):
+    """Of NumPy, pandas and xarray where they cannot be: random_calls found them."""
+
+    def require_bad_type(self, key, call, *arguments, **named):
+        with self.assertRaises(earshot.BadType) as caught:
+            call(*arguments, **named)
+        self.assertEqual(caught.exception.key, key, str(caught.exception))
+
+    def test_are_no_numbers(self):
+        dataset = xarray.Dataset({"depth": ("x", [20.0, 30.0])})
+        named: dict[str, Any] = {"frequency": 100.0, "source_depth": 30.0}
+        self.require_bad_type("receiver_depth", earshot.field, shallow(), **named, receiver_depth=dataset)
+        self.require_bad_type("frequency", earshot.field, shallow(), **(named | {"frequency": dataset}))
+        sound = earshot.field(shallow(), **named, max_range=200.0, receiver_depth=[20.0, 30.0])
+        for key in ("receiver_depth", "receiver_range"):
+            self.require_bad_type(key, earshot.write_shd, sound, self.folder / "x.shd", **{key: dataset})
+        self.require_bad_type("environments", earshot.tables, xarray.DataArray(5.0))
+        self.require_bad_type("position_m", self.search, position_m=pandas.DataFrame({"a": [1.0], "b": [2.0]}))
+
+    def test_are_no_words(self):
+        named: dict[str, Any] = {"frequency": 100.0, "source_depth": 30.0, "max_range": 200.0}
+        sound = earshot.field(shallow(), **named, receiver_depth=[20.0, 30.0])
+        for layout in (np.array([1.0, 2.0]), np.zeros(3, [("a", "f8")])):
+            self.require("layout", earshot.write_shd, sound, self.folder / "x.shd", layout=layout)
+        self.require_bad_type("source", earshot.fly, source=pandas.Series(["fixed", "changing"]))
+        self.require_bad_type("hear", earshot.fly, hear=pandas.Series(["synthetic"]))
+
+    def test_are_no_policies(self):
+        for policy in (np.float32(3.0), np.array([1, 2])):  # each has a choose(), which is NumPy's
+            self.require_bad_type("policies", earshot.evaluate, [policy], n=1)
+
+    def test_are_no_fields(self):
+        named: dict[str, Any] = {"frequency": 100.0, "source_depth": 30.0, "max_range": 200.0}
+        sound = earshot.field(shallow(), **named, receiver_depth=[20.0, 30.0])
+        ranges = sound.sizes["range"]
+        of_band = sound.drop_vars(("frequency", "pressure"))
+        self.require("sound", earshot.write_tl_grid, of_band.assign_attrs(band_hz=True), self.folder / "x.grid")
+        self.require("sound", earshot.write_tl_grid, of_band.assign_attrs(band_hz=[90.0]), self.folder / "x.grid")
+        for changed in (
+            sound.assign(sea_floor_depth=("depth", [100.0, 100.0])),
+            sound.assign(source_depth=("range", np.full(ranges, 30.0))),
+            sound.assign_coords(frequency=("range", np.full(ranges, 100.0))),
+            sound.assign(pressure=sound.transmission_loss),
+            sound.assign(reference_wavenumber=("depth", [1.0, 1.0])),
+            sound.assign(transmission_loss=sound.transmission_loss.astype(str)),
+        ):
+            self.require("sound", earshot.write_shd, changed, self.folder / "x.shd")
+
+    def test_are_numbers_too_great_to_be_one(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.require("max_range", earshot.field, shallow(), frequency=9.0, source_depth=5.0, max_range=GREAT)
+
+    def test_of_gym_are_no_places_or_files(self):
+        for place in ((1.0,), (1.0, 2.0, 3.0)):
+            self.require("source_m", self.search, source_m=place)
+        self.require("path", earshot.library, "a\0b")
+        self.require("environment", earshot.gym.make_world, environment="a\0b")
+
+    def search(self, **places):
+        earshot.gym.AcousticSearchEnv().reset(seed=1, options=places)
 
 
 class FileNames(Cases):

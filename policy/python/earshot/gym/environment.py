@@ -9,6 +9,7 @@ import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
+from earshot.arguments import place
 from earshot.core import Episodes
 from earshot.gym import drawing
 from earshot.gym.world import SearchWorld, WorldOptions, make_world
@@ -99,6 +100,6 @@ class AcousticSearchEnv(gymnasium.Env[NDArray[np.float32], np.int64]):
         unknown = set(options) - {"position_m", "source_m"}
         if unknown:
             raise ValueError(f"options: unknown {sorted(unknown)}; there are position_m and source_m")
-        position = options.get("position_m", self._episodes.position_m(0))
-        source = options.get("source_m", self._episodes.source_m(0))
+        position = place("position_m", options.get("position_m", self._episodes.position_m(0)))
+        source = place("source_m", options.get("source_m", self._episodes.source_m(0)))
         self._episodes.start_at(0, position, source)

@@ -8,6 +8,7 @@ import os
 from pathlib import Path
 from typing import Any, TypedDict
 
+from earshot.arguments import path
 from earshot.core import BadInput, environment_crc32
 from earshot.core import World as SearchWorld
 from earshot.oceans import PAPER_ENVIRONMENT
@@ -65,7 +66,7 @@ def make_world(
 
     Raises FileNotFoundError, or BadInput (a ValueError) that names what is wrong and what is allowed.
     """
-    file = Path(environment).resolve()
+    file = Path(os.path.realpath(path("environment", environment)))
     if not file.is_file():
         raise FileNotFoundError(f"environment: no such file: {file}")
     return _solved(
