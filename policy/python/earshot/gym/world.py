@@ -8,6 +8,7 @@ import os
 from pathlib import Path
 from typing import Any, TypedDict
 
+from earshot.arguments import path
 from earshot.core import BadInput, environment_crc32
 from earshot.core import World as SearchWorld
 from earshot.oceans import PAPER_ENVIRONMENT
@@ -63,9 +64,10 @@ def make_world(
                       "mean" of those that were measured in the last `listening_window_s` seconds (1 to 120; 0 with
                       "newest")
 
-    Raises FileNotFoundError, or BadInput (a ValueError) that names what is wrong and what is allowed.
+    Raises FileNotFoundError, BadInput (a ValueError) that names what is wrong and what is allowed, or BadType for what
+    is no path.
     """
-    file = Path(environment).resolve()
+    file = Path(os.path.realpath(path("environment", environment)))
     if not file.is_file():
         raise FileNotFoundError(f"environment: no such file: {file}")
     return _solved(
