@@ -60,12 +60,15 @@ Interval middle_95_percent(const std::vector<double>& values) {
 
 }  // namespace
 
-Intervals bootstrap(std::span<const Flight> flights, std::uint32_t max_steps, std::uint64_t seed) {
+Intervals bootstrap(std::span<const Flight> flights, std::uint32_t max_steps, std::uint64_t seed, const std::function<void()>& between) {
   assert(!flights.empty());
   Pcg32 random = search::evaluation_random(seed, kResampling);
   Statistics all;
   std::vector<double> rewards(flights.size());
-  for (std::size_t i = 0; i < kResamples; ++i) add_resample(flights, max_steps, random, rewards, all);
+  for (std::size_t i = 0; i < kResamples; ++i) {
+    if (between) between();
+    add_resample(flights, max_steps, random, rewards, all);
+  }
   return {.restricted_mean_steps = middle_95_percent(all.steps),
           .mean_reward = middle_95_percent(all.mean),
           .median_reward = middle_95_percent(all.median),

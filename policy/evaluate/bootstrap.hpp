@@ -19,7 +19,9 @@ struct Intervals {
 
 /// Percentile bootstrap: 1000 resamples of as many searches, drawn with replacement, the same for the same seed.
 /// @param max_steps  N of the searches
+/// @param between    called before each resample; what it throws ends the work: a resample of a million searches takes 30 ms
 /// Source: Efron and Tibshirani, An Introduction to the Bootstrap (1993), ch. 13.   Oracle: Bootstrap.*
-[[nodiscard]] Intervals bootstrap(std::span<const Flight> flights, std::uint32_t max_steps, std::uint64_t seed);
+[[nodiscard]] Intervals bootstrap(std::span<const Flight> flights, std::uint32_t max_steps, std::uint64_t seed,
+                                  const std::function<void()>& between = {});
 
 }  // namespace earshot::evaluate

@@ -20,6 +20,7 @@
 #include "firmware/host/journal/reading/record_source.hpp"
 #include "firmware/host/text/utc.hpp"
 #include "firmware/messages/dictionary/every_message.hpp"
+#include "policy/python/boundary/watch.hpp"
 
 namespace earshot::python {
 namespace {
@@ -59,22 +60,27 @@ void take(const journal::Entry& entry, JournalText& text) {
   }
 }
 
-JournalText text_of(const std::filesystem::path& path) {
+JournalText text_of(const std::filesystem::path& path, Watch& watch) {
   journal::RecordSource source(host::newest_journal_in(path), host::Accepts::kBusLogs);
   JournalText text;
-  while (const std::optional<journal::Entry> entry = source.next()) take(*entry, text);
+  while (const std::optional<journal::Entry> entry = source.next()) {
+    watch();
+    take(*entry, text);
+  }
   text.is_cut = source.torn_end().has_value();
   if (text.records.empty()) throw host::BadInput(path.string() + ": not a journal: no record in it");
   return text;
 }
 
 py::dict journal_records(const std::filesystem::path& path) {
+  Watch watch(py::none{});
   const JournalText text = [&] {
     const py::gil_scoped_release without_python;
-    return text_of(path);
+    return text_of(path, watch);
   }();
   py::dict by_topic;
   for (const RecordText& record : text.records) {
+    watch();
     const py::str topic(record.topic);
     if (!by_topic.contains(topic)) by_topic[topic] = py::list();
     by_topic[topic].cast<py::list>().append(py::make_tuple(record.number, record.time_us, record.fields));

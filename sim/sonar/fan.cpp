@@ -8,6 +8,7 @@
 
 #include "sim/ocean/section_along.hpp"
 #include "sim/parallel/ordered_tasks.hpp"
+#include "sim/pe/grid_choice.hpp"
 
 namespace earshot::sonar {
 namespace {
@@ -62,6 +63,24 @@ std::vector<double> ranges_m(const Fan& fan) {
   return range_m;
 }
 
+std::optional<pe::MarchGrid> grid_of(const Fan& fan) {
+  std::optional<pe::MarchGrid> all;
+  for (const std::optional<pe::MarchGrid>& grid : fan.grid) {
+    if (!grid) continue;
+    if (!all) all = grid;
+    all->depth_step = std::min(all->depth_step, grid->depth_step);
+    all->range_step = std::min(all->range_step, grid->range_step);
+    all->terms = std::max(all->terms, grid->terms);
+    all->predicted_error_db = std::max(all->predicted_error_db, grid->predicted_error_db);  // NaN of all where the caller chose
+  }
+  return all;
+}
+
+std::optional<std::string> doubt_of(const Fan& fan, Decibels accuracy) {
+  const std::optional<pe::MarchGrid> grid = grid_of(fan);
+  return grid ? pe::doubt_of(grid->predicted_error_db, accuracy) : std::nullopt;
+}
+
 bool has_sound(const Fan& fan) {
   return !std::ranges::all_of(fan.transmission_loss_db, [](float loss_db) { return std::isnan(loss_db); });
 }
@@ -74,16 +93,18 @@ Fan make_fan(NorthEast centre, const FanPlan& plan) {
           .range_step = radial.range_step,
           .depth_m = radial.depth_m,
           .transmission_loss_db = std::vector<float>(plan.bearings * radial.ranges * radial.depth_m.size()),
-          .sea_floor_depth_m = std::vector<float>(plan.bearings * radial.ranges)};
+          .sea_floor_depth_m = std::vector<float>(plan.bearings * radial.ranges),
+          .grid = std::vector<std::optional<pe::MarchGrid>>(plan.bearings)};
 }
 
 void fill_bearing(const ocean::Environment& environment, const FanPlan& plan, std::size_t bearing, Fan& fan, const pe::Progress& progress) {
   const std::size_t radial_size = fan.ranges * fan.depth_m.size();
-  compute_radial(ocean::section_along(environment, fan.centre, bearing_of(bearing, plan.bearings), plan.radial.max_range()),
-                 environment.name, plan.radial,
-                 {.transmission_loss_db = std::span(fan.transmission_loss_db).subspan(bearing * radial_size, radial_size),
-                  .sea_floor_depth_m = std::span(fan.sea_floor_depth_m).subspan(bearing * fan.ranges, fan.ranges)},
-                 progress);
+  fan.grid[bearing] =
+      compute_radial(ocean::section_along(environment, fan.centre, bearing_of(bearing, plan.bearings), plan.radial.max_range()),
+                     environment.name, plan.radial,
+                     {.transmission_loss_db = std::span(fan.transmission_loss_db).subspan(bearing * radial_size, radial_size),
+                      .sea_floor_depth_m = std::span(fan.sea_floor_depth_m).subspan(bearing * fan.ranges, fan.ranges)},
+                     progress);
 }
 
 void repeat_first_bearing(Fan& fan) {
@@ -93,6 +114,7 @@ void repeat_first_bearing(Fan& fan) {
     std::copy_n(fan.transmission_loss_db.begin(), radial_size, fan.transmission_loss_db.begin() + j * radial_size);
     std::copy_n(fan.sea_floor_depth_m.begin(), ranges, fan.sea_floor_depth_m.begin() + j * ranges);
   }
+  for (std::optional<pe::MarchGrid>& grid : fan.grid) grid = fan.grid.front();
 }
 
 Fan compute_fan(const ocean::Environment& environment, NorthEast centre, const FanPlan& plan, std::size_t threads,

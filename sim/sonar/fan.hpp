@@ -6,12 +6,14 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
 #include "sim/ocean/environment.hpp"
 #include "sim/pe/options.hpp"
+#include "sim/pe/solver.hpp"
 #include "sim/sonar/radial.hpp"
 
 namespace earshot::sonar {
@@ -26,6 +28,8 @@ struct Fan {
   std::vector<double> depth_m;
   std::vector<float> transmission_loss_db;  ///< [n_bearing x n_range x n_depth], dB re 1 m; NaN where there is no water
   std::vector<float> sea_floor_depth_m;     ///< [n_bearing x n_range]; 0 on land
+  /// [n_bearing], or empty of a fan that was read; nothing where there was nothing to march through
+  std::vector<std::optional<pe::MarchGrid>> grid = {};
 
   [[nodiscard]] Meters max_range() const { return static_cast<double>(ranges) * range_step; }
   [[nodiscard]] float at(std::size_t bearing, std::size_t range, std::size_t depth) const {
@@ -73,6 +77,13 @@ inline double Fan::transmission_loss_at(NorthEast position, std::size_t depth) c
 /// Its axes: bearings clockwise from north, and horizontal ranges.
 [[nodiscard]] std::vector<double> bearings_deg(const Fan& fan);
 [[nodiscard]] std::vector<double> ranges_m(const Fan& fan);
+
+/// Of all its marches the shortest steps, the most terms and the largest predicted error; nothing where there was none.
+/// Oracle: Fan.KnowsTheLargestErrorOfItsBearings
+[[nodiscard]] std::optional<pe::MarchGrid> grid_of(const Fan& fan);
+
+/// What must be known of a fan some bearing of which is predicted to be far off: pe::doubt_of.
+[[nodiscard]] std::optional<std::string> doubt_of(const Fan& fan, Decibels accuracy);
 
 /// Whether there is water in it: any value that is not NaN.
 [[nodiscard]] bool has_sound(const Fan& fan);

@@ -94,6 +94,7 @@ void write_fan(const std::filesystem::path& path, const Fan& fan, const std::opt
   Writer file(path);
   write_provenance(file, "Sound around one source", environment, history);
   write_unmeasured(file, unmeasured_water(environment, fan.centre, fan.bearings, fan.max_range()));
+  write_predicted_error(file, grid_of(fan));
   file.attribute("interpolation",
                  "each radial is a vertical plane of its own (N x 2D); the map is linear in dB along range, then between bearings");
   write_axes(file, fan);

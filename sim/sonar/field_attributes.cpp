@@ -57,7 +57,7 @@ void write_transmission_loss(Writer& file, const std::vector<std::string>& dimen
   file.attribute(name, "_FillValue", std::numeric_limits<double>::quiet_NaN());
   file.attribute(name, "least_significant_digit", 2.0);  // the attribute that netCDF4-python and NCO write: good to 0.01
   file.compress(name);
-  file.write(name, rounded_loss_db(loss_db));
+  file.write(name, rounded_loss_db({loss_db.begin(), loss_db.end()}));
 }
 
 void write_scene(Writer& file, const ocean::Environment& environment, const ocean::Band& band) {

@@ -22,12 +22,19 @@ bool in_water(double depth_m, float floor_m) {
   return floor_m > 0.0F && static_cast<float>(depth_m) <= floor_m;
 }
 
-/// Receiver depths that lie in the water somewhere on the radial: the solver's grid reaches no deeper than it needs to.
-std::vector<double> wet_depths(const std::vector<double>& depth_m, std::span<const float> sea_floor_depth_m) {
+/// Receivers that lie in the water somewhere on the radial: the solver's grid reaches no deeper than it needs to.
+struct WetReceivers {
+  std::vector<std::size_t> number;  ///< among the plan's depths
+  std::vector<double> depth_m;
+};
+
+WetReceivers wet_receivers(const std::vector<double>& depth_m, std::span<const float> sea_floor_depth_m) {
   const float deepest = *std::max_element(sea_floor_depth_m.begin(), sea_floor_depth_m.end());
-  std::vector<double> wet;
-  for (const double depth : depth_m) {
-    if (in_water(depth, deepest)) wet.push_back(depth);
+  WetReceivers wet;
+  for (std::size_t j = 0; j < depth_m.size(); ++j) {
+    if (!in_water(depth_m[j], deepest)) continue;
+    wet.number.push_back(j);
+    wet.depth_m.push_back(depth_m[j]);
   }
   return wet;
 }
@@ -36,7 +43,7 @@ using Intensities = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::
 
 /// What a band sounds like at the receivers in the water.
 struct BandSound {
-  Intensities mean;  ///< of |p|^2 over the band, [n_range x n_wet_depth]
+  Intensities mean;  ///< of |p|^2 over the band, [n_range x n_wet_depth]; empty of one frequency, which has `last`
   pe::Field last;    ///< of its highest frequency
 };
 
@@ -54,6 +61,7 @@ BandSound sound_of_band(const ocean::Section& section, const RadialPlan& plan, c
     };
     sound.last = {};  // two fields at once would take twice the memory
     sound.last = pe::solve(section, {Hertz{frequency_hz[i]}, plan.source_depth}, options, depth_m, max_range, report);
+    if (frequency_hz.size() == 1) break;
     if (i == 0)
       mean = sound.last.pressure.abs2();
     else
@@ -61,6 +69,12 @@ BandSound sound_of_band(const ocean::Section& section, const RadialPlan& plan, c
   }
   if (count > 1.0) mean /= count;
   return sound;
+}
+
+/// There is no sound at the values from `begin` to before `end`.
+void fill_nowhere(const RadialLoss& loss, std::size_t begin, std::size_t end) {
+  std::ranges::fill(loss.transmission_loss_db.subspan(begin, end - begin), kNowhere);
+  if (!loss.pressure.empty()) std::ranges::fill(loss.pressure.subspan(begin, end - begin), std::complex<double>(kNowhere, kNowhere));
 }
 
 /// NaN in a field means that there is no water; a march that went wrong must not look like that.
@@ -109,24 +123,30 @@ std::optional<pe::MarchGrid> compute_radial(const ocean::Section& section, const
     const Meters range = static_cast<double>(i + 1) * plan.range_step;
     loss.sea_floor_depth_m[i] = static_cast<float>(ocean::sea_floor_depth(section, range).value);  // 0 from the shore on
   }
-  std::fill(loss.transmission_loss_db.begin(), loss.transmission_loss_db.end(), kNowhere);
-  std::fill(loss.pressure.begin(), loss.pressure.end(), std::complex<double>(kNowhere, kNowhere));
-  const std::vector<double> wet_m = wet_depths(plan.depth_m, loss.sea_floor_depth_m);
-  if (wet_m.empty() || end < plan.range_step) return std::nullopt;
-
-  const BandSound sound = sound_of_band(section, plan, wet_m, end, progress);
-  const Intensities& intensity = sound.mean;
-  for (Eigen::Index i = 0; i < std::min(intensity.rows(), static_cast<Eigen::Index>(plan.ranges)); ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    Eigen::Index column = 0;
-    for (std::size_t j = 0; j < depths && column < intensity.cols(); ++j) {
-      if (plan.depth_m[j] != wet_m[static_cast<std::size_t>(column)]) continue;
-      const double value = intensity(i, column);
-      const std::complex<double> pressure = sound.last.pressure(i, column++);
-      if (!std::isfinite(value)) throw_no_number(name, (static_cast<double>(i) + 1.0) * plan.range_step, plan.depth_m[j]);
-      if (!in_water(plan.depth_m[j], loss.sea_floor_depth_m[row])) continue;
-      loss.transmission_loss_db[row * depths + j] = static_cast<float>(transmission_loss(value).value);
-      if (!loss.pressure.empty()) loss.pressure[row * depths + j] = pressure;
+  const WetReceivers wet = wet_receivers(plan.depth_m, loss.sea_floor_depth_m);
+  if (wet.number.empty() || end < plan.range_step) {
+    fill_nowhere(loss, 0, loss.transmission_loss_db.size());
+    return std::nullopt;
+  }
+  const BandSound sound = sound_of_band(section, plan, wet.depth_m, end, progress);
+  const auto rows = std::min(static_cast<std::size_t>(sound.last.pressure.rows()), plan.ranges);
+  fill_nowhere(loss, rows * depths, loss.transmission_loss_db.size());
+  Eigen::Array<double, 1, Eigen::Dynamic> intensity;
+  for (std::size_t row = 0; row < rows; ++row) {  // all of a row at once: it stays in the nearest cache
+    const auto i = static_cast<Eigen::Index>(row);
+    const auto pressure = sound.last.pressure.row(i);
+    if (sound.mean.size() > 0)
+      intensity = sound.mean.row(i);
+    else
+      intensity = pressure.abs2();
+    fill_nowhere(loss, row * depths, (row + 1) * depths);
+    for (std::size_t j = 0; j < wet.number.size(); ++j) {
+      const auto column = static_cast<Eigen::Index>(j);
+      if (!std::isfinite(intensity(column))) throw_no_number(name, (static_cast<double>(row) + 1.0) * plan.range_step, wet.depth_m[j]);
+      if (!in_water(wet.depth_m[j], loss.sea_floor_depth_m[row])) continue;
+      const std::size_t at = row * depths + wet.number[j];
+      loss.transmission_loss_db[at] = static_cast<float>(transmission_loss(intensity(column)).value);
+      if (!loss.pressure.empty()) loss.pressure[at] = pressure(column);
     }
   }
   return sound.last.grid;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <sstream>
 #include <stdexcept>
 
@@ -11,12 +10,6 @@
 #include "sim/sonar/sonar_equation.hpp"
 
 namespace earshot::sonar {
-
-Decibels transmission_loss(double squared_pressure) {
-  constexpr double kDecibelsPerDoubling = 10.0 * std::numbers::ln2 / std::numbers::ln10;  // the C library's log10 is slower than its log2
-  // Written so that zero pressure, infinite loss, ends at the cap.
-  return Decibels{std::min(-kDecibelsPerDoubling * std::log2(squared_pressure), kMaxTransmissionLoss.value)};
-}
 
 float SonarField::snr_db(std::size_t range, std::size_t depth) const {
   const float loss_db = at(range, depth);
@@ -28,17 +21,15 @@ std::optional<std::string> doubt_of(const SonarField& field, Decibels accuracy) 
   return field.grid ? pe::doubt_of(field.grid->predicted_error_db, accuracy) : std::nullopt;
 }
 
-std::vector<float> rounded_loss_db(std::span<const float> loss_db) {
-  std::vector<float> rounded(loss_db.size());
-  std::transform(loss_db.begin(), loss_db.end(), rounded.begin(), [](float loss) { return std::nearbyint(loss * 256.0F) / 256.0F; });
-  return rounded;
+std::vector<float> rounded_loss_db(std::vector<float> loss_db) {
+  for (float& loss : loss_db) loss = std::nearbyint(loss * 256.0F) / 256.0F;
+  return loss_db;
 }
 
 std::vector<float> rounded_snr_db(const SonarField& field) {
-  std::vector<float> snr_db;
-  for (const float loss_db : rounded_loss_db(field.transmission_loss_db))
-    snr_db.push_back(static_cast<float>(field.source_level.value - static_cast<double>(loss_db) - field.noise_level.value));
-  return snr_db;
+  std::vector<float> level_db = rounded_loss_db(field.transmission_loss_db);
+  for (float& level : level_db) level = static_cast<float>(field.source_level.value - static_cast<double>(level) - field.noise_level.value);
+  return level_db;
 }
 
 SonarField compute_sonar_field(const ocean::Environment& environment, const ocean::Section& section, const RadialPlan& plan,

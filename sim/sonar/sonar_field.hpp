@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <complex>
 #include <cstddef>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,10 +20,14 @@
 
 namespace earshot::sonar {
 
-/// -10 log10 |p|^2, dB re 1 m, for a source of unit pressure at 1 m; at most `kMaxTransmissionLoss`, also where the pressure vanishes.
-[[nodiscard]] Decibels transmission_loss(double squared_pressure);
-
 inline constexpr Decibels kMaxTransmissionLoss{300.0};
+
+/// -10 log10 |p|^2, dB re 1 m, for a source of unit pressure at 1 m; at most `kMaxTransmissionLoss`, also where the pressure vanishes.
+[[nodiscard]] inline Decibels transmission_loss(double squared_pressure) {
+  constexpr double kDecibelsPerDoubling = 10.0 * std::numbers::ln2 / std::numbers::ln10;  // the C library's log10 is slower than its log2
+  // Written so that zero pressure, infinite loss, ends at the cap.
+  return Decibels{std::min(-kDecibelsPerDoubling * std::log2(squared_pressure), kMaxTransmissionLoss.value)};
+}
 
 /// What a hydrophone hears of the environment's source on one radial, against range and depth; NaN where there is no water.
 struct SonarField {
@@ -44,7 +51,7 @@ struct SonarField {
 [[nodiscard]] std::optional<std::string> doubt_of(const SonarField& field, Decibels accuracy);
 
 /// To 1/256 dB, as files hold it.
-[[nodiscard]] std::vector<float> rounded_loss_db(std::span<const float> loss_db);
+[[nodiscard]] std::vector<float> rounded_loss_db(std::vector<float> loss_db);
 
 /// SL - TL - N of the rounded loss, as files hold it. [n_range x n_depth], NaN where there is no water
 [[nodiscard]] std::vector<float> rounded_snr_db(const SonarField& field);

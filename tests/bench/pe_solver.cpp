@@ -1,12 +1,17 @@
 // pe.*: processor seconds of the parabolic-equation solver, set-up and fit of the propagator included; tests/bench/peers/pyram_cases.py is
 // the peer. usage: bench_pe_solver FIGURE (benchmarks.toml)
 #include <cmath>
+#include <complex>
 #include <ctime>
 #include <iostream>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/pe/solver.hpp"
+#include "sim/sonar/radial.hpp"
+#include "sim/sonar/sonar_field.hpp"
 #include "tests/bench/short_form.hpp"
 #include "tests/reference/transmission_loss.hpp"
 #include "tests/sim/pe/short_section.hpp"
@@ -16,6 +21,7 @@ namespace {
 using namespace earshot;
 
 constexpr double kRange = 25'000.0;
+constexpr int kSectionRuns = 100;  // as tests/bench/python_field.py: some milliseconds each, and a machine has other work
 
 ocean::Section papers_ocean() {
   return pe::tests::section_of({.floor = {{0.0, 3000.0}},
@@ -36,16 +42,22 @@ double processor_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// The best of three, as for the peer; in short of one.
+/// In short of one.
 template <class Work>
-double best_of_three(const Work& work) {
+double best_of(int runs, const Work& work) {
   double best = 1e9;
-  for (int i = 0; i < bench::full_or_short(3, 1); ++i) {
+  for (int i = 0; i < bench::full_or_short(runs, 1); ++i) {
     const double start = processor_seconds();
     work();
     best = std::min(best, processor_seconds() - start);
   }
   return best;
+}
+
+/// As for pyRAM.
+template <class Work>
+double best_of_three(const Work& work) {
+  return best_of(3, work);
 }
 
 pe::Field run(const ocean::Section& section, const pe::Options& options, double source_depth_m, double range_m,
@@ -65,6 +77,21 @@ void require_mean_error(const pe::Field& field, const std::string& name, int col
   if (!(mean <= limit_db)) throw std::runtime_error(name + ": less accurate than the peer");
 }
 
+/// What tests/bench/python_field.py is given, without Python: every 10 m of depth, loss to 1/256 dB, pressure.
+void compute_section() {
+  sonar::RadialPlan plan{
+      .source_depth = Meters{30.0}, .depth_m = {}, .range_step = Meters{50.0}, .ranges = 500, .band = {Hertz{20.0}, Hertz{20.0}}};
+  for (int i = 1; i <= 300; ++i) plan.depth_m.push_back(10.0 * i);
+  const std::size_t values = plan.ranges * plan.depth_m.size();
+  std::vector<float> loss_db(values);
+  std::vector<float> sea_floor_m(plan.ranges);
+  std::vector<std::complex<double>> pressure(values);
+  (void)sonar::compute_radial(papers_ocean(), "the paper's ocean", plan,
+                              {.transmission_loss_db = loss_db, .sea_floor_depth_m = sea_floor_m, .pressure = pressure});
+  loss_db = sonar::rounded_loss_db(std::move(loss_db));
+  if (!std::isfinite(loss_db.back())) throw std::runtime_error("the section has no loss at its end");
+}
+
 double measure(const std::string& figure) {
   // The absorber is each solver's own: here some ten matched elements, in pyRAM 20 wavelengths of growing loss.
   const pe::Options same_grid{.depth_step = Meters{1.0}, .range_step = Meters{50.0}, .terms = 8, .output_step = Meters{50.0}};
@@ -81,10 +108,13 @@ double measure(const std::string& figure) {
     require_mean_error(run(papers_ocean(), automatic, 30.0, kRange), "munk_20hz", 0, 25'000, 0.05);
     return best_of_three([&] { (void)run(papers_ocean(), automatic, 30.0, kRange); });
   }
-  if (figure == "section.munk_20hz") {  // the peer of tests/bench/python_field.py
+  if (figure == "section.munk_20hz") {
     std::vector<double> depth_m;
     for (int i = 1; i <= 300; ++i) depth_m.push_back(10.0 * i);
-    return best_of_three([&] { (void)run(papers_ocean(), {.output_step = Meters{50.0}}, 30.0, kRange, depth_m); });
+    const double pressure_alone_s =
+        best_of(kSectionRuns, [&] { (void)run(papers_ocean(), {.output_step = Meters{50.0}}, 30.0, kRange, depth_m); });
+    std::cerr << "the march alone, pressure and no loss: " << pressure_alone_s << " s\n";
+    return best_of(kSectionRuns, compute_section);
   }
   if (figure == "equal_accuracy.range_dependent") {
     const pe::Options automatic{.output_step = Meters{50.0}, .accuracy = Decibels{0.3}};

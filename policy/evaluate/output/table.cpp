@@ -96,7 +96,8 @@ double hours(double steps, const Pace& pace) {
   return steps * pace.step_s / 3'600.0;
 }
 
-Row row_of(const std::string& world, const std::string& policy, std::span<const Flight> flights, const Pace& pace, std::uint64_t seed) {
+Row row_of(const std::string& world, const std::string& policy, std::span<const Flight> flights, const Pace& pace, std::uint64_t seed,
+           const std::function<void()>& between) {
   std::vector<search::EpisodeRecord> records;
   for (const Flight& flight : flights) records.push_back(flight.record);
   const Summary summary = summarise(records);
@@ -106,7 +107,7 @@ Row row_of(const std::string& world, const std::string& policy, std::span<const 
           .found_fraction_95 = exact_interval({.found = summary.found, .searches = summary.episodes}),
           .time_to_find = time_to_find(records, pace.max_steps),
           .pace = pace,
-          .intervals = bootstrap(flights, pace.max_steps, seed),
+          .intervals = bootstrap(flights, pace.max_steps, seed, between),
           .path_over_straight = path_over_straight(flights),
           .mismatches = mismatches(flights),
           .decision_s = decision_time_s(flights),

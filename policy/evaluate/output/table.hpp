@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,8 +30,9 @@ struct Row {
 };
 
 /// @param flights  at least one
+/// @param between  as of bootstrap(), which takes nearly all of the time
 [[nodiscard]] Row row_of(const std::string& world, const std::string& policy, std::span<const Flight> flights, const Pace& pace,
-                         std::uint64_t seed);
+                         std::uint64_t seed, const std::function<void()>& between = {});
 
 /// A time in steps as hours. Infinite stays infinite.
 [[nodiscard]] double hours(double steps, const Pace& pace);

@@ -17,16 +17,32 @@ class Watch {
 
   /// @param fraction  of the work that is done
   void operator()(double fraction) {
-    constexpr std::chrono::milliseconds kBetween{50};
-    const auto now = std::chrono::steady_clock::now();
-    if (fraction < 1.0 && now - last_ < kBetween) return;
-    last_ = now;
+    if (fraction < 1.0 && !is_time()) return;
     const pybind11::gil_scoped_acquire with_python;
-    if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
+    let_signals_in();
     if (!callback_.is_none()) callback_(fraction);
   }
 
+  /// Of work whose share nobody knows, or nobody is told.
+  void operator()() {
+    if (!is_time()) return;
+    const pybind11::gil_scoped_acquire with_python;
+    let_signals_in();
+  }
+
  private:
+  bool is_time() {
+    constexpr std::chrono::milliseconds kBetween{50};
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ < kBetween) return false;
+    last_ = now;
+    return true;
+  }
+
+  static void let_signals_in() {
+    if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
+  }
+
   pybind11::object callback_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };

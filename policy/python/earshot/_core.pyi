@@ -166,6 +166,8 @@ LEVEL_ATTRIBUTES: dict[
     str, dict[str, str]
 ]  # of transmission_loss, snr, source_level and noise_level, as NetCDF files have them
 
+MOST_TOML_BYTES: int  # of a file that Earshot's programs read
+
 class RadialCase:
     """The input file of another propagation model: an ocean, and where on a radial its sound is asked for."""
 
@@ -224,13 +226,15 @@ def radial(
     *,
     bearing: float,
     pressure: bool,
+    snr: bool,
     progress: Callable[[float], object] | None,
 ) -> dict[str, Any]:
     """One march.
 
-    transmission_loss, snr [n_range x n_depth] float32 dB; pressure [n_range x n_depth] complex128 or None; range,
-    depth [n] float64 m; sea_floor_depth [n_range] float32 m; unmeasured_water, a text or None; grid, None or
-    (depth step m, range step m, terms, predicted error dB, reference wavenumber 1/m).
+    transmission_loss [n_range x n_depth] float32 dB; of the same shape snr, float32 dB, and pressure, complex128, or
+    None where they are not wanted; range, depth [n] float64 m; sea_floor_depth [n_range] float32 m; unmeasured_water,
+    doubt, a text or None; grid, None or (depth step m, range step m, terms, predicted error dB, reference wavenumber
+    1/m).
     """
 
 def fan(
@@ -250,7 +254,8 @@ def fan(
     """All around the source. `threads` 0: all processors; `asked` without receivers of a file and depth spacing.
 
     transmission_loss [n_bearing x n_range x n_depth] float32 dB; sea_floor_depth [n_bearing x n_range] float32 m;
-    bearing [n] float64 degrees; range, depth [n] float64 m; land, unmeasured_water, a text or None.
+    bearing [n] float64 degrees; range, depth [n] float64 m; land, unmeasured_water, doubt, a text or None; grid as of
+    `radial`, of all marches the finest, with the largest error.
     With `detection` also detection_probability, shaped as the loss, and assured_detection_range and
     furthest_detection_range [n_depth x n_bearing] m, all float32. With `map` also map_snr, dB, and
     map_detection_probability [n_depth x n_north x n_east] float32; north, east [intervals + 1] float64 m.

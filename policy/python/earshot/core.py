@@ -9,6 +9,7 @@ _processor.require(_Path(__file__).with_name("built_for.txt"))
 try:
     from earshot._core import (
         LEVEL_ATTRIBUTES,
+        MOST_TOML_BYTES,
         BeliefState,
         Episodes,
         FrozenPolicy,
@@ -45,6 +46,7 @@ except ModuleNotFoundError as _missing:
 
 __all__ = [
     "LEVEL_ATTRIBUTES",
+    "MOST_TOML_BYTES",
     "BadInput",
     "BeliefState",
     "Episodes",

@@ -10,6 +10,7 @@ import numpy as np
 from earshot import core
 from earshot.arguments import Numbers, number, require_callable, whole_number
 from earshot.errors import BadInput
+from earshot.fields import of_grids, warn_of
 from earshot.oceans import Environment
 from earshot.questions import Question, question_of
 from earshot.variables import describe
@@ -66,10 +67,11 @@ def fan(
       detection_probability     P(SNR >= threshold), normal in dB
       assured_detection_range   m, over depth and bearing: heard at every range up to here; 0: not even at the first
       furthest_detection_range  m, over depth and bearing: heard here and nowhere beyond; 0: nowhere
-    The attribute `land` says how many bearings meet land nearer than the first range: there is no number on them.
+    and in its attributes predicted_error_db (of the worst bearing), depth_step_m, range_step_m and terms, as of
+    `earshot.field`, and `land`: how many bearings meet land nearer than the first range. There is no number on them.
 
-    Raises BadInput with the argument as `key`, BadType for what is of another kind, KeyboardInterrupt within some
-    tenths of a second. Other threads of Python run meanwhile.
+    Warns (FieldWarning) as `earshot.field` does. Raises BadInput with the argument as `key`, BadType for what is of
+    another kind, KeyboardInterrupt within some tenths of a second. Other threads of Python run meanwhile.
 
     Source: Urick, Principles of Underwater Sound, 3rd ed., ch. 12 (detection probability).
     """
@@ -138,7 +140,7 @@ def horizontal_map(
       detection_probability  P(SNR >= threshold), normal in dB
     north and east in m, in the local plane of the environment.
 
-    Raises as `earshot.fan` does.
+    Warns and raises as `earshot.fan` does.
     """
     import xarray
 
@@ -222,6 +224,7 @@ class _Around:
         if "detection_probability" in self._given:
             for name in ("detection_threshold_db", "fluctuation_db"):
                 attributes[name] = self._around[name]
+        attributes.update(of_grids([] if self._given["grid"] is None else [self._given["grid"]]))
         for name in ("land", "unmeasured_water"):
             if self._given[name] is not None:
                 attributes[name] = self._given[name]
@@ -267,6 +270,7 @@ def _around(environment: Any, asked: dict[str, Any], around: dict[str, Any], pro
         progress=progress,
         **settings,
     )
+    warn_of([given["doubt"]], stacklevel=3)
     return _Around(environment, question, given, settings)
 
 

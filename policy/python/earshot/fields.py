@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,7 +17,7 @@ from earshot.variables import describe
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["FieldWarning", "field"]
+__all__ = ["FieldWarning", "field", "of_grids", "warn_of"]
 
 _WATER_MPS = 1500.0  # by which a wavelength is reckoned where none is computed
 
@@ -105,6 +105,7 @@ def field(
         settings["file_range"] = environment._receiver_ranges()
     if output_step is None and range_step is None and np.ndim(frequencies) > 0 and np.all(frequencies > 0.0):
         settings["output_step"] = _WATER_MPS / 6.0 / float(np.max(frequencies))  # one axis of range for all
+    are_levels_known = environment.source_level is not None and environment.noise_level is not None
     is_pressure_kept = truth_value("pressure", pressure)
     at = number("bearing", bearing)
     sources = question.sources()
@@ -112,13 +113,36 @@ def field(
     def march(i: int) -> dict[str, Any]:
         report = None if progress is None else lambda share: progress((i + share) / len(sources))
         return radial(
-            environment._ocean, question.of(*sources[i]), bearing=at, pressure=is_pressure_kept, progress=report
+            environment._ocean,
+            question.of(*sources[i]),
+            bearing=at,
+            pressure=is_pressure_kept,
+            snr=are_levels_known,
+            progress=report,
         )
 
     fields = [march(i) for i in range(len(sources))]
-    for doubt in dict.fromkeys(f["doubt"] for f in fields if f["doubt"] is not None):
-        warnings.warn(f"{doubt}: smooth it, or choose range_step", FieldWarning, stacklevel=2)
+    warn_of((f["doubt"] for f in fields), stacklevel=2)
     return _dataset(xarray, environment, question, fields)
+
+
+def warn_of(doubts: Iterable[str | None], stacklevel: int) -> None:
+    """Once of each; `stacklevel` as of warnings.warn, 1 being who calls this."""
+    for doubt in dict.fromkeys(doubt for doubt in doubts if doubt is not None):
+        warnings.warn(f"{doubt}: smooth it, or choose range_step", FieldWarning, stacklevel=stacklevel + 1)
+
+
+def of_grids(grids: Sequence[Any]) -> dict[str, float]:
+    """Attributes that say on what grids it was marched."""
+    if not grids:
+        return {}
+    depth_steps, range_steps, terms, errors, _ = zip(*grids)
+    return {
+        "predicted_error_db": float(np.max(errors)),
+        "depth_step_m": float(np.min(depth_steps)),
+        "range_step_m": float(np.min(range_steps)),
+        "terms": int(np.max(terms)),
+    }
 
 
 def _dataset(xarray: Any, environment: Environment, question: Question, fields: Any) -> Any:
@@ -132,7 +156,7 @@ def _dataset(xarray: Any, environment: Environment, question: Question, fields: 
         return np.stack([f[name] for f in fields]).reshape(shape + first.shape) if shape else first
 
     values = {"transmission_loss": ((*dims, "range", "depth"), stacked("transmission_loss"))}
-    if environment.source_level is not None and environment.noise_level is not None:
+    if fields[0]["snr"] is not None:
         values["snr"] = ((*dims, "range", "depth"), stacked("snr"))
     if fields[0]["pressure"] is not None:
         values["pressure"] = ((*dims, "range", "depth"), stacked("pressure"))
@@ -156,14 +180,7 @@ def _dataset(xarray: Any, environment: Environment, question: Question, fields: 
     for name in ("depth", "range"):
         if question.settings[f"file_{name}"]:
             dataset.attrs[f"receiver_{name}_m"] = question.settings[f"file_{name}"]
-    if grids:
-        depth_steps, range_steps, terms, errors, _ = zip(*grids)
-        dataset.attrs.update(
-            predicted_error_db=float(np.max(errors)),
-            depth_step_m=float(np.min(depth_steps)),
-            range_step_m=float(np.min(range_steps)),
-            terms=int(np.max(terms)),
-        )
+    dataset.attrs.update(of_grids(grids))
     unmeasured = next((f["unmeasured_water"] for f in fields if f["unmeasured_water"] is not None), None)
     if unmeasured is not None:
         dataset.attrs["unmeasured_water"] = unmeasured

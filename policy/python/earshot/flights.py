@@ -127,7 +127,7 @@ def _in_file(name: str, value: Any, folder: Path) -> str:
     if isinstance(value, Environment):
         if isinstance(value._scenario(), Path):
             return str(value._scenario())
-        (folder / "given.toml").write_text(value.to_toml(), encoding="utf-8")
+        (folder / "given.toml").write_text(value._text_of_file(name), encoding="utf-8")
         return str(folder / "given.toml")
     return _path(name, value)
 
@@ -187,7 +187,7 @@ def fly(
     programs         folder of Earshot's programs; None: EARSHOT_PROGRAMS, or the PATH. The wheel holds none
 
     Raises BadInput, BadType, and FlightLost where a process or the bus was lost. Ctrl-C ends the flight in order, and
-    its journal stays.
+    its journal stays; so does the end of Python, also where it is killed.
     """
     if text("source", source) not in ("changing", "fixed"):
         raise BadInput(f'source = {source!r}: must be "changing" or "fixed"', key="source", value=source)
@@ -225,7 +225,7 @@ def fly(
             add("environment", _in_file("environment", environment, given))
         folder = Path(kept) if kept is not None else given / "flight"
         add("out", str(folder))
-        _run([program, "--quiet", "--no-report", *options], argument_of)
+        _run([program, "--quiet", "--no-report", "--end-with", str(os.getpid()), *options], argument_of)
         flight = Flight(folder)
         is_kept = kept is None
     except (FlightLost, KeyboardInterrupt):

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from earshot import arguments
 from earshot.arguments import number
-from earshot.core import Ocean, RadialCase, printable
+from earshot.core import MOST_TOML_BYTES, Ocean, RadialCase, printable
 from earshot.errors import BadInput, BadType
 from earshot.ocean_parts import (
     Bathymetry,
@@ -207,13 +207,12 @@ class Environment:
     def to_toml(self) -> str:
         """The environment file of this ocean, which all of Earshot's programs read.
 
-        Raises BadInput where frequency, source_depth, source_level or noise_level is not known, and for an ocean that
-        was read from a file: that file is it.
+        Raises BadInput where frequency, source_depth, source_level or noise_level is not known, for an ocean that was
+        read from a file (that file is it), and for one of so many numbers that the programs would refuse its file.
         """
         if self._path is not None:
             raise BadInput(f"to_toml: this ocean is that of {self._path}", key="to_toml", value=self._path)
-        self._require_levels("an environment file states it")
-        return self._text
+        return self._text_of_file("to_toml")
 
     @property
     def name(self) -> str:
@@ -258,6 +257,19 @@ class Environment:
             return self._path
         self._require_levels("a search needs it")
         return self._ocean
+
+    def _text_of_file(self, argument: str) -> str:
+        """Of an ocean that came from no file."""
+        self._require_levels("an environment file states it")
+        size = len(self._text.encode())
+        if size > MOST_TOML_BYTES:
+            raise BadInput(
+                f"{argument}: the environment file would have {size} bytes, and Earshot's programs read no more than "
+                f"{MOST_TOML_BYTES}: give fewer numbers",
+                key=argument,
+                value=size,
+            )
+        return self._text
 
     def _require_levels(self, why: str) -> None:
         for name, value in self._given.items():

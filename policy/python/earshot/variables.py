@@ -47,6 +47,6 @@ _ATTRIBUTES = {
 
 def describe(dataset: Any, **changed: dict[str, str]) -> Any:
     """Gives all variables of a Dataset their units and meanings. `changed` gives some of them others."""
-    for name in dataset.variables:
-        dataset[name].attrs.update({**_ATTRIBUTES[str(name)], **changed.get(str(name), {})})
+    for name, variable in dataset.variables.items():
+        variable.attrs.update({**_ATTRIBUTES[str(name)], **changed.get(str(name), {})})
     return dataset

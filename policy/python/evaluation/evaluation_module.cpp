@@ -165,7 +165,8 @@ std::pair<std::string, std::vector<std::string>> evaluated(const Asked& asked, c
           evaluate::fly(candidate, trial, alone, [&](std::size_t number, const search::Episode&, search::EpisodeEnd) {
             watch((before + static_cast<double>(number)) / searches);
           });
-      rows.push_back(evaluate::row_of(world.name, candidate.name, flights, evaluate::pace_of(searched->world), world.seed));
+      rows.push_back(
+          evaluate::row_of(world.name, candidate.name, flights, evaluate::pace_of(searched->world), world.seed, [&] { watch(); }));
     }
   }
   watch(1.0);

@@ -55,12 +55,19 @@ sonar::SonarField solved(const Ocean& ocean, const SoundRequest& asked, double b
   });
 }
 
-py::dict dictionary_of(sonar::SonarField&& field) {
+py::object tuple_of(const std::optional<pe::MarchGrid>& grid) {
+  if (!grid) return py::none();
+  return py::make_tuple(grid->depth_step.value, grid->range_step.value, grid->terms, grid->predicted_error_db,
+                        grid->reference_wavenumber_per_m);
+}
+
+py::dict dictionary_of(sonar::SonarField&& field, bool is_snr_wanted) {
   const auto ranges = static_cast<py::ssize_t>(field.range_m.size());
   const auto depths = static_cast<py::ssize_t>(field.depth_m.size());
   py::dict result;
-  result["transmission_loss"] = array_of(sonar::rounded_loss_db(field.transmission_loss_db), {ranges, depths});
-  result["snr"] = array_of(sonar::rounded_snr_db(field), {ranges, depths});
+  result["snr"] = py::none();
+  if (is_snr_wanted) result["snr"] = array_of(sonar::rounded_snr_db(field), {ranges, depths});
+  result["transmission_loss"] = array_of(sonar::rounded_loss_db(std::move(field.transmission_loss_db)), {ranges, depths});
   result["pressure"] = py::none();
   if (!field.pressure.empty()) result["pressure"] = array_of(std::move(field.pressure), {ranges, depths});
   result["sea_floor_depth"] = array_of(std::move(field.sea_floor_depth_m), {ranges});
@@ -68,21 +75,18 @@ py::dict dictionary_of(sonar::SonarField&& field) {
   result["depth"] = array_of(std::move(field.depth_m), {depths});
   result["unmeasured_water"] = py::none();
   if (field.unmeasured) result["unmeasured_water"] = to_string(*field.unmeasured);
-  result["grid"] = py::none();
-  if (field.grid)
-    result["grid"] = py::make_tuple(field.grid->depth_step.value, field.grid->range_step.value, field.grid->terms,
-                                    field.grid->predicted_error_db, field.grid->reference_wavenumber_per_m);
+  result["grid"] = tuple_of(field.grid);
   return result;
 }
 
-py::dict radial(const Ocean& ocean, const SoundRequest& asked, double bearing, bool pressure, py::object progress) {
+py::dict radial(const Ocean& ocean, const SoundRequest& asked, double bearing, bool pressure, bool snr, py::object progress) {
   Watch watch(std::move(progress));
   sonar::SonarField field = [&] {
     const py::gil_scoped_release without_python;
     return solved(ocean, asked, bearing, pressure && !asked.band_hz ? sonar::Pressure::kKept : sonar::Pressure::kLeftOut, std::ref(watch));
   }();
   const std::optional<std::string> doubt = doubt_of(field, Decibels{asked.accuracy_db});
-  py::dict result = dictionary_of(std::move(field));
+  py::dict result = dictionary_of(std::move(field), snr);
   result["doubt"] = doubt;
   return result;
 }
@@ -173,16 +177,18 @@ void add_maps(py::dict& result, std::vector<sonar::HorizontalMap>&& maps) {
   result["east"] = array_of(std::move(maps.front().east_m), {side});
 }
 
-py::dict dictionary_of(HeardFan&& heard) {
+py::dict dictionary_of(HeardFan&& heard, Decibels accuracy) {
   sonar::Fan& fan = heard.fan;
   const auto bearings = static_cast<py::ssize_t>(fan.bearings);
   const auto ranges = static_cast<py::ssize_t>(fan.ranges);
   const auto depths = static_cast<py::ssize_t>(fan.depth_m.size());
   const std::vector<py::ssize_t> shape{bearings, ranges, depths};
   py::dict result;
+  result["grid"] = tuple_of(sonar::grid_of(fan));
+  result["doubt"] = sonar::doubt_of(fan, accuracy);
   result["bearing"] = array_of(sonar::bearings_deg(fan), {bearings});
   result["range"] = array_of(sonar::ranges_m(fan), {ranges});
-  result["transmission_loss"] = array_of(sonar::rounded_loss_db(fan.transmission_loss_db), shape);
+  result["transmission_loss"] = array_of(sonar::rounded_loss_db(std::move(fan.transmission_loss_db)), shape);
   result["sea_floor_depth"] = array_of(std::move(fan.sea_floor_depth_m), {bearings, ranges});
   result["depth"] = array_of(std::move(fan.depth_m), {depths});
   if (!heard.probability.empty()) {
@@ -212,7 +218,7 @@ py::dict fan(const Ocean& ocean, const SoundRequest& asked, std::size_t radials,
     const py::gil_scoped_release without_python;
     return beside(watch, [&](const pe::Progress& report) { return heard_around(ocean, asked, question, report); });
   }();
-  return dictionary_of(std::move(heard));
+  return dictionary_of(std::move(heard), Decibels{asked.accuracy_db});
 }
 
 /// A dictionary of the attributes that files have.
@@ -251,7 +257,7 @@ void add_fields(py::module_& module) {
            py::arg("depth_spacing"), py::arg("output_step"), py::arg("accuracy_db"), py::arg("band"), py::arg("band_parts"),
            py::arg("starter"), py::arg("range_step"), py::arg("depth_step"), py::arg("terms"), py::arg("absorber_wavelengths"),
            py::arg("file_depth"), py::arg("file_range"));
-  module.def("radial", &radial, py::arg("ocean"), py::arg("asked"), py::kw_only(), py::arg("bearing"), py::arg("pressure"),
+  module.def("radial", &radial, py::arg("ocean"), py::arg("asked"), py::kw_only(), py::arg("bearing"), py::arg("pressure"), py::arg("snr"),
              py::arg("progress"));
   module.def("fan", &fan, py::arg("ocean"), py::arg("asked"), py::kw_only(), py::arg("radials"), py::arg("threads"),
              py::arg("detection_threshold_db"), py::arg("fluctuation_db"), py::arg("detection"), py::arg("map"), py::arg("side"),

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "firmware/host/file/input_file.hpp"
 #include "firmware/host/toml/range.hpp"
 #include "policy/python/boundary/checked.hpp"
 #include "sim/ocean/file/acoustics_toolbox/env_file.hpp"
@@ -68,6 +69,7 @@ void add_ocean(py::module_& module) {
       .def_property_readonly("sea_floor_depth", [](const Ocean& ocean) { return ocean.seabed.depth.value; })
       .def_property_readonly("crc32", [](const Ocean& ocean) { return ocean.file_crc32; });
   add_radial_case(module);
+  module.attr("MOST_TOML_BYTES") = host::kTomlFile.most_bytes;
 }
 
 }  // namespace earshot::python

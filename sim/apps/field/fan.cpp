@@ -124,6 +124,7 @@ void write_fan(const FieldArguments& arguments) {
   print_detection(fan, detector);
   program::print() << "written: " << arguments.output << (arguments.plot.empty() ? "" : ", " + arguments.plot) << '\n';
   warn(sonar::unmeasured_water(environment, source, plan.bearings, fan.max_range()));
+  warn_of_doubt(sonar::doubt_of(fan, plan.radial.options.accuracy));
   if (arguments.check) print_check(environment, plan.radial);
 }
 

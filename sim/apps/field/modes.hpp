@@ -36,6 +36,8 @@ void print_level_note(const FieldArguments& arguments);
 /// Says on standard error what the result leans on and does not hold; nothing where there is nothing to say.
 void warn(const std::optional<ocean::UnmeasuredWater>& water);
 void warn(const std::string& what);
+/// @param doubt  sonar::doubt_of
+void warn_of_doubt(const std::optional<std::string>& doubt);
 
 /// Each computes, writes and says in a few lines on standard output what it did; throws what is wrong in one line. Libraries are shared
 /// among ranks; the others are one process's work.

@@ -41,10 +41,6 @@ void warn_of_land(const ocean::Section& section, Meters last_range) {
   warn(text.str());
 }
 
-void warn_of_doubt(const std::optional<std::string>& doubt) {
-  if (doubt) warn(*doubt + ": smooth it, or check the field with other steps (--check)");
-}
-
 Radians bearing_of(const FieldArguments& arguments) {
   return Radians{arguments.bearing_deg * std::numbers::pi / 180.0};
 }
@@ -95,6 +91,10 @@ void warn(const std::string& what) {
 
 void warn(const std::optional<ocean::UnmeasuredWater>& water) {
   if (water) warn(to_string(*water));
+}
+
+void warn_of_doubt(const std::optional<std::string>& doubt) {
+  if (doubt) warn(*doubt + ": smooth it, or check the field with other steps (--check)");
 }
 
 void write_radial(const FieldArguments& arguments) {

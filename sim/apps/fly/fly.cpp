@@ -36,6 +36,7 @@
 #include "sim/apps/fly/flight_summary.hpp"
 #include "sim/apps/fly/hearing/hear_option.hpp"
 #include "sim/apps/fly/hearing/sound.hpp"
+#include "sim/apps/fly/other_process.hpp"
 #include "sim/apps/fly/speed_option.hpp"
 #include "sim/link/run_slot.hpp"
 #include "sim/search/scenario/scenario_file.hpp"
@@ -67,6 +68,7 @@ struct Options {
   std::optional<std::string> hear;
   std::optional<std::string> board;
   std::optional<double> battery_percent;
+  std::optional<std::uint32_t> end_with;
   bool ignore_source = false;
   bool no_report = false;
 };
@@ -111,6 +113,8 @@ void declare(program::CommandLine& line, Options& o) {
               "cells)")
       .one_of({fly::kBoardFull, fly::kBoardSmall});
   line.option("--battery-percent", &o.battery_percent, fly::kBatteryHelp).between(0.0, 100.0);
+  line.option("--end-with", &o.end_with, "number of a process: when that ends, killed or not, the flight ends in order, as with Ctrl-C")
+      .from(1, std::numeric_limits<std::int32_t>::max());
   line.flag("--ignore-source", &o.ignore_source, "fly on to the last step even when the source is found (benchmarks)");
   line.flag("--no-report", &o.no_report, "do not write report.html");
 }
@@ -167,7 +171,8 @@ std::vector<std::string> runtime_arguments(const Options& o, const Meeting& meet
 
 /// Waits for both. Ctrl-C goes to the simulator, which tells earshotd to abort; whoever is left when the other has gone is asked to end,
 /// and ended some seconds later.
-void wait_for_both(ChildProcess& simulator, ChildProcess& runtime) {
+/// @param owner  whose end is a Ctrl-C, too
+void wait_for_both(ChildProcess& simulator, ChildProcess& runtime, const std::optional<fly::OtherProcess>& owner) {
   using std::chrono::steady_clock;
   constexpr auto kGrace = std::chrono::seconds(6);  // longer than either takes to notice by itself that the other is gone
   std::optional<steady_clock::time_point> deadline;
@@ -175,6 +180,7 @@ void wait_for_both(ChildProcess& simulator, ChildProcess& runtime) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     simulator.poll();
     runtime.poll();
+    if (owner && owner->has_ended()) stop_requested = true;
     if (stop_requested) simulator.stop();
     if (simulator.status() > 0) runtime.stop();
     if (runtime.status() > 0) simulator.stop();
@@ -333,6 +339,8 @@ int fly_search(Options o) {
   if (o.environment.empty()) o.environment = host::shipped("sim/ocean/environments/munk_flat.toml");
   if (o.mission.empty()) o.mission = host::shipped(default_mission(o));
   program::stop_on_signals();
+  const std::optional<fly::OtherProcess> owner =
+      o.end_with ? std::make_optional<fly::OtherProcess>(static_cast<pid_t>(*o.end_with)) : std::nullopt;
   const host::MissionFile mission = checked_mission(o);
   warn_of_another_source(o, mission);
   if (mission.hearing && !o.hear && program::talk() != program::Talk::kQuiet)
@@ -356,7 +364,7 @@ int fly_search(Options o) {
   }
   ChildProcess runtime("earshotd", runtime_arguments(o, meeting));
   ChildProcess simulator("earshot-sim", simulator_arguments(o, meeting));
-  wait_for_both(simulator, runtime);
+  wait_for_both(simulator, runtime, owner);
   runtime.report_signal("earshot fly");
   simulator.report_signal("earshot fly");
 

@@ -47,6 +47,17 @@ TEST(Bootstrap, IsTheSameForTheSameSeedAndNotForAnother) {
   EXPECT_NE(bootstrap(flights(100), 100, 1).mean_reward.low, bootstrap(flights(100), 100, 2).mean_reward.low);
 }
 
+TEST(Bootstrap, EndsBetweenTwoResamplesWithWhatIsThrownThere) {
+  struct Stopped {};
+  int resamples = 0;
+  EXPECT_THROW((void)bootstrap(flights(10), 100, 1,
+                               [&] {
+                                 if (++resamples == 7) throw Stopped();
+                               }),
+               Stopped);
+  EXPECT_EQ(resamples, 7);
+}
+
 TEST(Bootstrap, SaysNothingOfPathsWhenNoneFoundTheSource) {
   std::vector<Flight> lost = flights(50);
   for (Flight& flight : lost) flight.record.end = search::EpisodeEnd::kTimeLimit;

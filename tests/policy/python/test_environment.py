@@ -3,6 +3,7 @@
 Run by ctest (run in this folder).
 """
 
+import importlib.util
 import os
 import subprocess
 import sys
@@ -19,6 +20,8 @@ from gymnasium.utils.env_checker import check_env
 import earshot_gym
 import earshot_gym._core
 
+HAS_MATPLOTLIB = importlib.util.find_spec("matplotlib") is not None
+os.environ["MPLBACKEND"] = "module://counted_window"
 STATES = ("simple", "memory", "position_memory", "belief")
 EAST = 2
 ROOT = Path(__file__).resolve().parents[3]
@@ -44,7 +47,7 @@ class Environment(unittest.TestCase):
                     warnings.simplefilter("error")
                     warnings.filterwarnings("ignore", message=".*Box observation space m..imum value is -?infinity")
                     env = gymnasium.make(earshot_gym.ID, state=state, source=source, render_mode="rgb_array")
-                    check_env(env.unwrapped)
+                    check_env(env.unwrapped, skip_render_check=not HAS_MATPLOTLIB)  # it opens a window, too
 
     def test_names_each_number_of_an_observation(self):
         for state in STATES:
@@ -144,6 +147,9 @@ class Environment(unittest.TestCase):
             ({"source": "moving"}, ValueError, "source.*fixed.*changing"),
             ({"start": "anywhere"}, ValueError, "start.*domain.*inside_border"),
             ({"environment": "none.toml"}, FileNotFoundError, "none.toml"),
+            ({"environment": 3}, TypeError, "environment: must be a text or a path"),
+            ({"environment": ""}, ValueError, "environment = '': must be the name of a file"),
+            ({"environment": "a\0b"}, ValueError, "environment = .*: must be the name of a file"),
             ({"directions": 33}, ValueError, "directions = 33.*1 to 32"),
             ({"directions": -1}, ValueError, "directions = -1"),
             ({"state": "memory", "remembered_steps": 22}, ValueError, "remembered_steps = 22.*1 to 21"),

@@ -16,6 +16,9 @@ import warnings
 from pathlib import Path
 from typing import Any
 
+import pandas  # noqa: F401  a signal in the midst of its import would leave half of it
+from third_tick import third_tick_interrupts
+
 import earshot
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -154,6 +157,25 @@ class InPython(unittest.TestCase):
             earshot.evaluate(eastwards, n=10_000_000, progress=told)
         self.assertEqual(shares, sorted(shares))
         self.assertLess(time.monotonic() - began, 60.0)
+
+    def test_ends_at_ctrl_c_while_intervals_are_drawn_from_many_searches(self):
+        n = 60_000
+
+        class Counting:
+            searches = 0
+
+            def begin(self, seed):
+                self.searches += 1
+                if self.searches == n:
+                    start()
+
+            def choose(self, position, snr, too_faint, step):
+                return 0
+
+        policy = Counting()
+        with third_tick_interrupts() as start, self.assertRaises(KeyboardInterrupt):
+            earshot.evaluate([policy], n=n, max_steps=1)
+        self.assertEqual(policy.searches, n)
 
 
 class Refused(unittest.TestCase):

@@ -3,9 +3,13 @@
 Run by ctest (run in this folder).
 """
 
+import contextlib
 import os
 import pickle
+import subprocess
+import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 from typing import Any
@@ -15,6 +19,24 @@ import earshot
 ROOT = Path(__file__).resolve().parents[3]
 PROGRAMS = os.environ["EARSHOT_PROGRAMS"]
 PAPER = ROOT / "sim/ocean/environments/munk_flat.toml"
+
+
+def processes_with(argument):
+    """Numbers of the processes that have it among their arguments."""
+    found = []
+    for place in Path("/proc").glob("[0-9]*/cmdline"):
+        with contextlib.suppress(OSError):
+            if any(one.startswith(argument) for one in place.read_bytes().decode(errors="replace").split("\0")):
+                found.append(int(place.parent.name))
+    return found
+
+
+def wait_until(holds):
+    deadline = time.monotonic() + 60.0
+    while not holds():
+        if time.monotonic() > deadline:
+            raise TimeoutError
+        time.sleep(0.01)
 
 
 class AFlight(unittest.TestCase):
@@ -73,6 +95,21 @@ class AFlight(unittest.TestCase):
                 earshot.Flight(folder).summary  # noqa: B018
             with self.assertRaisesRegex(earshot.BadInput, "has no track.csv"):
                 earshot.Flight(folder).track  # noqa: B018
+
+    def test_ends_in_order_where_python_is_killed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = Path(folder) / "out"
+            program = f"import earshot; earshot.fly(ignore_source=True, out={str(out)!r}, programs={PROGRAMS!r})"
+            python = subprocess.Popen([sys.executable, "-c", program])
+            journal = out / "unfinished-flight/journal.lcmlog"
+            wait_until(lambda: journal.is_file() and journal.stat().st_size > 0)
+            python.kill()
+            python.wait()
+            wait_until(lambda: not processes_with(str(out)))
+            flight = earshot.Flight(out)
+            self.assertEqual(flight.summary["end_reason"], "interrupted")
+            self.assertLess(flight.summary["steps"], 100)  # all that the mission has
+            self.assertIn("mission", flight.journal)
 
     def test_goes_with_the_object_in_the_process_that_flew_alone(self):
         flight = earshot.fly(seed=7, programs=PROGRAMS)

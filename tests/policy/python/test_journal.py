@@ -17,9 +17,10 @@ from typing import Any
 
 import numpy as np
 import pandas
+from third_tick import third_tick_interrupts
 
 import earshot
-from earshot.core import journal_fields
+from earshot.core import journal_fields, journal_records
 from earshot.journals import _unit
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -145,6 +146,15 @@ class Flights(unittest.TestCase):
 
 
 class BusLogs(unittest.TestCase):
+    def test_of_any_size_are_left_at_ctrl_c(self):
+        with tempfile.TemporaryDirectory() as folder:
+            log, channel = Path(folder) / "long.log", b"EARSHOT_NAV_STATE"
+            event = _EVENT.pack(_MARK, 0, 1, len(channel), 400) + channel + bytes(400)
+            log.write_bytes(event * 300_000)  # 130 MB
+            with third_tick_interrupts() as start, self.assertRaises(KeyboardInterrupt):
+                start()
+                journal_records(log)
+
     def test_are_read_with_the_loggers_dates(self):
         with tempfile.TemporaryDirectory() as folder:
             definitions = map(str, (ROOT / "firmware/wire/lcm").glob("*.lcm"))

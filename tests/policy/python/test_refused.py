@@ -170,6 +170,24 @@ class Refused(Refusals):
         layers = xarray.Dataset({"sound_speed": ("layer", [1600.0, np.nan]), "thickness": ("layer", [5.0, np.nan])})
         self.require("sediment", shallow, sediment=layers)
 
+    def test_is_a_file_that_no_program_would_read(self):
+        depth_m = np.linspace(0.0, 100.0, 130_001)
+        whole = shallow(
+            sound_speed=(depth_m, np.full(130_001, 1_500.123456789012)),
+            frequency=50.0,
+            source_depth=30.0,
+            source_level=180.0,
+            noise_level=90.0,
+        )
+        with self.assertRaisesRegex(
+            earshot.BadInput, "to_toml: .* would have [0-9]+ bytes, .* no more than 4194304: give fewer numbers"
+        ) as caught:
+            whole.to_toml()
+        self.assertGreater(caught.exception.value, 4 * 2**20)
+        with self.assertRaises(earshot.BadInput) as caught:
+            earshot.fly(environment=whole, programs=os.environ["EARSHOT_PROGRAMS"])
+        self.assertEqual(caught.exception.key, "environment")
+
 
 class Objects(Refusals):
     """Of NumPy, pandas and xarray where they cannot be: random_calls found them."""
@@ -291,7 +309,8 @@ class Told(unittest.TestCase):
     def test_that_a_floor_is_rough(self):
         """Its error by hand: 0.2 dB integral of tan^2 / depth; 1 / depth is ln(100 / 80) / 20 m in the mean."""
         ranges = np.arange(0.0, 10_001.0, 50.0)
-        hilly = shallow(bathymetry=(ranges, np.where(np.arange(ranges.size) % 2 == 0, 100.0, 80.0)))
+        hilly_floor = (ranges, np.where(np.arange(ranges.size) % 2 == 0, 100.0, 80.0))
+        hilly = shallow(bathymetry=hilly_floor)
         named: dict[str, Any] = {
             "frequency": 100.0,
             "source_depth": 30.0,
@@ -301,10 +320,19 @@ class Told(unittest.TestCase):
         with self.assertWarnsRegex(earshot.FieldWarning, "where 0.02 dB was asked for: the sea floor is too rough"):
             sound = earshot.field(hilly, **named)
         self.assertAlmostEqual(sound.attrs["predicted_error_db"], 0.2 * 0.4**2 * 1e4 * np.log(1.25) / 20.0, delta=0.1)
+        levelled = shallow(bathymetry=hilly_floor, source_level=190.0, noise_level=90.0)
+        for around in (earshot.fan, earshot.horizontal_map):
+            with self.assertWarnsRegex(earshot.FieldWarning, "where 0.02 dB was asked for") as caught:
+                drawn = around(levelled, radials=2, **named)
+            self.assertEqual(caught.filename, __file__)
+            for name in ("predicted_error_db", "depth_step_m", "range_step_m", "terms"):
+                self.assertEqual(drawn.attrs[name], sound.attrs[name], name)
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             earshot.field(shallow(), **named)
             earshot.field(hilly, **named, range_step=2.0)
+            chosen = earshot.fan(hilly, radials=2, **named, range_step=2.0)
+            self.assertTrue(np.isnan(chosen.attrs["predicted_error_db"]))
         ranges = np.arange(0.0, 10_001.0, 5.0)
         rough = shallow(bathymetry=(ranges, np.where(np.arange(ranges.size) % 2 == 0, 100.0, 80.0)))
         with self.assertRaisesRegex(earshot.BadInput, "too rough for the solver's steps: smooth it"):

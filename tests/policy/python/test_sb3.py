@@ -257,6 +257,13 @@ class StableBaselines3(unittest.TestCase):
         env = VecNormalize(earshot_gym.sb3.SearchVecEnv(2, **OPTIONS), norm_obs=False)
         self.assertEqual(self.freeze(earshot_gym.sb3.save(trained(env, 512), self.folder / "model.zip")).returncode, 0)
 
+    def test_refuses_to_save_where_no_file_can_be(self):
+        model = PPO("MlpPolicy", earshot_gym.sb3.SearchVecEnv(2, **OPTIONS), n_steps=64, seed=1, device="cpu")
+        for write in (earshot_gym.sb3.save, earshot_gym.sb3.export_onnx):
+            for wrong, error in ((3, TypeError), ("", ValueError), ("a\0b", ValueError)):
+                with self.subTest(function=write.__name__, path=wrong):
+                    self.assertRaisesRegex(error, "^path", write, model, wrong)
+
     def test_a_model_without_description_needs_one(self):
         env = earshot_gym.sb3.SearchVecEnv(2, **OPTIONS)
         model = trained(env, 512)

@@ -158,6 +158,37 @@ TEST(Fan, HasOneLossOnEveryBearingOfAnOceanThatDoesNotDifferWithPlace) {
   EXPECT_EQ(fan.sea_floor_depth_m.back(), 3000.0F);
 }
 
+TEST(Fan, KnowsTheLargestErrorOfItsBearings) {
+  Fan fan = by_hand();
+  EXPECT_FALSE(grid_of(fan)) << "of a fan that was read nothing is known";
+  EXPECT_FALSE(doubt_of(fan, Decibels{0.02}));
+  fan.grid = {pe::MarchGrid{Meters{2.0}, Meters{40.0}, 5, 0.01, 0.08}, std::nullopt, pe::MarchGrid{Meters{1.0}, Meters{50.0}, 4, 3.5, 0.08},
+              pe::MarchGrid{Meters{3.0}, Meters{60.0}, 8, 0.02, 0.08}};
+  const auto grid = grid_of(fan);
+  ASSERT_TRUE(grid);
+  EXPECT_EQ(grid->depth_step, Meters{1.0});
+  EXPECT_EQ(grid->range_step, Meters{40.0});
+  EXPECT_EQ(grid->terms, 8U);
+  EXPECT_EQ(grid->predicted_error_db, 3.5);
+  EXPECT_NE(doubt_of(fan, Decibels{0.02}).value_or("").find("predicted to be 3.5 dB"), std::string::npos);
+  EXPECT_FALSE(doubt_of(fan, Decibels{3.0})) << "it is little more than was asked for";
+}
+
+TEST(Fan, HasTheGridOfEachOfItsMarches) {
+  const support::TemporaryFolder folder;
+  FanPlan short_plan = plan(4);
+  short_plan.radial.ranges = 1;
+  const auto hills = ocean::load_environment(tests::write_hilly_ocean(folder.path()));
+  const Fan fan = compute_fan(hills, {}, short_plan, 2);
+  ASSERT_EQ(fan.grid.size(), 4U);
+  for (const auto& grid : fan.grid) {
+    ASSERT_TRUE(grid);
+    EXPECT_LE(grid->predicted_error_db, 0.1);
+  }
+  const auto flat = ocean::load_environment(std::string(EARSHOT_SOURCE_DIR) + "/sim/ocean/environments/munk_flat.toml");
+  EXPECT_TRUE(compute_fan(flat, {}, short_plan, 2).grid.back()) << "one march is that of all bearings";
+}
+
 TEST(Fan, SaysWithinEachBearingHowMuchIsDone) {
   FanPlan short_plan = plan(4);
   short_plan.radial.ranges = 20;

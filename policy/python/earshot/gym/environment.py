@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from earshot.arguments import place
 from earshot.core import Episodes
 from earshot.gym import drawing
+from earshot.gym.window import Window
 from earshot.gym.world import SearchWorld, WorldOptions, make_world
 
 try:
@@ -40,10 +41,13 @@ class AcousticSearchEnv(gymnasium.Env[NDArray[np.float32], np.int64]):
                  an episode also found and detections
 
     reset(options={"position_m": (north, east), "source_m": (north, east)}) starts at a given place.
-    Keyword arguments are those of `make_world`.
+    render_mode "human" shows each reset and each step in a window of matplotlib's, four a second; `render` need not be
+    called. Raises gymnasium.error.DependencyNotInstalled without matplotlib, BadInput where it can open no window.
+
+    Other keyword arguments are those of `make_world`.
     """
 
-    metadata: dict[str, Any] = {"render_modes": ["ansi", "rgb_array"], "render_fps": 4}
+    metadata: dict[str, Any] = {"render_modes": ["ansi", "rgb_array", "human"], "render_fps": 4}
 
     def __init__(self, *, render_mode: str | None = None, **options: Unpack[WorldOptions]) -> None:
         if render_mode is not None and render_mode not in self.metadata["render_modes"]:
@@ -54,6 +58,11 @@ class AcousticSearchEnv(gymnasium.Env[NDArray[np.float32], np.int64]):
         self._episodes = Episodes(self.world, 1)
         self._seeded = False
         self._path: list[tuple[float, float]] = []
+        self._window = self._opened() if render_mode == "human" else None
+
+    def __getstate__(self) -> dict[str, Any]:
+        """A copy, or what is unpickled, opens a window of its own."""
+        return {**self.__dict__, "_window": None}
 
     def __copy__(self) -> AcousticSearchEnv:
         """Has searches of its own: they go on as these would, and move none of these."""
@@ -80,21 +89,41 @@ class AcousticSearchEnv(gymnasium.Env[NDArray[np.float32], np.int64]):
         if options:
             self._start_at(options)
         self._path = [self._episodes.position_m(0)]
+        if self.render_mode == "human":
+            self.render()
         return self._episodes.observations()[0], self._episodes.info(0)
 
     def step(self, action: int | np.int64) -> tuple[NDArray[np.float32], float, bool, bool, dict[str, Any]]:
         stepped = self._episodes.step_one(action)
         if self.render_mode is not None:
             self._path.append(self._episodes.position_m(0))
+            if self.render_mode == "human":
+                self.render()
         return stepped
 
     def render(self) -> Any:
-        """ "ansi": one line. "rgb_array": uint8 [height x width x 3], north up: where it is heard, path, source."""
+        """ "ansi": one line. "rgb_array": uint8 [height x width x 3], north up: where it is heard, path, source.
+
+        "human": None; both in the window.
+        """
+        if self.render_mode is None:
+            return None
         if self.render_mode == "ansi":
             return drawing.line(self.world, self._episodes)
+        picture = drawing.picture(self.world, self._path, self._episodes.source_m(0))
         if self.render_mode == "rgb_array":
-            return drawing.picture(self.world, self._path, self._episodes.source_m(0))
+            return picture
+        self._window = self._window or self._opened()
+        self._window.draw(picture, drawing.line(self.world, self._episodes).strip())
         return None
+
+    def close(self) -> None:
+        if self._window is not None:
+            self._window.close()
+            self._window = None
+
+    def _opened(self) -> Window:
+        return Window("Earshot", self.metadata["render_fps"])
 
     def _start_at(self, options: dict[str, Any]) -> None:
         unknown = set(options) - {"position_m", "source_m"}

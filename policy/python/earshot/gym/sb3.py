@@ -22,6 +22,7 @@ from stable_baselines3.common.monitor import Monitor
 from stable_baselines3.common.torch_layers import FlattenExtractor
 from stable_baselines3.common.vec_env import DummyVecEnv, VecCheckNan, VecEnv, VecEnvWrapper, VecMonitor, VecNormalize
 
+from earshot import arguments
 from earshot.core import Episodes
 from earshot.gym.environment import AcousticSearchEnv, spaces_of
 from earshot.gym.world import WorldOptions, make_world
@@ -168,11 +169,12 @@ def describe(model: BaseAlgorithm, env: VecEnv | None = None) -> str:
 def save(model: BaseAlgorithm, path: Path_, env: VecEnv | None = None) -> Path:
     """model.save(path), and in the zip what the policy was trained to search: `earshot freeze` reads it.
 
-    Stable-Baselines3 loads the file as any other of its own. Returns the file. Raises ValueError as `describe` does;
-    then nothing is written.
+    Stable-Baselines3 loads the file as any other of its own. Returns the file. Raises ValueError as `describe` does,
+    BadInput or BadType for what is no path; then nothing is written.
     """
+    given = arguments.path("path", path)
+    file = given if given.suffix == ".zip" else Path(f"{given}.zip")
     description = describe(model, env)
-    file = Path(path) if Path(path).suffix == ".zip" else Path(f"{path}.zip")
     part = file.with_name(file.name + ".part.zip")
     try:
         model.save(part)
@@ -188,10 +190,11 @@ def export_onnx(model: BaseAlgorithm, path: Path_, env: VecEnv | None = None) ->
     """Writes the actor as ONNX that `earshot freeze` reads.
 
     Shapes  observation [batch x observation_size] -> logits [batch x action_count]
-    Raises ValueError as `describe` does; then nothing is written.
+    Raises ValueError as `describe` does, BadInput or BadType for what is no path; then nothing is written.
     """
     import torch
 
+    file = arguments.path("path", path)
     description = describe(model, env)
     policy = model.policy
     actor = torch.nn.Sequential(*policy.mlp_extractor.policy_net, policy.action_net).to("cpu").eval()
@@ -210,7 +213,6 @@ def export_onnx(model: BaseAlgorithm, path: Path_, env: VecEnv | None = None) ->
     )
     # Fields of a protobuf message may stand in any order: an entry of metadata_props (field 14) is appended.
     entry = _text_field(1, "earshot") + _text_field(2, description)
-    file = Path(path)
     part = file.with_name(file.name + ".part")
     try:
         part.write_bytes(stream.getvalue() + _bytes_field(14, entry))

@@ -64,7 +64,8 @@ def make_world(
                       "mean" of those that were measured in the last `listening_window_s` seconds (1 to 120; 0 with
                       "newest")
 
-    Raises FileNotFoundError, or BadInput (a ValueError) that names what is wrong and what is allowed.
+    Raises FileNotFoundError, BadInput (a ValueError) that names what is wrong and what is allowed, or BadType for what
+    is no path.
     """
     file = Path(os.path.realpath(path("environment", environment)))
     if not file.is_file():

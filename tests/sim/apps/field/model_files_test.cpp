@@ -224,6 +224,10 @@ TEST_F(ModelFiles, OverARoughishSeaFloorAreWarnedOf) {
   EXPECT_NE(errors().find("warning: the error of transmission loss is predicted to be "), std::string::npos) << errors();
   // 0.2 dB integral of tan^2 / depth: (20 / 50)^2 / 89.6 m over 10 km, by hand; depth in the harmonic mean.
   EXPECT_NEAR(predicted_error_db(output()), 3.57, 0.1);
+  ASSERT_EQ(run((folder_ / "hilly.toml").string() + " -o " + output() + " --max-range-km 10 --radials 2 --receiver-depth-m 50 --force"), 0)
+      << errors();
+  EXPECT_NE(errors().find("warning: the error of transmission loss is predicted to be "), std::string::npos) << errors();
+  EXPECT_NEAR(predicted_error_db(output()), 3.57, 0.1);
   ASSERT_EQ(run(kPekeris + " -o " + output()), 0) << errors();
   EXPECT_EQ(errors(), "");
   EXPECT_LE(predicted_error_db(output()), 0.02);
