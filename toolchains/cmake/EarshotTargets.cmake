@@ -104,7 +104,7 @@ endfunction()
 
 # earshot_compile_together(NAME COUNT): so many sources at a time, where COUNT is one. The same headers are read less often: a third to a half of the processor
 # time. A source whose names others have, too, has SKIP_UNITY_BUILD_INCLUSION.
-#   EARSHOT_TOGETHER        of the libraries, in builds in which nobody edits: the release, the Python module, other machines, CI
+#   EARSHOT_TOGETHER        of the core's libraries, in builds that are made to be run once, on other machines; of all that the Python module is made of
 #   EARSHOT_TESTS_TOGETHER  of tests; as many as of those, where it is not set
 #   EARSHOT_APART           each alone all the same: tests/mutation reads in the build which sources a program has
 function(earshot_compile_together NAME COUNT)
@@ -160,7 +160,9 @@ function(earshot_library NAME)
     if(ARG_FIRMWARE)
       earshot_record_calls(${NAME})
     endif()
-    earshot_compile_together(${NAME} "${EARSHOT_TOGETHER}")
+    if(ARG_FIRMWARE OR EARSHOT_PYTHON)
+      earshot_compile_together(${NAME} "${EARSHOT_TOGETHER}")
+    endif()
   else()
     add_library(${NAME} INTERFACE)
     set(scope INTERFACE)
