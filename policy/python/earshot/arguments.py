@@ -17,6 +17,7 @@ __all__ = [
     "Numbers",
     "Place",
     "axis",
+    "count",
     "is_labelled",
     "is_path",
     "number",
@@ -73,6 +74,14 @@ def whole_number(name: str, value: Any) -> int:
     if not (0.0 <= found < 2**53 and found.is_integer()):
         raise BadInput(f"{name} = {value}: must be a whole number, 0 or more", key=name, value=value)
     return int(found)
+
+
+def count(name: str, value: Any) -> int:
+    """How many there are to be, one at least."""
+    found = whole_number(name, value)
+    if not 1 <= found < 2**31:
+        raise BadInput(f"{name} = {value}: must be 1 or more, and less than 2^31", key=name, value=value)
+    return found
 
 
 def truth_value(name: str, value: Any) -> bool:

@@ -274,7 +274,7 @@ class VectorEnvironment(unittest.TestCase):
         env.reset(seed=1)
         self.assertRaisesRegex(ValueError, "one for each", env.step, np.zeros(2, dtype=np.int64))
         self.assertRaisesRegex(ValueError, "action 8", env.step, np.full(self.COUNT, 8))
-        self.assertRaisesRegex(ValueError, "count", earshot_gym.AcousticSearchVectorEnv, 0)
+        self.assertRaisesRegex(ValueError, "^num_envs = 0: must be 1 or more", earshot_gym.AcousticSearchVectorEnv, 0)
 
     def test_a_refused_action_moves_nobody(self):
         env = self.make()

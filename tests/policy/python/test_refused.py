@@ -248,6 +248,10 @@ class Objects(Refusals):
         self.require("path", earshot.library, "a\0b")
         self.require("environment", earshot.gym.make_world, environment="a\0b")
 
+    def test_of_gym_are_no_counts(self):
+        for number in (0, -1, 1.5, 2**31, 10**30, True, "3", None):
+            self.require("num_envs", earshot.gym.AcousticSearchVectorEnv, number)
+
     def search(self, **places):
         earshot.gym.AcousticSearchEnv().reset(seed=1, options=places)
 

@@ -162,6 +162,10 @@ class StableBaselines3(unittest.TestCase):
         self.assertEqual(PPO.load(file).predict(observation, deterministic=True)[0], decided)
         self.assertEqual([path.name for path in self.folder.iterdir()], ["model.zip"])
 
+    def test_searches_are_counted(self):
+        for number in (0, 1.5):
+            self.assertRaisesRegex(ValueError, f"^num_envs = {number}: must be", earshot_gym.sb3.SearchVecEnv, number)
+
     def test_searches_are_sent_to_other_processes_as_they_are(self):
         env = gymnasium.make(earshot_gym.ID, **OPTIONS)
         env.reset(seed=4)

@@ -114,6 +114,9 @@ class NoWindow(unittest.TestCase):
             {"MPLBACKEND": "agg"},
             {"MPLBACKEND": "tkagg"},
             {"DISPLAY": ":77", "MPLBACKEND": "tkagg"},
+            {"MPLBACKEND": "pdf"},
+            {"MPLBACKEND": "module://matplotlib.backends.backend_agg"},  # as a notebook's: it shows no windows
+            {"MPLBACKEND": "no_such_backend"},
         ):
             with self.subTest(**variables):
                 self.assertRegex(

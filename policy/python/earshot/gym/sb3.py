@@ -50,6 +50,7 @@ class SearchVecEnv(VecEnv):
     """
 
     def __init__(self, num_envs: int = 1, **options: Unpack[WorldOptions]) -> None:
+        num_envs = arguments.count("num_envs", num_envs)
         self.world = make_world(**options)
         self.render_mode = None
         self._episodes = Episodes(self.world, num_envs)

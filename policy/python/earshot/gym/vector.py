@@ -12,6 +12,7 @@ from gymnasium.vector import VectorEnv
 from gymnasium.vector.utils import batch_space
 from numpy.typing import NDArray
 
+from earshot.arguments import count
 from earshot.core import Episodes
 from earshot.gym.environment import spaces_of
 from earshot.gym.world import WorldOptions, make_world
@@ -57,6 +58,7 @@ class AcousticSearchVectorEnv(VectorEnv):
             raise ValueError("render_mode: only the single environment draws")
         if max_episode_steps is not None:
             options["max_steps"] = max_episode_steps
+        num_envs = count("num_envs", num_envs)
         self.render_mode = None
         self.world = make_world(**options)
         self.num_envs = num_envs

@@ -10,22 +10,25 @@ from numpy.typing import NDArray
 
 from earshot.errors import BadInput
 
-# matplotlib takes one of them by itself where there is no display.
-_WITHOUT_WINDOWS = ("agg", "cairo", "pdf", "pgf", "ps", "svg", "template")
-
 
 def _pyplot() -> Any:
     try:
-        import matplotlib
         from matplotlib import pyplot
     except ImportError as missing:
         raise gymnasium.error.DependencyNotInstalled(
             f"render_mode = 'human' draws with matplotlib: pip install matplotlib ({missing})"
         ) from None
-    backend = matplotlib.get_backend()
-    if backend.lower() in _WITHOUT_WINDOWS:
-        raise _no_window(f"its backend {backend!r} has none; without a display (DISPLAY) it takes such a one by itself")
+    except ValueError as wrong:  # MPLBACKEND or a matplotlibrc
+        raise _no_window(str(wrong)) from None
     return pyplot
+
+
+def _has_window(figure: Any) -> bool:
+    """A backend that draws files or pictures, such as a notebook's, has a manager that shows nothing."""
+    from matplotlib.backend_bases import FigureManagerBase
+
+    manager = figure.canvas.manager
+    return manager is not None and type(manager).show is not FigureManagerBase.show
 
 
 def _no_window(why: str) -> BadInput:
@@ -49,12 +52,17 @@ class Window:
             self._figure = self._pyplot.figure(figsize=(5.0, 5.0))
         except Exception as failed:  # ImportError of matplotlib's, or an error of the window system's own
             raise _no_window(str(failed)) from None
+        if not _has_window(self._figure):
+            self.close()
+            backend = self._pyplot.get_backend()
+            raise _no_window(
+                f"its backend {backend!r} has none; without a display (DISPLAY) it takes such a one by itself"
+            )
         self._number = self._figure.number
         self._axes = self._figure.add_axes((0.0, 0.0, 1.0, 0.92))
         self._axes.set_axis_off()
         self._image: Any = None
-        if self._figure.canvas.manager is not None:
-            self._figure.canvas.manager.set_window_title(title)
+        self._figure.canvas.manager.set_window_title(title)
         self._figure.show()
 
     def draw(self, picture: NDArray[np.uint8], caption: str) -> None:

@@ -2,7 +2,8 @@
 
 Names and kinds by mypy's stubtest; it sees no arguments of what C++ gives, which are compared here.
 
-usage: PYTHON tests/policy/python/stubs.py SITE_PACKAGES   PYTHON: one with mypy; SITE_PACKAGES: where the package is
+usage: PYTHON tests/policy/python/installed/stubs.py SITE_PACKAGES
+PYTHON: one with mypy; SITE_PACKAGES: where the package is
 """
 
 import ast
@@ -15,7 +16,7 @@ from pathlib import Path
 
 from mypy import stubtest
 
-ROOT = Path(__file__).resolve().parents[3]
+ROOT = Path(__file__).resolve().parents[4]
 
 # Types are checked elsewhere (toolchains/format).
 _CONFIGURATION = f"""[mypy]

@@ -16,7 +16,7 @@ import zipfile
 from pathlib import Path
 
 WHEEL, ENVIRONMENT = Path(sys.argv[1]), Path(sys.argv[2])
-ROOT = Path(__file__).resolve().parents[3]
+ROOT = Path(__file__).resolve().parents[4]
 HILLY = ROOT / "policy/worlds/oceans/hilly.toml"  # its field library is a NetCDF file
 
 # Of the GNU C library; everything else must be in the wheel.
