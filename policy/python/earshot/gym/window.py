@@ -24,13 +24,17 @@ def _pyplot() -> Any:
         ) from None
     backend = matplotlib.get_backend()
     if backend.lower() in _WITHOUT_WINDOWS:
-        raise _no_window(f"its backend {backend!r} has none; without a display (DISPLAY) it takes such a one by itself")
+        raise _no_window(
+            f"its backend {backend!r} draws files alone; it takes that where it knows no display: set DISPLAY, or"
+            " MPLBACKEND for another backend"
+        )
     return pyplot
 
 
 def _no_window(why: str) -> BadInput:
     return BadInput(
-        f"render_mode = 'human': matplotlib can open no window here: {why}; 'rgb_array' gives pictures without one",
+        f"render_mode = 'human': matplotlib can open no window here: {why}; render_mode = 'rgb_array' gives pictures"
+        " without one",
         key="render_mode",
         value="human",
     )
