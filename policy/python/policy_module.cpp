@@ -61,12 +61,14 @@ class FrozenPolicy {
 }  // namespace
 
 void add_policy(py::module_& module) {
-  py::class_<FrozenPolicy>(module, "FrozenPolicy")
+  py::class_<FrozenPolicy>(module, "FrozenPolicy",
+                           "A `.policy` file, run with the arithmetic that flies. The signature is not checked.\n\n"
+                           "Raises BadInput for a damaged file.")
       .def(py::init<std::filesystem::path>(), py::arg("file"))
       .def(py::pickle([](const FrozenPolicy& policy) { return policy.state(); },
                       [](const py::bytes& bytes) { return FrozenPolicy::from_state(bytes); }))
-      .def("logits", &FrozenPolicy::logits, py::arg("observations"))
-      .def_property_readonly("provenance", &FrozenPolicy::provenance);
+      .def("logits", &FrozenPolicy::logits, py::arg("observations"), "float32 [count x observation_size] -> [count x action_count]")
+      .def_property_readonly("provenance", &FrozenPolicy::provenance, "Lines \"name = value\".");
 }
 
 }  // namespace earshot::python

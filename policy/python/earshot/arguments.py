@@ -50,7 +50,8 @@ def _floats(name: str, value: Any) -> NDArray[np.float64]:
             f"{name}: must be numbers, all rows as long as the first: {wrong}", key=name, value=value
         ) from None
     if given.dtype.kind not in "iuf":
-        raise BadType(f"{name}: must be numbers, not {given.dtype}", key=name, value=value)
+        what = "text" if given.dtype.kind in "US" else given.dtype
+        raise BadType(f"{name}: must be numbers, not {what}", key=name, value=value)
     with np.errstate(over="ignore"):  # of more than float64: infinite, as whoever bounds it sees
         return np.ascontiguousarray(given, dtype=np.float64).reshape(given.shape)
 
@@ -109,7 +110,7 @@ def axis(name: str, value: Any, dimensions: int = 1) -> NDArray[np.float64]:
 
 def place(name: str, value: Any) -> Place:
     """Two numbers, finite or not."""
-    found = axis(name, value)
+    found = np.atleast_1d(one_or_more(name, value))
     if found.size != 2:
         raise BadInput(f"{name}: must be two numbers, north and east", key=name, value=value)
     return float(found[0]), float(found[1])

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from earshot.arguments import Place, axis, is_path, number, path, place, truth_value, whole_number
+from earshot.arguments import Place, is_path, number, one_or_more, path, place, truth_value, whole_number
 from earshot.core import BeliefState
 from earshot.errors import BadInput, BadType
 from earshot.ocean_tables import Tables
@@ -81,10 +81,12 @@ class Belief:
         """
         heard: tuple[float, float, float | None] | None = None
         if bearing is not None:
-            angles = axis("bearing", bearing)
+            angles = np.atleast_1d(one_or_more("bearing", bearing))
             if angles.size not in (2, 3):
                 raise BadInput(
-                    "bearing: must be direction, deviation, and an axis or none", key="bearing", value=bearing
+                    "bearing: must be (direction, standard deviation) or (direction, standard deviation, axis)",
+                    key="bearing",
+                    value=bearing,
                 )
             heard = (float(angles[0]), float(angles[1]), float(angles[2]) if angles.size == 3 else None)
         is_faint = truth_value("too_faint", too_faint)

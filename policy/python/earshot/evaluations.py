@@ -165,9 +165,10 @@ def evaluate(
     has others. The object may have begin(seed), called before each search, and declares_found() -> bool.
     All policies meet the same searches.
 
-    Returns a DataFrame, a row for each world and policy, with the columns of the program's CSV; times are in hours and
-    in steps, shares from 0 to 1. In `attrs`: `units`, by column. Warns (EvaluationWarning) of policies that are tested
-    otherwise than trained.
+    Returns a DataFrame, a row for each world and policy, with columns of the program's CSV: world, policy, episodes,
+    found_fraction, median_hours_to_find, mean_steps, mean_reward and others, with quartiles and 95 % intervals (_low,
+    _high). Times are in hours and in steps, shares from 0 to 1. In `attrs`: `units`, by column. Warns
+    (EvaluationWarning) of policies that are tested otherwise than trained.
 
     Raises BadInput, BadType, and what a policy in Python raises. KeyboardInterrupt within some tenths of a second.
 

@@ -66,7 +66,7 @@ class Flight:
 
     @functools.cached_property
     def track(self) -> pandas.DataFrame:
-        """A row each second: time, place, depth, heading, speed, SNR, range to the source, state; names have units."""
+        """A row each second: time, place, depth, heading, speed, SNR, range to the source, state. Names have units."""
         import pandas
 
         file = self.folder / "track.csv"
@@ -147,6 +147,12 @@ def _run(command: list[str], argument_of: dict[str, str]) -> None:
         return
     words = "\n".join(line.removeprefix("earshot fly: ") for line in errors.strip().splitlines())
     if process.returncode == _BAD_INPUT:
+        if ": no such option" in words:  # all options are this module's
+            raise BadInput(
+                f"programs: {command[0]} is of another version than this package ({words}): install both of one",
+                key="programs",
+                value=command[0],
+            )
         for file, argument in argument_of.items():
             if words.startswith(file):
                 raise BadInput(words, key=argument, value=file)
@@ -184,7 +190,10 @@ def fly(
     lcm_url          the bus; the default is the mission's
     out              folder of the flight's files, in place of those of an earlier flight; None: one that goes with the
                      returned object
-    programs         folder of Earshot's programs; None: EARSHOT_PROGRAMS, or the PATH. The wheel holds none
+    programs         folder of Earshot's programs; None: EARSHOT_PROGRAMS, or the PATH. The wheel holds none. They must
+                     be of this package's version
+
+    Returns a `Flight`: its `summary`, `track`, `decisions` and `journal`, and the `folder` of its files.
 
     Raises BadInput, BadType, and FlightLost where a process or the bus was lost. Ctrl-C ends the flight in order, and
     its journal stays; so does the end of Python, also where it is killed.

@@ -79,6 +79,8 @@ def listen(
 
     Floating-point samples may exceed 1: then levels are of the samples as they are, and nothing counts as clipped.
 
+    Returns a `Heard`: DataFrames `detections`, `levels` and `level_percentiles`, `files`, and what holds of all.
+
     Warns (RecordingWarning) of what is missing of files, or unknown. Raises BadInput with the argument as `key`, for
     samples that are not finite, masked or too few, too; BadType for what is of another kind; KeyboardInterrupt within
     0.1 s. Other threads of Python run meanwhile.

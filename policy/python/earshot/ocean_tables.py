@@ -128,7 +128,8 @@ class Tables:
         return dataset
 
     def __repr__(self) -> str:
-        return f"<earshot.Tables: {len(self)} oceans, {self.frequency:g} Hz, vehicle at {self.vehicle_depth:g} m>"
+        oceans = "1 ocean" if len(self) == 1 else f"{len(self)} oceans"
+        return f"<earshot.Tables: {oceans}, {self.frequency:g} Hz, vehicle at {self.vehicle_depth:g} m>"
 
     def __copy__(self) -> Tables:
         return self
@@ -175,6 +176,8 @@ def tables(
     bearings       1 to 360: how many directions of an ocean that differs with them are tables of their own
     at_most        1 to 96; of more oceans those that are most alike become one
     progress       called with the share of the work that is done, 0 to 1
+
+    Returns `Tables`, for `earshot.Belief` and `earshot.evaluate`. They are not signed: a vehicle refuses them.
 
     Raises BadInput with the argument as `key`, BadType for what is of another kind.
     """

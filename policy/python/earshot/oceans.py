@@ -53,10 +53,14 @@ _ARGUMENT_OF = {
     "the last depth_m of the sound-speed profile": "sound_speed",
 }
 
+# A key that is not the one that a problem begins with.
+_OTHER_KEY = re.compile("(?<= )(?:" + "|".join(re.escape(key) for key in _ARGUMENT_OF if "." in key) + ")(?!\\w)")
+
 
 def _as_argument(bad: BadInput) -> BadInput:
     """What is wrong with the text, as it is wrong with an argument."""
     problems = [re.sub(f"^{_NAME}:([0-9]+:)? ", "", line) for line in str(bad).splitlines()]
+    problems = [_OTHER_KEY.sub(lambda key: _ARGUMENT_OF[key[0]], problem) for problem in problems]
     stated = bad if bad.key is not None else BadInput(problems[0])
     argument = next((name for start, name in _ARGUMENT_OF.items() if (stated.key or "").startswith(start)), None)
     return BadInput(
@@ -82,6 +86,7 @@ class Environment:
     source_level  dB re 1 uPa at 1 m, 0 to 300;     noise_level   in the detector's band, dB re 1 uPa
     absorption    a `SeaWater`, or None: the water absorbs nothing
     name          for people
+    Where frequency, source_depth, source_level or noise_level is None, it is not known.
 
     Arrays may be of any layout and number type; they are not kept. Each argument holds at most a million numbers.
 

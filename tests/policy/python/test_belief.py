@@ -121,6 +121,10 @@ class OfTheSource(unittest.TestCase):
             with self.subTest(key=key), self.assertRaises(earshot.BadInput) as raised:
                 wrong()
             self.assertEqual(raised.exception.key, key)
+        with self.assertRaisesRegex(earshot.BadInput, "^position: must be two numbers, north and east$"):
+            update(THREE, snr=1.0)
+        with self.assertRaisesRegex(earshot.BadInput, r"^bearing: must be \(direction, standard deviation\) or"):
+            update((1.0, 1.0), snr=1.0, bearing=THREE)
         with self.assertRaises(earshot.BadInput) as raised:
             update((np.nan, 1.0), snr=1.0)
         self.assertEqual(raised.exception.key, "position")

@@ -200,6 +200,8 @@ class Environments(unittest.TestCase):
         with self.assertRaises(earshot.BadInput) as caught:
             shallow(sound_speed=([0.0, 200.0], [1_500.0] * 2), bathymetry=([0.0, 50.0], [100.0, 300.0]))
         self.assertEqual((caught.exception.key, caught.exception.value), ("sound_speed", "200"))
+        with self.assertRaisesRegex(earshot.BadInput, "^sound_speed: .*: must extend from 0 to bathymetry$"):
+            shallow(sound_speed=([0.0, 50.0], [1_500.0] * 2))
 
     def test_from_a_file_carry_its_file_line_and_key(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -96,6 +96,17 @@ class AFlight(unittest.TestCase):
             with self.assertRaisesRegex(earshot.BadInput, "has no track.csv"):
                 earshot.Flight(folder).track  # noqa: B018
 
+    def test_is_refused_where_the_programs_are_older(self):
+        with tempfile.TemporaryDirectory() as folder:
+            older = Path(folder) / "earshot-fly"
+            older.write_text("#!/bin/sh\necho 'earshot fly: --end-with: no such option (see --help)' >&2\nexit 2\n")
+            older.chmod(0o755)
+            with self.assertRaisesRegex(
+                earshot.BadInput, "^programs: .*/earshot-fly is of another version than this package"
+            ) as raised:
+                earshot.fly(programs=folder)
+        self.assertEqual((raised.exception.key, raised.exception.value), ("programs", str(older)))
+
     def test_ends_in_order_where_python_is_killed(self):
         with tempfile.TemporaryDirectory() as folder:
             out = Path(folder) / "out"

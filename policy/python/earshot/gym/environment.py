@@ -102,7 +102,8 @@ class AcousticSearchEnv(gymnasium.Env[NDArray[np.float32], np.int64]):
         return stepped
 
     def render(self) -> Any:
-        """ "ansi": one line. "rgb_array": uint8 [height x width x 3], north up: where it is heard, path, source.
+        """ "ansi": one line. "rgb_array": uint8 [height x width x 3], north up. Blue: there the source is
+        detected; yellow: path; white: vehicle; red: source.
 
         "human": None; both in the window.
         """

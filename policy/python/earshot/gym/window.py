@@ -33,7 +33,8 @@ def _has_window(figure: Any) -> bool:
 
 def _no_window(why: str) -> BadInput:
     return BadInput(
-        f"render_mode = 'human': matplotlib can open no window here: {why}; 'rgb_array' gives pictures without one",
+        f"render_mode = 'human': matplotlib can open no window here: {why}; render_mode = 'rgb_array' gives pictures"
+        " without one",
         key="render_mode",
         value="human",
     )
@@ -56,7 +57,8 @@ class Window:
             self.close()
             backend = self._pyplot.get_backend()
             raise _no_window(
-                f"its backend {backend!r} has none; without a display (DISPLAY) it takes such a one by itself"
+                f"its backend {backend!r} has none, and it takes that by itself where it knows no display: set DISPLAY, or MPLBACKEND"
+                " for another backend"
             )
         self._number = self._figure.number
         self._axes = self._figure.add_axes((0.0, 0.0, 1.0, 0.92))
