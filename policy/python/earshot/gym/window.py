@@ -57,8 +57,8 @@ class Window:
             self.close()
             backend = self._pyplot.get_backend()
             raise _no_window(
-                f"its backend {backend!r} has none, and it takes that by itself where it knows no display: set DISPLAY, or MPLBACKEND"
-                " for another backend"
+                f"its backend {backend!r} has none, and it takes that by itself where it knows no display: set DISPLAY,"
+                " or MPLBACKEND for another backend"
             )
         self._number = self._figure.number
         self._axes = self._figure.add_axes((0.0, 0.0, 1.0, 0.92))
