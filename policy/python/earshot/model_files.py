@@ -119,8 +119,9 @@ def _arrays(sound: Any, receiver_depth: Any, receiver_range: Any) -> dict[str, A
         values = ordered[name].values
         if not (np.all(np.isfinite(values)) and np.all(np.diff(values) > 0.0) and np.all(values >= 0.0)):
             raise BadInput(f"sound: its {name} must increase, from 0 m on", key="sound")
-    if "frequency" in ordered.coords and not 0.0 < float(ordered["frequency"]) < np.inf:
-        raise BadInput("sound: its frequency must be above 0 Hz", key="sound")
+    for name, unit in (("frequency", "Hz"), ("source_depth", "m")):
+        if name in ordered and not 0.0 < float(ordered[name]) < np.inf:
+            raise BadInput(f"sound: its {name} must be above 0 {unit}", key="sound")
     if "frequency" not in ordered.coords and "band_hz" not in ordered.attrs:
         raise BadInput("sound: must state its frequency, or the attribute band_hz", key="sound")
     if "band_hz" in ordered.attrs:

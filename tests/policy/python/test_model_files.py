@@ -274,6 +274,8 @@ class Written(InAFolder):
                 sound.drop_vars("pressure"),
                 sound.isel(depth=0),
                 sound.isel(range=[]),
+                sound.assign_coords(frequency=0.0),
+                sound.assign_coords(source_depth=nan),
             ),
             "layout": ("triple", None, 3),
             "path": (3, None),
