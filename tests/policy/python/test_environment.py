@@ -312,7 +312,13 @@ class Package(unittest.TestCase):
             subprocess.run([path, *arguments], cwd=folder.name, check=True, capture_output=True)
         for block in (text.split("```")[0] for text in blocks if "read_journal" not in text):  # tests/readme has flown
             said = subprocess.run(
-                [sys.executable, "-qi"], input=block, cwd=folder.name, capture_output=True, text=True, check=True
+                [sys.executable, "-qi"],
+                input=block,
+                cwd=folder.name,
+                env=os.environ | {"MPLBACKEND": "agg"},
+                capture_output=True,
+                text=True,
+                check=True,
             ).stderr
             self.assertEqual(said.replace(">>> ", "").replace("... ", "").strip(), "")
 
