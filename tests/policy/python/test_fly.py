@@ -113,7 +113,7 @@ class AFlight(unittest.TestCase):
             program = f"import earshot; earshot.fly(ignore_source=True, out={str(out)!r}, programs={PROGRAMS!r})"
             python = subprocess.Popen([sys.executable, "-c", program])
             journal = out / "unfinished-flight/journal.lcmlog"
-            wait_until(lambda: journal.is_file() and journal.stat().st_size > 0)
+            wait_until(lambda: journal.is_file() and b"EARSHOT_DECISION" in journal.read_bytes())
             python.kill()
             python.wait()
             wait_until(lambda: not processes_with(str(out)))
