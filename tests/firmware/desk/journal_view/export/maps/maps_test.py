@@ -176,8 +176,8 @@ class Gpx(Maps):
         self.assertNotIn("<time>", self.write("gpx", began_s=0))
 
     def test_has_longitudes_below_180_degrees(self) -> None:
-        # The way-points of GPX lie in [-180, 180): 2004 m east of this origin are 180 degrees.
-        gpx = gpxpy.parse(self.write("gpx", origin=(0.0, 180.0 - 2004 / 111_319.4908)))
+        # The way-points of GPX lie in [-180, 180): 2004 m east of this origin are 2 mm west of 180 degrees.
+        gpx = gpxpy.parse(self.write("gpx", origin=(0.0, 180.0 - 2004.002 / 111_319.4908)))
         self.assertEqual(gpx.waypoints[1].longitude, -180.0)
 
 
