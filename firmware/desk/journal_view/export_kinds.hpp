@@ -18,12 +18,12 @@ enum class Origin : std::uint8_t { kUnused, kUsed, kNeeded };
 
 /// A kind of file that a journal is written as.
 struct ExportKind {
-  const char* option;  ///< of the command line
-  const char* help;
+  const char* option = "";  ///< of the command line
+  const char* help = "";
   host::OutputKind output;
   Origin origin = Origin::kUnused;
   /// @param plane  about the mission's origin, where that is known
-  std::unique_ptr<Export> (*make)(const std::filesystem::path& path, const std::optional<n2k::LocalPlane>& plane);
+  std::unique_ptr<Export> (*make)(const std::filesystem::path& path, const std::optional<n2k::LocalPlane>& plane) = nullptr;
 };
 
 inline constexpr std::size_t kExportKindCount = 6;

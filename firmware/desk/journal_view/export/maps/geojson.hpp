@@ -4,8 +4,7 @@
 
 namespace earshot::journal {
 
-inline constexpr host::OutputKind kGeojsonOutput{"a GeoJSON file of Earshot",
-                                                 {R"({"type":"FeatureCollection","generator":"Earshot )", {}}};
+inline constexpr host::OutputKind kGeojsonOutput{"a GeoJSON file of Earshot", {R"({"type":"FeatureCollection","generator":"Earshot )", {}}};
 
 /// A FeatureCollection: areas, decisions, bearings, the track. Altitudes are depths, negative. The property `kind` of a feature states what
 /// it is. The track has `times` (UTC), or where the mission's clock has no date `mission_s`, of one element for each place.

@@ -107,7 +107,7 @@ void write_kml(const FlightMap& map, PiecewiseFile& file) {
   xml.open("kml", {{"xmlns", "http://www.opengis.net/kml/2.2"}, {"xmlns:gx", "http://www.google.com/kml/ext/2.2"}});
   xml.open("Document", {{"id", "earshot"}});
   xml.element("name", host::is_dated(map.began()) ? "Earshot, " + host::date_and_time(map.began()) + " UTC" : "Earshot");
-  write_style(xml, "area", "ffb27200", "2");  // of a palette that the colour-blind can tell apart: blue,
+  write_style(xml, "area", "ffb27200", "2");     // of a palette that the colour-blind can tell apart: blue,
   write_style(xml, "bearing", "ff009fe6", "1");  // orange,
   write_style(xml, "track", "ff005ed5", "3");    // vermilion
   for (const FlightMap::Area& area : map.areas()) {

@@ -10,7 +10,8 @@
 
 namespace earshot::journal {
 
-/// What an XML 1.0 document may hold of a text, with & < > and quotes spelled out. Control characters become U+FFFD, but for line feed and tab.
+/// What an XML 1.0 document may hold of a text, with & < > and quotes spelled out. Control characters become U+FFFD, but for line feed and
+/// tab.
 /// @param text  UTF-8
 [[nodiscard]] std::string xml_text(std::string_view text);
 

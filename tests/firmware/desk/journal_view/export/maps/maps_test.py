@@ -213,7 +213,9 @@ class Kml(Maps):
         root = ElementTree.fromstring(self.write("kml"))
         gx = "{http://www.google.com/kml/ext/2.2}"
         (track,) = root.iter(f"{gx}Track")
-        self.assertEqual([w.text for w in track.findall(f"{KML}when")], ["2026-11-22T15:04:01.000Z", "2026-11-22T15:04:02.500Z"])
+        self.assertEqual(
+            [w.text for w in track.findall(f"{KML}when")], ["2026-11-22T15:04:01.000Z", "2026-11-22T15:04:02.500Z"]
+        )
         for coordinate, north_east, depth in zip(track.findall(f"{gx}coord"), PLACES, DEPTHS, strict=True):
             place = [float(n) for n in str(coordinate.text).split()]
             self.assert_at(place, north_east)

@@ -11,7 +11,12 @@ namespace {
 // Source: XML 1.0, 2.2 (Char) and 2.4 (what stands for markup).
 TEST(XmlText, SpellsOutMarkupAndReplacesWhatNoDocumentMayHold) {
   EXPECT_EQ(xml_text("SNR < 3 dB & \"faint\" > 0"), "SNR &lt; 3 dB &amp; &quot;faint&quot; &gt; 0");
-  EXPECT_EQ(xml_text(std::string("a\x01" "b\0c\n\t", 7)), "a\xEF\xBF\xBD" "b\xEF\xBF\xBD" "c\n\t");
+  EXPECT_EQ(xml_text(std::string("a\x01"
+                                 "b\0c\n\t",
+                                 7)),
+            "a\xEF\xBF\xBD"
+            "b\xEF\xBF\xBD"
+            "c\n\t");
   EXPECT_EQ(xml_text("\xC3\xA9"), "\xC3\xA9");
 }
 
