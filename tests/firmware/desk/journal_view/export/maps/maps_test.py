@@ -97,7 +97,7 @@ class GeoJson(Maps):
         self.assert_at(first["geometry"]["coordinates"], PLACES[1])
         self.assertEqual(first["geometry"]["coordinates"][2], -300.0)  # of the newest fix
         told = first["properties"]
-        expected = {"step": 0, "snr_db": 12.25, "detected": True, "too_faint": False, "mission_s": 2.6}
+        expected: dict[str, Any] = {"step": 0, "snr_db": 12.25, "detected": True, "too_faint": False, "mission_s": 2.6}
         expected |= {"utc": "2026-11-22T15:04:02.600Z", "direction_deg": 270.0, "likeliest_distance_m": 5000.0}
         self.assertEqual({key: told[key] for key in expected}, expected)
         self.assert_at((told["waypoint_longitude_deg"], told["waypoint_latitude_deg"]), (1003, 1004))
