@@ -82,13 +82,18 @@ void TopicMessages::add_record(const Record& record, std::vector<TopicMessage>& 
 }
 
 void TopicMessages::add_fix(const messages::Navigation& fix, const TopicMessage& stamp, std::vector<TopicMessage>& messages) {
-  messages.push_back(message_of(topic("/pose", [](const std::string& name) { return Topic{name, kPoseSchema.name, kPoseSchema.json}; }),
+  messages.push_back(message_of(topic("/pose",
+                                      [](const std::string& name) {
+                                        return Topic{name, kPoseSchema.name, kPoseSchema.json};
+                                      }),
                                 stamp, pose_in_frame(fix)));
   const std::optional<Json> place = plane_ ? location_fix(fix, *plane_) : std::nullopt;
   if (!place) return;
-  messages.push_back(
-      message_of(topic("/position", [](const std::string& name) { return Topic{name, kLocationSchema.name, kLocationSchema.json}; }), stamp,
-                 *place));
+  messages.push_back(message_of(topic("/position",
+                                      [](const std::string& name) {
+                                        return Topic{name, kLocationSchema.name, kLocationSchema.json};
+                                      }),
+                                stamp, *place));
 }
 
 void TopicMessages::add_events(std::span<const Event> events, std::vector<TopicMessage>& messages) {
