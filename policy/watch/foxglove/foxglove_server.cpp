@@ -96,8 +96,8 @@ class FoxgloveServer::Service {
 };
 
 FoxgloveServer::Service::Service(std::uint16_t port) {
-  constexpr unsigned kOthers = 8;        // files of the library itself, and connections that it is about to refuse
-  constexpr unsigned kGreeting_s = 10;   // for a connection to say what it wants
+  constexpr unsigned kOthers = 8;       // files of the library itself, and connections that it is about to refuse
+  constexpr unsigned kGreeting_s = 10;  // for a connection to say what it wants
   lws_set_log_level(0, nullptr);
   lws_context_creation_info info{};
   info.port = port;
@@ -270,7 +270,7 @@ int FoxgloveServer::Service::send_to(lws* connection) {
   }
   if (!frame) return 0;
   const std::size_t size = frame->bytes.size();
-  frame->bytes.insert(0, LWS_PRE, '\0');  // where the library writes its own header
+  frame->bytes.insert(0, LWS_PRE, '\0');                                                // where the library writes its own header
   auto* const begin = reinterpret_cast<unsigned char*>(frame->bytes.data()) + LWS_PRE;  // NOLINT: characters are bytes
   if (lws_write(connection, begin, size, frame->is_binary ? LWS_WRITE_BINARY : LWS_WRITE_TEXT) < static_cast<int>(size)) return kClose;
   if (is_waiting) lws_callback_on_writable(connection);

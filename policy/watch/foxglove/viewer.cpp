@@ -12,7 +12,8 @@ constexpr char kTime = 0x02;
 
 template <class Integer>
 void append_little_endian(std::string& bytes, Integer value) {
-  for (std::size_t i = 0; i < sizeof(Integer); ++i) bytes.push_back(static_cast<char>(static_cast<std::uint64_t>(value) >> (8U * i) & 0xFFU));
+  for (std::size_t i = 0; i < sizeof(Integer); ++i)
+    bytes.push_back(static_cast<char>(static_cast<std::uint64_t>(value) >> (8U * i) & 0xFFU));
 }
 
 }  // namespace
@@ -44,7 +45,8 @@ void Viewer::queue(std::string bytes) {
 
 std::optional<Frame> Viewer::next() {
   if (dropped_ > 0)
-    tell(status(1, std::to_string(std::exchange(dropped_, 0)) + " messages were left out, the oldest that waited: this viewer reads too slowly"));
+    tell(status(
+        1, std::to_string(std::exchange(dropped_, 0)) + " messages were left out, the oldest that waited: this viewer reads too slowly"));
   if (!told_.empty()) {
     Frame frame = std::move(told_.front());
     told_.pop_front();

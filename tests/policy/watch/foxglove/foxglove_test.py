@@ -172,7 +172,9 @@ class Served(unittest.TestCase):
                 self.connect(**wrong)
         key = base64.b64encode(os.urandom(16)).decode()
         request = f"GET / HTTP/1.1\r\nHost: example.org:{self.port}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
-        request += f"Sec-WebSocket-Key: {key}\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Protocol: {PROTOCOL}\r\n\r\n"
+        request += (
+            f"Sec-WebSocket-Key: {key}\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Protocol: {PROTOCOL}\r\n\r\n"
+        )
         with socket.create_connection(("127.0.0.1", self.port), PATIENCE_S) as line:
             line.sendall(request.encode())
             self.assertNotIn(b" 101 ", line.recv(4096))
