@@ -3,6 +3,7 @@
 #include <array>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -16,12 +17,15 @@
 #include "policy/command_line/outputs.hpp"
 #include "policy/command_line/run.hpp"
 #include "policy/description/json_fault.hpp"
+#include "policy/report/document/flight_reading.hpp"
 #include "policy/report/flight_files.hpp"
 #include "policy/report/page.hpp"
 
 namespace {
 
 using namespace earshot;
+
+const host::OutputKind kFlightJson{"a flight of earshot report (JSON)", {"{\"format\":", {}}};
 
 /// Reports on standard error what the page lacks. @return the exit status
 int report_missing(const std::filesystem::path& folder, const report::Flight& flight, const report::FlightExplanation& explanation) {
@@ -55,6 +59,14 @@ std::string steps_and_decisions(const report::Flight& flight) {
   return flight.summary.is_null() ? decisions : host::counted(flight.summary.at("steps").get<std::size_t>(), "step") + ", " + decisions;
 }
 
+void write_json(const std::filesystem::path& folder, const std::filesystem::path& file, host::Replace replace) {
+  host::DistinctFiles read;
+  read.read("DIR", report::files_of_flight(folder));
+  host::require_writable(std::move(read), std::array{host::Output{"--json", file, kFlightJson}}, replace);
+  const std::unique_ptr<report::GrowingFlight> flight = report::read_to_its_end(report::surroundings_of(folder));
+  host::write_whole(file, flight->whole().dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+}
+
 int write_report(const std::filesystem::path& folder, host::Replace replace) try {
   const std::filesystem::path page = page_of(folder);
   const report::Flight flight = report::read_flight(folder);
@@ -86,10 +98,17 @@ int main(int argc, char** argv) {
       "standard error reports which,\n"
       "2 something of the flight cannot be read or the page cannot be made.");
   std::filesystem::path folder;
+  std::optional<std::filesystem::path> json;
   bool force = false;
   line.option("DIR", &folder, "folder of the flight, or one of several journals in it").required();
+  line.option("--json", &json, "write what the page is given of the flight to this file instead of the page");
   line.flag("--force", &force, command_line::kForceHelp);
   int status = program::kDone;
-  const int refused = command_line::run(line, argc, argv, [&] { status = write_report(folder, host::replaced_by(force)); });
+  const int refused = command_line::run(line, argc, argv, [&] {
+    if (json)
+      write_json(folder, *json, host::replaced_by(force));
+    else
+      status = write_report(folder, host::replaced_by(force));
+  });
   return refused != program::kDone ? refused : status;
 }

@@ -82,7 +82,9 @@ void attribute(const Circumstances& c, DecisionAccount& account) {
   }
 }
 
-DecisionAccount account_with(const Circumstances& c, const RecordedDecision& decision, const policy::OceanBelief& belief) {
+}  // namespace
+
+DecisionAccount account_of(const Circumstances& c, const RecordedDecision& decision, const policy::OceanBelief& belief) {
   DecisionAccount account;
   account.decision = decision;
   account.detection_threshold = c.policy.detection_threshold;
@@ -102,7 +104,14 @@ DecisionAccount account_with(const Circumstances& c, const RecordedDecision& dec
   return account;
 }
 
-}  // namespace
+DecisionAccount account_of(const Circumstances& c, std::span<const RecordedDecision> decisions) {
+  assert(!decisions.empty());
+  const auto belief = std::make_unique<policy::OceanBelief>();
+  belief->start(c.belief, c.tables);
+  for (const RecordedDecision& decision : decisions)
+    belief->update(c.belief, c.tables, decision.position - c.south_west, decision.reception());
+  return account_of(c, decisions.back(), *belief);
+}
 
 std::vector<DecisionAccount> accounts_of(const Circumstances& c, std::span<const RecordedDecision> decisions) {
   const auto belief = std::make_unique<policy::OceanBelief>();
@@ -110,18 +119,9 @@ std::vector<DecisionAccount> accounts_of(const Circumstances& c, std::span<const
   std::vector<DecisionAccount> accounts;
   for (const RecordedDecision& decision : decisions) {
     belief->update(c.belief, c.tables, decision.position - c.south_west, decision.reception());
-    accounts.push_back(account_with(c, decision, *belief));
+    accounts.push_back(account_of(c, decision, *belief));
   }
   return accounts;
-}
-
-DecisionAccount account_of(const Circumstances& c, std::span<const RecordedDecision> decisions) {
-  assert(!decisions.empty());
-  const auto belief = std::make_unique<policy::OceanBelief>();
-  belief->start(c.belief, c.tables);
-  for (const RecordedDecision& decision : decisions)
-    belief->update(c.belief, c.tables, decision.position - c.south_west, decision.reception());
-  return account_with(c, decisions.back(), *belief);
 }
 
 std::vector<ObservedAccount> weightiest(const DecisionAccount& account, std::size_t count) {

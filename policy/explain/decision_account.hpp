@@ -87,6 +87,10 @@ struct Circumstances {
 /// @param decisions  from step 0 on without a gap, at least one; replayed with remembered_at
 [[nodiscard]] DecisionAccount account_of(const Circumstances& circumstances, std::span<const RecordedDecision> decisions);
 
+/// Explains a decision by the belief that the vehicle took it with.
+[[nodiscard]] DecisionAccount account_of(const Circumstances& circumstances, const RecordedDecision& decision,
+                                         const policy::OceanBelief& belief);
+
 /// Explains each of the decisions; the belief is followed through all of them once.
 [[nodiscard]] std::vector<DecisionAccount> accounts_of(const Circumstances& circumstances, std::span<const RecordedDecision> decisions);
 

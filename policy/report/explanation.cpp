@@ -129,16 +129,6 @@ std::string listed(const std::string& side, std::span<const Reason> reasons) {
   return text.empty() ? "" : text + ".";
 }
 
-/// Of the directions that were not taken the one that the policy made most of.
-const explain::ActionAccount* next_best(const DecisionAccount& a) {
-  const explain::ActionAccount* best = nullptr;
-  const auto rank = [](const explain::ActionAccount& action) { return action.worth.value_or(action.probability); };
-  for (std::size_t i = 0; i < a.actions.size(); ++i) {
-    if (i != a.decision.action && (best == nullptr || rank(a.actions[i]) > rank(*best))) best = &a.actions[i];
-  }
-  return best;
-}
-
 /// What the policy made of the direction and of the next best: the costs that its belief expects, or else its scores. That they are nearly
 /// equal comes first, for then the reasons weigh little.
 std::string rating(const explain::ActionAccount& taken, const explain::ActionAccount& next) {
@@ -238,9 +228,19 @@ bool has_network(const DecisionAccount& a) {
   return std::ranges::none_of(a.actions, [](const explain::ActionAccount& action) { return action.worth.has_value(); });
 }
 
+std::optional<std::size_t> second_best(const DecisionAccount& a) {
+  std::optional<std::size_t> best;
+  const auto rank = [&a](std::size_t i) { return a.actions[i].worth.value_or(a.actions[i].probability); };
+  for (std::size_t i = 0; i < a.actions.size(); ++i) {
+    if (i != a.decision.action && (!best || rank(i) > rank(*best))) best = i;
+  }
+  return best;
+}
+
 std::string why_this_direction(const DecisionAccount& a) {
   const explain::ActionAccount& taken = a.actions[a.decision.action];
-  const explain::ActionAccount* const next = next_best(a);
+  const std::optional<std::size_t> second = second_best(a);
+  const explain::ActionAccount* const next = second ? &a.actions[*second] : nullptr;
   if (next == nullptr) return "Why " + taken.name + ": the policy has no other direction.";
   std::vector<Reason> reasons = reasons_for(taken, *next, range_between(a.decision.position, taken.end));
   const auto against = std::ranges::find_if(reasons, [](const Reason& reason) { return reason.advantage < 0.0; });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,6 +13,9 @@ namespace earshot::report {
 
 /// Whether a network chose: only then is there something that moved its choice.
 [[nodiscard]] bool has_network(const explain::DecisionAccount& account);
+
+/// Of the directions that were not taken the one that the policy made most of.
+[[nodiscard]] std::optional<std::size_t> second_best(const explain::DecisionAccount& account);
 
 /// Sentences that a watch officer reads first: measured, believed, why this direction, chosen, expected, safety; of a sweep why it sweeps.
 [[nodiscard]] std::vector<std::string> sentences(const explain::DecisionAccount& account);

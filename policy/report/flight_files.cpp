@@ -204,17 +204,23 @@ void note(const journal::Record& record, JournalledSearch& search) {
 
 }  // namespace
 
+void JournalledSearch::take(const journal::Entry& entry) {
+  if (const auto* const gap = std::get_if<journal::MissingRecords>(&entry)) note(*gap, *this);
+  if (const auto* const record = std::get_if<journal::Record>(&entry)) note(*record, *this);
+}
+
+void JournalledSearch::end_with(const journal::RecordSource& source) {
+  records = source.records();
+  end = source.file().end();
+  damages = source.file().damages();
+  bytes = source.file_size();
+}
+
 JournalledSearch read_journal(const std::filesystem::path& path) {
   JournalledSearch search;
   journal::RecordSource source(path);
-  while (const std::optional<journal::Entry> entry = source.next()) {
-    if (const auto* const missing = std::get_if<journal::MissingRecords>(&*entry)) note(*missing, search);
-    if (const auto* const record = std::get_if<journal::Record>(&*entry)) note(*record, search);
-  }
-  search.records = source.records();
-  search.end = source.file().end();
-  search.damages = source.file().damages();
-  search.bytes = source.file_size();
+  while (const std::optional<journal::Entry> entry = source.next()) search.take(*entry);
+  search.end_with(source);
   return search;
 }
 
@@ -250,6 +256,21 @@ NorthEast place_in(const nlohmann::json& place) {
 std::filesystem::path journal_of_flight(const std::filesystem::path& folder_or_journal) {
   const bool is_of_simulation = std::filesystem::exists(folder_or_journal / "summary.json");
   return is_of_simulation ? folder_or_journal / kJournalName : host::newest_journal_in(folder_or_journal);
+}
+
+FlightFiles read_flight_files(const std::filesystem::path& folder_or_journal) {
+  FlightFiles files;
+  if (!std::filesystem::is_directory(folder_or_journal)) return files;
+  const auto is_there = [&](const char* name) {
+    if (std::filesystem::exists(folder_or_journal / name)) return true;
+    files.missing.emplace_back(name);
+    return false;
+  };
+  if (is_there("summary.json")) files.summary = read_summary(folder_or_journal / "summary.json");
+  if (is_there("snr.csv")) files.snr = read_snr(folder_or_journal / "snr.csv");
+  const bool has_heard = files.summary.is_object() && files.summary.contains("hearing");
+  if (has_heard && is_there(kHearingName) && is_there(kSpectrogramName)) files.sound = read_heard_sound(folder_or_journal);
+  return files;
 }
 
 Flight read_flight(const std::filesystem::path& folder_or_journal) {

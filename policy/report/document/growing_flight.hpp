@@ -7,35 +7,30 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "firmware/core/geometry.hpp"
 #include "firmware/host/journal/reading/entry.hpp"
 #include "firmware/host/journal/reading/record_source.hpp"
 #include "policy/report/flight_files.hpp"
+#include "policy/report/recorded_flight.hpp"
 
 namespace earshot::report {
 
 /// What lies beside a flight's journal, and what a person says of it. A vehicle's flight needs none of it but its name: its journal holds
 /// the mission, the policy and the tables.
 struct FlightSurroundings {
-  std::string name;        ///< of the folder or the journal
-  nlohmann::json summary;  ///< of a simulator; null: none
-  std::vector<SnrRow> snr;
-  HeardSound sound;
-  std::vector<std::string> missing;             ///< names of files that a simulator should have left
-  std::optional<std::filesystem::path> policy;  ///< that flew, instead of the one in the journal
-  std::optional<std::filesystem::path> tables;  ///< likewise
-  std::optional<NorthEast> south_west;          ///< of the area, instead of the mission's
-  std::optional<std::uint32_t> open_at_step;    ///< the decision that a page shows first
+  std::string name;               ///< of the folder or the journal
+  std::filesystem::path journal;  ///< policy and tables that it does not hold are looked for beside it; "": nowhere
+  FlightFiles files;              ///< of a simulator
+  RecordingOptions recording;     ///< what a person says
+  std::optional<std::uint32_t> open_at_step = std::nullopt;  ///< the decision that a page shows first
 };
 
-/// How much of a flight somebody has been told.
-struct Told {
+/// How much of a flight somebody has been sent.
+struct Sent {
   std::size_t turns = 0;
   std::size_t decisions = 0;
   std::size_t events = 0;
-  nlohmann::ordered_json others;  ///< all else, as it was told last
+  nlohmann::ordered_json others;  ///< all else, as it was sent last
 };
 
 /// A flight as its page is given it (policy/report/page/source/flight.ts), made of the entries of its journal as they come. A turn costs
@@ -51,18 +46,22 @@ class GrowingFlight {
   GrowingFlight& operator=(const GrowingFlight&) = delete;
 
   void take(const journal::Entry& entry);
-  /// The journal has come to its end, and nobody writes it any more: what is missing there is told.
+  /// The journal has come to its end, and nobody writes it any more: what is missing there is listed.
   void end(const journal::RecordSource& source);
 
   /// A `Flight`. Of more turns than `most_rows` every second, third, ... has a row.
   [[nodiscard]] nlohmann::ordered_json whole(std::size_t most_rows = kMostRows);
-  /// A `FlightNews`: what has come since `told`, which is brought up to date. Empty: nothing.
-  [[nodiscard]] nlohmann::ordered_json news(Told& told);
+  /// A `FlightNews`: what has come since `sent`, which is brought up to date. Empty: nothing.
+  [[nodiscard]] nlohmann::ordered_json changes(Sent& sent);
   /// What somebody knows who has just been given the whole.
-  [[nodiscard]] Told all_told();
+  [[nodiscard]] Sent all_sent();
 
   /// Its mission has ended, or its journal.
   [[nodiscard]] bool is_over() const;
+  [[nodiscard]] const JournalledSearch& journal() const;
+  [[nodiscard]] const std::optional<SeaFlight>& by_journal() const;  ///< nothing: the journal does not begin with a mission
+  /// Why its decisions are not explained: a file is missing or at fault, or another policy flew; "" where they are, or nothing is to be.
+  [[nodiscard]] const std::string& unexplained() const;
 
  private:
   class Parts;

@@ -9,6 +9,7 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
+#include "firmware/host/journal/reading/entry.hpp"
 #include "firmware/host/journal/words/sentences.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/messages/operator_command.hpp"
@@ -77,6 +78,33 @@ struct SeaFlight {
   [[nodiscard]] bool is_dated() const;
   /// How far it sailed while it searched.
   [[nodiscard]] Meters distance() const;
+};
+
+/// Makes a flight of the records of its journal, one after the other.
+class SeaFlightReader {
+ public:
+  void take(const journal::Record& record);
+  /// What the safety record beside the journal says.
+  void note_safety_record(std::optional<std::string> words);
+  /// Nothing: the journal does not begin with a mission.
+  [[nodiscard]] const std::optional<SeaFlight>& flight() const { return flight_; }
+
+ private:
+  void add_event(std::string what);
+  void note(const messages::Input& input);
+  void note(const messages::Health& health);
+  void note(const messages::CommandAcknowledgement& answer);
+  void note(const messages::SafetyEvent& event);
+  void note(const messages::JournalResumed& resumed);
+  void note(const messages::Decision& decision);
+  /// Files, set-points, troubles of a controller, and what cannot be read.
+  template <class Content>
+  void note(const Content& /*content*/) {}
+
+  std::optional<SeaFlight> flight_;
+  bool has_begun_ = false;
+  double time_s_ = 0.0;
+  double silence_s_ = 0.0;  ///< since the record before
 };
 
 /// Nothing when the journal does not begin with a mission. @throws host::BadInput naming the file when it cannot be read.
