@@ -7,6 +7,7 @@
 
 #include "firmware/desk/journal_view/events/timeline.hpp"
 #include "firmware/host/safety_record/words/record_words.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/host/text/utc.hpp"
 #include "policy/report/document/decision_explainer.hpp"
 #include "policy/report/document/decision_value.hpp"
@@ -49,10 +50,13 @@ class GrowingFlight::Parts {
       : around_(std::move(surroundings)), explainer_(around_.journal, around_.recording, around_.files.snr) {}
 
   void take(const journal::Entry& entry) {
-    const std::vector<journal::Event> events = timeline_.take(entry);
+    std::vector<journal::Event> events = timeline_.take(entry);
     journal_.take(entry);
     if (const auto* const record = std::get_if<journal::Record>(&entry)) {
       if (!std::exchange(has_begun_, true)) begin(record->time);
+      if (std::holds_alternative<messages::JournalResumed>(record->content) && !events.empty())
+        events.back().text += "; " + host::decimals((record->time - last_).to_seconds(), 0) + " s after the last record";
+      last_ = record->time;
       by_journal_.take(*record);
       std::visit([&](const auto& content) { note(content, *record); }, record->content);
     }
@@ -103,7 +107,7 @@ class GrowingFlight::Parts {
 
  private:
   void begin(Time time) {
-    began_ = time;
+    began_ = last_ = time;
     turns_ = TurnRows(time);
     if (!around_.files.summary.is_null()) explainer_.set_south_west(place_in(around_.files.summary.at("area").at("south_west")));
   }
@@ -185,6 +189,7 @@ class GrowingFlight::Parts {
   std::vector<ordered_json> decisions_;
   std::vector<ordered_json> events_;
   Time began_;
+  Time last_;  ///< of the records
   bool has_begun_ = false;
   bool has_ended_ = false;
 };
