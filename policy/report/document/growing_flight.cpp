@@ -47,7 +47,7 @@ ordered_json rows_from(const std::vector<ordered_json>& rows, std::size_t first)
 class GrowingFlight::Parts {
  public:
   explicit Parts(FlightSurroundings surroundings)
-      : around_(std::move(surroundings)), explainer_(around_.journal, around_.recording, around_.files.snr) {}
+      : around_(std::move(surroundings)), explainer_(around_.journal, around_.recording, around_.baseline, around_.files.snr) {}
 
   void take(const journal::Entry& entry) {
     std::vector<journal::Event> events = timeline_.take(entry);
@@ -99,6 +99,13 @@ class GrowingFlight::Parts {
     return has_ended_ || timeline_.is_closed() || (health_ && health_->end_reason != messages::EndReason::kNone);
   }
   [[nodiscard]] const JournalledSearch& journal() const { return journal_; }
+  /// A killed simulator should have left its files; a vehicle has none, nor has a simulator that still flies.
+  [[nodiscard]] FlightFiles files() const {
+    FlightFiles files{.summary = around_.files.summary, .snr = {}, .sound = {}, .missing = {}};
+    if (has_ended_ && !host::is_dated(began_)) files.missing = around_.files.missing;
+    return files;
+  }
+
   [[nodiscard]] const std::optional<SeaFlight>& by_journal() const { return by_journal_.flight(); }
   [[nodiscard]] const std::string& unexplained() const {
     static const std::string kNothing;
@@ -138,13 +145,6 @@ class GrowingFlight::Parts {
   void add(const std::vector<journal::Event>& events) {
     for (const journal::Event& event : events)
       events_.push_back({{"time_s", rounded(seconds(event.time), 3)}, {"kind", to_string(event.kind)}, {"text", event.text}});
-  }
-
-  /// A killed simulator should have left its files; a vehicle has none, nor has a simulator that still flies.
-  [[nodiscard]] FlightFiles files() const {
-    FlightFiles files{.summary = around_.files.summary, .snr = {}, .sound = {}, .missing = {}};
-    if (has_ended_ && !host::is_dated(began_)) files.missing = around_.files.missing;
-    return files;
   }
 
   /// All but the rows.
@@ -217,6 +217,9 @@ bool GrowingFlight::is_over() const {
 }
 const JournalledSearch& GrowingFlight::journal() const {
   return parts_->journal();
+}
+FlightFiles GrowingFlight::files() const {
+  return parts_->files();
 }
 const std::optional<SeaFlight>& GrowingFlight::by_journal() const {
   return parts_->by_journal();

@@ -26,7 +26,7 @@ explain::RecordedDecision decision() {
 TEST(DecisionValue, OfOneThatNothingExplainsHasWhatTheVehicleWroteDown) {
   explain::RecordedDecision d = decision();
   d.bearing = messages::Bearing{.direction = Radians{0.8203047484373349}, .deviation = Radians{0.17453292519943295}};  // 47 and 10 degrees
-  d.bearing->mirror_axis = Radians{0.3490658503988659};                                                               // 20 degrees
+  d.bearing->mirror_axis = Radians{0.3490658503988659};                                                                // 20 degrees
   d.found.emplace().likeliest = {Meters{1'250.0}, Meters{250.0}};
   EXPECT_EQ(decision_value(12.3456, d, std::nullopt).dump(),
             R"({"step":3,"time_s":12.346,"at":{"north_m":1000,"east_m":-20},"snr_db":9.46,"too_faint":false,"detected":true,)"

@@ -126,7 +126,8 @@ TEST_F(GrowingFlightTest, BeforeItsFirstRecordWaitsForItsMission) {
   GrowingFlight flight({.name = "a", .journal = {}, .files = {}, .recording = {}});
   const ordered_json whole = flight.whole();
   EXPECT_EQ(whole.at("verdict").at("text"), "Waiting for its mission");
-  for (const char* part : {"mission", "health", "sound", "truth", "began_utc", "open_at_step"}) EXPECT_TRUE(whole.at(part).is_null()) << part;
+  for (const char* part : {"mission", "health", "sound", "truth", "began_utc", "open_at_step"})
+    EXPECT_TRUE(whole.at(part).is_null()) << part;
 }
 
 TEST_F(GrowingFlightTest, ExplainsEverySearchOfAJournalUpToAGap) {
@@ -197,7 +198,13 @@ TEST_F(GrowingFlightTest, ListsWhatHappenedByItsKind) {
     journal.acknowledge(2, messages::Order::kStart, messages::CommandOutcome::kObeyed);
     journal.state(3, MissionState::kSearch, EndReason::kNone, 0);
     journal.port(4, {.port = 2, .link_up = false});
-    journal.rule(5, {.time = {}, .rule = 12, .condition = config::Condition::kLeak, .response = config::Response::kWarn, .begins = true, .measure = 1, .limit = 0});
+    journal.rule(5, {.time = {},
+                     .rule = 12,
+                     .condition = config::Condition::kLeak,
+                     .response = config::Response::kWarn,
+                     .begins = true,
+                     .measure = 1,
+                     .limit = 0});
     journal.decision(6, {});
     journal.resume(43);
     journal.end(messages::Ending::kStopped);
@@ -211,7 +218,8 @@ TEST_F(GrowingFlightTest, ListsWhatHappenedByItsKind) {
   for (const std::string& kind : kinds) at += at < in_order.size() && kind == in_order[at] ? 1 : 0;
   EXPECT_EQ(at, in_order.size()) << events.dump(1);
   bool has_silence = false;
-  for (const ordered_json& event : events) has_silence |= support::tells(event.at("text").get<std::string>(), {"--resume", "37 s", "after"});
+  for (const ordered_json& event : events)
+    has_silence |= support::tells(event.at("text").get<std::string>(), {"--resume", "37 s", "after"});
   EXPECT_TRUE(has_silence) << events.dump(1);
 }
 

@@ -18,7 +18,10 @@ messages::Input input(const decltype(messages::Input::value)& value) {
   return input;
 }
 messages::Navigation fix(double s, double north_m) {
-  return {.time = at(s), .position = {Meters{north_m}, Meters{20.04}}, .depth = Meters{299.96}, .heading = Radians{-1.5707963267948966},
+  return {.time = at(s),
+          .position = {Meters{north_m}, Meters{20.04}},
+          .depth = Meters{299.96},
+          .heading = Radians{-1.5707963267948966},
           .speed = MetersPerSecond{2.004}};
 }
 
@@ -38,8 +41,8 @@ TEST_F(TurnRowsTest, GivesWhatCameInBeforeTheTurnWasOver) {
   rows_.take(input(fix(1001, 12.34)));
   rows_.take(input(messages::SnrMeasurement{.time = at(1001), .snr = Decibels{-3.456}, .too_faint = true}));
   rows_.take(input(messages::VehicleStatus{.time = at(1001), .battery_percent = 81.26}));
-  rows_.take(messages::Setpoint{.heading = Radians{3.141592653589793}, .speed = MetersPerSecond{2}, .depth = Meters{300},
-                                .waypoint = {Meters{1000}, Meters{-50}}});
+  rows_.take(messages::Setpoint{
+      .heading = Radians{3.141592653589793}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = {Meters{1000}, Meters{-50}}});
   rows_.take(at(1001.54), messages::Health{});
   EXPECT_EQ(rows_.strips(0, 100).dump(),
             R"({"time_s":[1.5],"north_m":[12.3],"east_m":[20],"depth_m":[300],"heading_deg":[270],"speed_mps":[2],"depth_set_m":[300],)"
