@@ -166,6 +166,7 @@ export interface Sound {
   frequency_hz: number[];
   time_s: number[]; // the middle of each row
   level_db_re_1upa2_per_hz: { least: number; most: number; cells: string }; // base64 of a byte for each cell, [time x frequency]
+  modelled: { time_s: number[]; snr_db: (number | null)[] }; // the SNR that the simulator computes where the vehicle measured; null: too faint
 }
 
 /** What a simulator knows and the vehicle does not. */

@@ -6,14 +6,15 @@ namespace earshot::report {
 namespace {
 
 HeardSound sound_of(std::vector<double> frequency_hz, std::vector<double> time_s, std::vector<double> level_db) {
-  return {.measurements = {HeardRow{}},
+  return {.measurements = {{.time_s = 105.5, .snr_db = 12.5, .modelled_snr_db = 12.125}, {.time_s = 106.5, .modelled_too_faint = true}},
           .spectrogram = {.frequency_hz = std::move(frequency_hz), .time_s = std::move(time_s), .level_db = std::move(level_db)}};
 }
 
 // A third of 30 dB is 85 of 255; base64 of 0, 85, 170, 255 by coreutils' base64.
 TEST(SoundValue, IsAByteForEachCellBetweenTheLeastAndTheMost) {
   EXPECT_EQ(sound_value(sound_of({10, 20}, {105, 115}, {40, 50, 60, 70}), 100.0).dump(),
-            R"({"frequency_hz":[10,20],"time_s":[5,15],"level_db_re_1upa2_per_hz":{"least":40,"most":70,"cells":"AFWq/w=="}})");
+            R"({"frequency_hz":[10,20],"time_s":[5,15],"level_db_re_1upa2_per_hz":{"least":40,"most":70,"cells":"AFWq/w=="},)"
+            R"("modelled":{"time_s":[5.5,6.5],"snr_db":[12.13,null]}})");
   EXPECT_TRUE(sound_value({}, 0.0).is_null());
 }
 

@@ -135,6 +135,16 @@ TEST_F(SimulatedWords, DoNotClaimOfAPolicyWithoutMeasurementsThatItMeasuredNorTh
   EXPECT_EQ(value_of(flight(), "declared"), "-");
 }
 
+TEST_F(SimulatedWords, StateOfAFlightThatHeardHowLongItLearntTheNoiseAndWhichOfItsFilesIsMissing) {
+  summary_["hearing"] = {{"sound", "synthetic"}, {"search_began_s", 133.0}};
+  std::ofstream(folder_ / "hearing.csv") << "time_s,snr_db,too_faint,modelled_snr_db,modelled_too_faint\n1,2,0,3,0\n";
+  EXPECT_TRUE(one_tells(flight().at("sentences"), {"For the first 133 s", "noise"}));
+  EXPECT_TRUE(one_tells(flight().at("shortcomings"), {"Not there", "spectrogram.csv"}));
+  EXPECT_TRUE(flight().at("sound").is_null());
+  std::ofstream(folder_ / "spectrogram.csv") << "time_s,5,6\n1,80,81\n";
+  EXPECT_EQ(flight().at("sound").at("modelled").dump(), R"({"time_s":[1],"snr_db":[3]})");
+}
+
 TEST_F(SimulatedWords, NameTheRuleThatEndedTheFlightAsTheJournalHasIt) {
   fs::remove(folder_ / kJournalName);
   {
