@@ -91,7 +91,7 @@ std::string page_at(const DecisionOptions& o, const report::RecordingOptions& re
   around.recording = recording;
   around.baseline = baseline;
   around.open_at_step = o.step;
-  return report::with_flight(report::json_text(report::read_to_its_end(std::move(around))->whole()));
+  return report::page_with(report::json_text(report::read_to_its_end(std::move(around))->whole()));
 }
 
 host::OutputKind report_kind(const std::string& extension) {

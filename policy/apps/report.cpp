@@ -69,7 +69,7 @@ int write_report(const std::filesystem::path& folder, const std::optional<std::f
   host::require_writable(std::move(read), std::array{output}, replace);
   const std::unique_ptr<report::GrowingFlight> flight = report::read_to_its_end(report::surroundings_of(folder));
   const std::string text = report::json_text(flight->whole());
-  host::write_whole(file, json ? text + "\n" : report::with_flight(text));
+  host::write_whole(file, json ? text + "\n" : report::page_with(text));
   program::print() << "wrote " << host::printable(file.string()) << ": " << steps_and_decisions(*flight) << "\n";
   program::detail() << folder.string() << ": " << flight->journal().decisions.size() << " decisions in " << flight->journal().records
                     << " records of the journal\n";
