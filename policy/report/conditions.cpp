@@ -1,11 +1,8 @@
 #include "policy/report/conditions.hpp"
 
-#include <vector>
-
 #include "firmware/host/journal/words/wording.hpp"
 #include "policy/explain/wording.hpp"
 #include "policy/report/flight_files.hpp"
-#include "policy/report/html.hpp"
 #include "sim/search/account/search_account.hpp"
 
 namespace earshot::report {
@@ -13,24 +10,8 @@ namespace {
 
 using explain::fixed;
 
-struct Condition {
-  std::string name;
-  std::string value;
-  std::string meaning = "";
-};
-
 std::string size_to_string(NorthEast size) {
   return fixed(size.north.value / 1e3, 1) + " \u00D7 " + fixed(size.east.value / 1e3, 1) + " km";
-}
-
-std::vector<Condition> listed(const Conditions& c) {
-  std::vector<Condition> all;
-  if (c.frequency) all.push_back({"frequency of the source", fixed(c.frequency->value, 1) + " Hz"});
-  if (c.depth) all.push_back({"depth of the vehicle", fixed(c.depth->value, 0) + " m"});
-  if (c.speed) all.push_back({"speed of the vehicle", fixed(c.speed->value, 1) + " m/s"});
-  all.push_back({"area", size_to_string(c.area_size), c.place});
-  if (!c.date.empty()) all.push_back({c.is_simulated ? "simulated on" : "flown on", c.date});
-  return all;
 }
 
 }  // namespace
@@ -55,10 +36,14 @@ Conditions conditions_of(const SeaFlight& flight) {
           .date = flight.is_dated() ? journal::utc(flight.began) : ""};
 }
 
-std::string cards_of(const Conditions& conditions) {
-  std::string text = "<dl>\n";
-  for (const Condition& one : listed(conditions)) text += fact(one.name, escaped(one.value), escaped(one.meaning));
-  return text + "</dl>\n";
+std::vector<Condition> listed(const Conditions& c) {
+  std::vector<Condition> all;
+  if (c.frequency) all.push_back({"frequency of the source", fixed(c.frequency->value, 1) + " Hz"});
+  if (c.depth) all.push_back({"depth of the vehicle", fixed(c.depth->value, 0) + " m"});
+  if (c.speed) all.push_back({"speed of the vehicle", fixed(c.speed->value, 1) + " m/s"});
+  all.push_back({"area", size_to_string(c.area_size), c.place});
+  if (!c.date.empty()) all.push_back({c.is_simulated ? "simulated on" : "flown on", c.date});
+  return all;
 }
 
 std::string to_string(const Conditions& conditions) {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
@@ -29,8 +30,14 @@ inline constexpr const char* kSimulationNote =
     "This flight is a simulation. Ocean, noise and source are computed, and no vehicle was at sea. What decided is the software that flies "
     "on the vehicle.";
 
-/// As cards of a page, what is unknown left out.
-[[nodiscard]] std::string cards_of(const Conditions& conditions);
+/// One of them: its name, its value with the unit, and what it means ("": the name says it).
+struct Condition {
+  std::string name;
+  std::string value;
+  std::string meaning = "";
+};
+/// What is unknown is left out.
+[[nodiscard]] std::vector<Condition> listed(const Conditions& conditions);
 
 /// "Frequency of the source 20.0 Hz; depth of the vehicle 300 m; area 25.0 x 25.0 km"
 [[nodiscard]] std::string to_string(const Conditions& conditions);

@@ -9,6 +9,7 @@
 
 #include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/host/journal/reading/record_source.hpp"
 #include "firmware/messages/journal_records.hpp"
 #include "policy/explain/recorded_decision.hpp"
 #include "policy/report/sea/sea_flight.hpp"
@@ -17,14 +18,6 @@
 namespace earshot::report {
 
 // What a flight left in its folder, as plain numbers in the units of the files.
-
-struct TrackRow {
-  double time_s = 0.0;
-  double north_m = 0.0;
-  double east_m = 0.0;
-  double snr_db = 0.0;
-  double range_m = 0.0;
-};
 
 struct SnrRow {
   double range_m = 0.0;
@@ -42,6 +35,10 @@ struct JournalledSearch {
   std::uint64_t first_missing = 0;
   std::optional<messages::ClosingRecord> closing;  ///< nothing: the program that wrote it did not end in order
 
+  void take(const journal::Entry& entry);
+  /// The journal has come to its end.
+  void end_with(const journal::RecordSource& source);
+
   [[nodiscard]] bool is_whole() const { return damages.empty() && missing == 0 && closing; }
   /// False: no record at all.
   [[nodiscard]] bool is_journal() const { return damages.empty() || records > 0; }
@@ -50,19 +47,12 @@ struct JournalledSearch {
 /// What a journal lacks that is not whole, in sentences with the bytes and the records; "" for a whole one.
 [[nodiscard]] std::string lack_of(const JournalledSearch& journal);
 
-/// A flight at sea leaves its journal alone, and so does one whose simulator was killed: whatever else is not there is empty.
-struct Flight {
+/// What a simulator left of a flight. At sea there is none of it, nor where it was killed: whatever is not there is empty.
+struct FlightFiles {
   nlohmann::json summary;  ///< null: none
-  std::vector<TrackRow> track;
-  JournalledSearch journal;
   std::vector<SnrRow> snr;
-  HeardSound sound;                        ///< of a flight that heard
-  std::optional<SeaFlight> sea;            ///< what the journal tells when there is no summary
-  std::vector<SeaFlight::Event> events;    ///< of a simulated flight, as its journal tells them
-  std::optional<std::string> ending_rule;  ///< of a simulated flight: the safety rule that ended it, in words with its evidence
-  std::vector<std::string> missing;        ///< names of files that a simulator should have left
-
-  [[nodiscard]] bool is_complete() const { return missing.empty(); }
+  HeardSound sound;                  ///< of a flight that heard
+  std::vector<std::string> missing;  ///< names of files that a simulator should have left
 };
 
 inline constexpr const char* kJournalName = host::kFirstJournal;  ///< in a simulated flight's folder
@@ -78,13 +68,11 @@ inline constexpr const char* kJournalName = host::kFirstJournal;  ///< in a simu
 /// Any other path is itself.
 [[nodiscard]] std::filesystem::path journal_of_flight(const std::filesystem::path& folder_or_journal);
 
-/// Of one of several journals that flights at sea left in a folder: what it tells alone. Of a folder: reads the decisions in its journal
-/// (journal_of_flight()), and of summary.json, track.csv and snr.csv those that are there; hearing.csv and spectrogram.csv when the summary
-/// says that it heard.
-/// @throws host::BadInput naming the journal when it is missing, or the file that cannot be read.
-[[nodiscard]] Flight read_flight(const std::filesystem::path& folder_or_journal);
+/// Of a folder what is there of summary.json and snr.csv, and of hearing.csv and spectrogram.csv when the summary says that it heard.
+/// @throws host::BadInput naming the file that cannot be read.
+[[nodiscard]] FlightFiles read_flight_files(const std::filesystem::path& folder_or_journal);
 
-/// All that read_flight() may read, and what flew beside the journal: its parts, the policy, the tables, a simulator's files. Some may not
+/// All that belongs to a flight: the parts of its journal, the policy, the tables, a simulator's files. Some may not
 /// be there. @throws host::BadInput naming the journal when it cannot be read.
 [[nodiscard]] std::vector<std::filesystem::path> files_of_flight(const std::filesystem::path& folder_or_journal);
 

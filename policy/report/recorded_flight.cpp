@@ -1,6 +1,7 @@
 #include "policy/report/recorded_flight.hpp"
 
 #include <span>
+#include <utility>
 
 #include "firmware/host/policy/tables_bytes.hpp"
 #include "firmware/host/policy/unverified_policy.hpp"
@@ -34,29 +35,6 @@ void require_decisions(const fs::path& path, const JournalledSearch& journal) {
   }
 }
 
-/// What `said` names, or what lies beside the journal.
-/// @param what  "policy"; its files end in "." and that, its option is "--" and that
-fs::path file_for(const fs::path& journal, const std::optional<fs::path>& given, const std::string& what) {
-  if (given) return *given;
-  if (const std::optional<fs::path> beside = beside_journal(journal, "." + what)) return *beside;
-  throw BadInput(journal.string() + ": no " + what + " beside it (" + fs::path(journal).replace_extension("." + what).filename().string() +
-                 "): name what flew with --" + what + " FILE");
-}
-
-[[noreturn]] void refuse(const RecordedFlight& flight, const RecordedDecision& decision, explain::Contradiction why) {
-  const std::string here = flight.journal_path.string() + ": step " + std::to_string(decision.step) + ": ";
-  const std::string policy = flight.policy_path.string();
-  if (why == explain::Contradiction::kSizes)
-    throw BadInput(here + "taken by another policy than " + policy + ": it saw " + std::to_string(decision.observed().size()) +
-                   " numbers and had " + std::to_string(decision.action_logits().size()) + " actions, this one sees " +
-                   std::to_string(flight.policy->observation.spec.size()) + " and has " + std::to_string(flight.policy->actions.size()));
-  if (why == explain::Contradiction::kLogits)
-    throw BadInput(here + "taken by another policy than " + policy + ": the same observation gives other logits");
-  throw BadInput(here + "what was heard until then gives another observation than " + policy +
-                 " saw: a belief of another version of Earshot, other ocean tables, or the area's south-west corner is elsewhere "
-                 "(--south-west NORTH_M,EAST_M)");
-}
-
 void check_against_policy(const RecordedFlight& flight) {
   const auto memory = std::make_unique<policy::SearchMemory>();
   const policy::ObservationModel& model = flight.policy->observation;
@@ -67,7 +45,8 @@ void check_against_policy(const RecordedFlight& flight) {
     else
       memory->remember(model, *flight.tables, place, decision.reception());
     const explain::Contradiction found = explain::contradiction(*flight.policy, decision, *memory);
-    if (found != explain::Contradiction::kNone) refuse(flight, decision, found);
+    if (found != explain::Contradiction::kNone)
+      throw BadInput(flight.journal_path.string() + ": " + to_string(found, decision, *flight.policy, flight.policy_path.string()));
   }
 }
 
@@ -79,19 +58,38 @@ void read_summary(const fs::path& path, const nlohmann::json& summary, RecordedF
   throw BadInput(path.string() + ": " + description::to_string(e));
 }
 
-/// For a policy without a belief: one in the ocean that the simulator flew in.
-void add_observer(const Flight& flight, RecordedFlight& recorded) {
-  std::vector<float> snr_db;
-  for (const SnrRow& row : flight.snr) snr_db.push_back(static_cast<float>(row.snr_db));
-  const sonar::SnrCurve curve(Meters{flight.snr.at(1).range_m - flight.snr.at(0).range_m}, std::move(snr_db));
-  const search::SearchSettings settings = evaluate::search_of(*recorded.policy);
-  recorded.observer = search::belief_model(settings);
-  recorded.observer->actions = recorded.policy->actions;
-  recorded.tables = std::make_unique<policy::OceanTables>();
-  search::make_known_ocean(settings, curve, *recorded.tables);
+}  // namespace
+
+fs::path file_beside(const fs::path& journal, const std::string& what) {
+  if (const std::optional<fs::path> beside = beside_journal(journal, "." + what)) return *beside;
+  throw BadInput(journal.string() + ": no " + what + " beside it (" + fs::path(journal).replace_extension("." + what).filename().string() +
+                 "): name what flew with --" + what + " FILE");
 }
 
-}  // namespace
+Observer observer_of(const policy::FrozenPolicy& policy, std::span<const SnrRow> snr) {
+  std::vector<float> snr_db;
+  for (const SnrRow& row : snr) snr_db.push_back(static_cast<float>(row.snr_db));
+  const sonar::SnrCurve curve(Meters{snr[1].range_m - snr[0].range_m}, std::move(snr_db));
+  const search::SearchSettings settings = evaluate::search_of(policy);
+  Observer observer{.belief = search::belief_model(settings), .tables = std::make_unique<policy::OceanTables>()};
+  observer.belief.actions = policy.actions;
+  search::make_known_ocean(settings, curve, *observer.tables);
+  return observer;
+}
+
+std::string to_string(explain::Contradiction contradiction, const RecordedDecision& decision, const policy::FrozenPolicy& policy,
+                      const std::string& policy_name) {
+  const std::string here = "step " + std::to_string(decision.step) + ": ";
+  if (contradiction == explain::Contradiction::kSizes)
+    return here + "taken by another policy than " + policy_name + ": it saw " + std::to_string(decision.observed().size()) +
+           " numbers and had " + std::to_string(decision.action_logits().size()) + " actions, this one sees " +
+           std::to_string(policy.observation.spec.size()) + " and has " + std::to_string(policy.actions.size());
+  if (contradiction == explain::Contradiction::kLogits)
+    return here + "taken by another policy than " + policy_name + ": the same observation gives other logits";
+  return here + "what was heard until then gives another observation than " + policy_name +
+         " saw: a belief of another version of Earshot, other ocean tables, or the area's south-west corner is elsewhere "
+         "(--south-west NORTH_M,EAST_M)";
+}
 
 explain::Circumstances RecordedFlight::circumstances(explain::Baseline baseline) const {
   return {.policy = *policy,
@@ -104,16 +102,16 @@ explain::Circumstances RecordedFlight::circumstances(explain::Baseline baseline)
 
 RecordedFlight open_recording(const fs::path& folder_or_journal, const RecordingOptions& options) {
   RecordedFlight flight;
-  std::optional<Flight> files;
+  std::optional<FlightFiles> files;
   flight.journal_path = journal_of_flight(folder_or_journal);
-  if (fs::exists(folder_or_journal / "summary.json")) files = read_flight(folder_or_journal);
-  flight.journal = files ? std::move(files->journal) : read_journal(flight.journal_path);
+  if (fs::exists(folder_or_journal / "summary.json")) files = read_flight_files(folder_or_journal);
+  flight.journal = read_journal(flight.journal_path);
   require_decisions(flight.journal_path, flight.journal);
-  flight.policy_path = file_for(flight.journal_path, options.policy, "policy");
+  flight.policy_path = options.policy ? *options.policy : file_beside(flight.journal_path, "policy");
   flight.policy = host::load_unverified_policy(flight.policy_path);
   const bool has_belief = policy::needs_belief(flight.policy->observation.spec);
   if (has_belief) {
-    const fs::path tables = file_for(flight.journal_path, options.tables, "tables");
+    const fs::path tables = options.tables ? *options.tables : file_beside(flight.journal_path, "tables");
     flight.tables = host::tables_from(host::read_tables_bytes(tables), tables);
   }
   if (files) read_summary(folder_or_journal / "summary.json", files->summary, flight);
@@ -129,7 +127,9 @@ RecordedFlight open_recording(const fs::path& folder_or_journal, const Recording
       throw NothingToExplain(
           flight.policy_path.string() +
           ": holds no belief, and without the folder of a simulated flight (summary.json, snr.csv) there is no ocean to make one of");
-    add_observer(*files, flight);
+    Observer observer = observer_of(*flight.policy, files->snr);
+    flight.observer = observer.belief;
+    flight.tables = std::move(observer.tables);
   }
   check_against_policy(flight);
   return flight;

@@ -9,6 +9,7 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
+#include "firmware/host/journal/reading/entry.hpp"
 #include "firmware/host/journal/words/sentences.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/messages/operator_command.hpp"
@@ -27,36 +28,10 @@ struct SeaFlight {
   Hertz frequency;    ///< of the source that it searched for
   std::string build;  ///< version and commit of the program that flew
 
-  struct Fix {
-    double time_s = 0.0;
-    NorthEast position;
-    Meters depth;
-  };
-  std::vector<Fix> fixes;
-
-  struct Measurement {
-    double time_s = 0.0;
-    double snr_db = 0.0;
-    bool too_faint = false;  ///< not measured: it lies somewhere below
-  };
-  std::vector<Measurement> measurements;
-
-  /// An order that came, a rule that acted, a state that the mission went into, or another process that went on with it.
-  struct Event {
-    double time_s = 0.0;
-    std::string what;
-  };
-  std::vector<Event> events;
-  /// The last answer to an order, which is given again as often as the order is sent.
-  struct Answer {
-    std::uint32_t issuer = 0;
-    std::uint32_t number = 0;
-    messages::CommandOutcome outcome{};
-    std::string what;
-    std::size_t event = 0;  ///< its place among `events`
-    std::size_t times = 1;
-  };
-  std::optional<Answer> last_answer;
+  std::size_t fixes = 0;                            ///< of the vehicle's own navigation
+  std::size_t measurements = 0;                     ///< of the SNR, as they came in
+  std::optional<double> loudest_db = std::nullopt;  ///< of those that were not too faint
+  Meters sailed{0.0};                               ///< while it searched
 
   std::optional<std::string> safety_record;  ///< what that says which stands beside the journal
 
@@ -75,8 +50,30 @@ struct SeaFlight {
   [[nodiscard]] const char* why_it_ended() const;
   /// Its clock says UTC.
   [[nodiscard]] bool is_dated() const;
-  /// How far it sailed while it searched.
-  [[nodiscard]] Meters distance() const;
+};
+
+/// Makes a flight of the records of its journal, one after the other.
+class SeaFlightReader {
+ public:
+  void take(const journal::Record& record);
+  /// What the safety record beside the journal says.
+  void note_safety_record(std::optional<std::string> words);
+  /// Nothing: the journal does not begin with a mission.
+  [[nodiscard]] const std::optional<SeaFlight>& flight() const { return flight_; }
+
+ private:
+  void note(const messages::Input& input);
+  void note(const messages::Health& health);
+  void note(const messages::SafetyEvent& event);
+  void note(const messages::Decision& decision);
+  /// Files, answers, set-points, troubles of a controller, and what cannot be read.
+  template <class Content>
+  void note(const Content& /*content*/) {}
+
+  std::optional<SeaFlight> flight_;
+  bool has_begun_ = false;
+  double time_s_ = 0.0;
+  std::optional<NorthEast> place_;  ///< the last of this search
 };
 
 /// Nothing when the journal does not begin with a mission. @throws host::BadInput naming the file when it cannot be read.

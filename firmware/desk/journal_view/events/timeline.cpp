@@ -1,6 +1,7 @@
 #include "firmware/desk/journal_view/events/timeline.hpp"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -20,6 +21,36 @@ namespace earshot::journal {
 using Severity = Event::Severity;
 
 namespace {
+
+/// What the events of a record, or of an input, are about.
+template <class Content>
+constexpr Event::Kind kKindOf = Event::Kind::kOther;
+template <>
+constexpr Event::Kind kKindOf<messages::OperatorCommand> = Event::Kind::kOrder;
+template <>
+constexpr Event::Kind kKindOf<messages::CommandAcknowledgement> = Event::Kind::kAnswer;
+template <>
+constexpr Event::Kind kKindOf<messages::Health> = Event::Kind::kState;
+template <>
+constexpr Event::Kind kKindOf<messages::SafetyEvent> = Event::Kind::kRule;
+template <>
+constexpr Event::Kind kKindOf<messages::PortReport> = Event::Kind::kLink;
+template <>
+constexpr Event::Kind kKindOf<messages::UnsentSetpoints> = Event::Kind::kLink;
+template <>
+constexpr Event::Kind kKindOf<messages::ControllerTrouble> = Event::Kind::kLink;
+template <>
+constexpr Event::Kind kKindOf<messages::Decision> = Event::Kind::kDecision;
+template <>
+constexpr Event::Kind kKindOf<messages::MissionRecord> = Event::Kind::kJournal;
+template <>
+constexpr Event::Kind kKindOf<PolicyBytes> = Event::Kind::kJournal;
+template <>
+constexpr Event::Kind kKindOf<TablesBytes> = Event::Kind::kJournal;
+template <>
+constexpr Event::Kind kKindOf<messages::ClosingRecord> = Event::Kind::kJournal;
+template <>
+constexpr Event::Kind kKindOf<messages::JournalResumed> = Event::Kind::kJournal;
 
 /// What `write` writes into a line.
 std::string line_of(const auto& write) {
@@ -66,20 +97,24 @@ void Timeline::add_order(Severity severity, std::string text) {
   }
   add(severity, text);
   if (orders_.size() == kRememberedOrders) orders_.pop_front();
-  orders_.push_back({.severity = severity, .text = std::move(text)});
+  orders_.push_back({.severity = severity, .kind = kind_, .text = std::move(text)});
 }
 
 void Timeline::add_repetitions() {
   for (Order& order : orders_) {
     if (order.times == order.reported_times) continue;
     order.reported_times = order.times;
-    events_.push_back({.severity = order.severity, .time = now_, .text = order.text + " (" + host::counted(order.times, "time") + ")"});
+    events_.push_back({.severity = order.severity,
+                       .time = now_,
+                       .text = order.text + " (" + host::counted(order.times, "time") + ")",
+                       .kind = order.kind});
   }
 }
 
 void Timeline::add(Severity severity, std::string text, bool is_lack) {
   add_repetitions();
-  events_.push_back({.severity = severity, .time = now_, .text = std::move(text), .is_lack = is_lack});
+  events_.push_back(
+      {.severity = severity, .time = now_, .text = std::move(text), .kind = is_lack ? Event::Kind::kJournal : kind_, .is_lack = is_lack});
 }
 
 void Timeline::add_lack(std::string text) {
@@ -89,7 +124,12 @@ void Timeline::add_lack(std::string text) {
 void Timeline::note(const Record& record) {
   if (!began_) began_ = record.time;
   now_ = record.time;
-  std::visit([&](const auto& content) { note_content(content, record); }, record.content);
+  std::visit(
+      [&](const auto& content) {
+        kind_ = kKindOf<std::remove_cvref_t<decltype(content)>>;
+        note_content(content, record);
+      },
+      record.content);
 }
 
 void Timeline::note(const MissingRecords& missing) {
@@ -144,7 +184,12 @@ void Timeline::note_bytes(const std::string& text, std::uint32_t crc32, std::opt
 }
 
 void Timeline::note_content(const messages::Input& input, const Record& /*record*/) {
-  std::visit([&](const auto& value) { note_input(value, input.port); }, input.value);
+  std::visit(
+      [&](const auto& value) {
+        kind_ = kKindOf<std::remove_cvref_t<decltype(value)>>;
+        note_input(value, input.port);
+      },
+      input.value);
 }
 
 void Timeline::note_content(const messages::Setpoint& setpoint, const Record& /*record*/) {

@@ -20,6 +20,7 @@ struct Event {
   enum class Severity : std::uint8_t { kInformation, kWarning, kError } severity = Severity::kInformation;
   Time time;
   std::string text;
+  enum class Kind : std::uint8_t { kOrder, kAnswer, kState, kRule, kLink, kDecision, kJournal, kOther } kind = Kind::kOther;
   bool is_lack = false;  ///< the journal itself is damaged, or misses something
 };
 
@@ -62,6 +63,7 @@ class Timeline {
   /// An order, or what came of it: who gives one sends it until it is answered, and each time it is answered.
   struct Order {
     Event::Severity severity;
+    Event::Kind kind;
     std::string text;
     std::uint64_t times = 1;
     std::uint64_t reported_times = 1;
@@ -116,8 +118,9 @@ class Timeline {
     Grown failures;  ///< messages lost, malformed or not sent
   };
 
-  std::vector<Event> events_;  ///< of the entry that is taken
-  std::deque<Order> orders_;   ///< that were told
+  std::vector<Event> events_;               ///< of the entry that is taken
+  Event::Kind kind_ = Event::Kind::kOther;  ///< of what it holds
+  std::deque<Order> orders_;                ///< that were told
   std::optional<Time> began_;
   Time now_;
   bool is_bus_log_ = false;

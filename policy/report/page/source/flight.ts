@@ -72,7 +72,7 @@ export interface Strips {
   snr_db: (number|null)[];
   snr_too_faint: (boolean|null)[];   // then snr_db is the floor that it lies below
   expected_snr_db: (number|null)[];  // by the belief of the last decision
-  mismatch_bits: (number|null)[];    // how badly every ocean of the tables fits; above 0 the belief is not trusted
+  mismatch_bits: (number|null)[];    // how badly every ocean of the tables fits; from 6.75 on the belief is not trusted
   battery_percent: (number|null)[];
   turn_time_ms: (number|null)[];  // how long the runtime's turn took
 }
@@ -107,8 +107,8 @@ export interface Decision {
 
 export interface Action {
   name: string;
-  score: number|null;  // what the policy ranks it by
-  probability: number|null;
+  score: number|null;        // the policy's logit, by which it ranks
+  probability: number|null;  // the softmax of the scores
   expected_snr_db: number;
   expected_snr_spread_db: number;
   detected: number;    // probability of a detection at its end
@@ -133,8 +133,8 @@ export interface Belief {
   south_west: Place;
   size: Place;  // of the whole grid
   /**
-   * Base64 of a byte for each cell, rows from south to north, each from west to east: the probability of the smallest area that holds
-   * the cell and all likelier ones, 0 (likeliest) to 255 (certain).
+   * Base64 of a byte for each cell, rows from south to north, each from west to east: 255 times the probability of all cells that are
+   * likelier. The likeliest has 0; the smallest area that holds the source with 50 % is that of the cells below 127.5.
    */
   area_of_cell: string;
   likeliest: Place;
@@ -168,6 +168,8 @@ export interface Sound {
   frequency_hz: number[];
   time_s: number[];                                                        // the middle of each row
   level_db_re_1upa2_per_hz: {least: number; most: number; cells: string};  // base64 of a byte for each cell, [time x frequency]
+  /** The SNR that the simulator computes where the vehicle measured; null: too faint. */
+  modelled: {time_s: number[]; snr_db: (number | null)[]};
 }
 
 /** What a simulator knows and the vehicle does not. */

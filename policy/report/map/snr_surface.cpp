@@ -1,11 +1,11 @@
-#include "policy/report/snr_surface.hpp"
+#include "policy/report/map/snr_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include "policy/explain/action_map.hpp"
-#include "policy/report/gnuplot/gnuplot_svg.hpp"
+#include "policy/report/map/kilometres.hpp"
 
 namespace earshot::report {
 namespace {

@@ -1,4 +1,4 @@
-#include "policy/report/snr_surface.hpp"
+#include "policy/report/map/snr_surface.hpp"
 
 #include <gtest/gtest.h>
 
