@@ -16,7 +16,8 @@ inline constexpr const char* kTypeScript = "/usr/bin/tsc";  ///< Debian: node-ty
 inline std::string type_complaints(const std::string& type, const std::string& json, const std::filesystem::path& folder) {
   const std::filesystem::path types = std::filesystem::path(EARSHOT_SOURCE_DIR) / "policy/report/page/source/flight.ts";
   std::filesystem::copy_file(types, folder / "flight.ts", std::filesystem::copy_options::overwrite_existing);
-  std::ofstream(folder / "made.ts") << "import { " << type << " } from \"./flight\";\nexport const made: " << type << " = " << json << ";\n";
+  std::ofstream(folder / "made.ts") << "import { " << type << " } from \"./flight\";\nexport const made: " << type << " = " << json
+                                    << ";\n";
   support::Process compiler(kTypeScript, {"--strict", "--noEmit", "--target", "es2020", folder / "made.ts"}, folder / "complaints");
   const int status = compiler.wait(std::chrono::seconds(60));
   return status == 0 ? "" : "status " + std::to_string(status) + ": " + compiler.output();
