@@ -3,10 +3,16 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
+#include <vector>
 
+#include "tests/policy/report/document/type_complaints.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -57,6 +63,50 @@ TEST_F(Explanation, GivenAFlightOnItsPlaceAloneAnObserversBeliefIsShown) {
   const nlohmann::json report = explained();
   EXPECT_EQ(report["belief"]["whose"], "an observer's");
   EXPECT_TRUE(report["attribution"]["complete"].get<bool>());
+}
+
+/// Its rows of turns are held against those of `earshot journal --csv`, which another program writes.
+TEST_F(Explanation, GivenAFlightThatHeardItsPageIsGivenWhatItsTypesDescribeAndTheJournalsNumbers) {
+  if (!fs::exists(report::kTypeScript)) GTEST_SKIP() << report::kTypeScript << " is not installed (Debian: node-typescript)";
+  support::Process flight(kBin / "earshot-fly", {"--hear", "synthetic", "--out", folder_ / "out", "--no-report"}, folder_ / "fly.txt");
+  ASSERT_EQ(flight.wait(120s), 0) << flight.output();
+  support::Process report(kBin / "earshot-report", {folder_ / "out", "--json", folder_ / "flight.json"}, folder_ / "report.txt");
+  ASSERT_EQ(report.wait(60s), 0) << report.output();
+  const std::string text = support::read_text(folder_ / "flight.json");
+  EXPECT_EQ(report::type_complaints("Flight", text, folder_), "");
+  const nlohmann::json made = nlohmann::json::parse(text);
+  EXPECT_TRUE(made["sound"].is_object());
+  for (const auto& decision : made["decisions"]) EXPECT_FALSE(decision["reasons"].empty()) << decision["step"];
+
+  support::Process journal(kBin / "earshot-journal", {folder_ / "out", "--csv", folder_ / "turns.csv"}, folder_ / "journal.txt");
+  ASSERT_EQ(journal.wait(60s), 0) << journal.output();
+  std::map<long, std::vector<std::string>> turns;  // by tenths of a second
+  std::ifstream table(folder_ / "turns.csv");
+  std::string line;
+  std::getline(table, line);
+  while (std::getline(table, line)) {
+    std::vector<std::string> cells;
+    std::istringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+    constexpr std::size_t kMission_s = 2;
+    turns[std::lround(10.0 * std::stod(cells.at(kMission_s)))] = cells;
+  }
+  const nlohmann::json& strips = made["strips"];
+  const auto expect_near = [&](const char* column, std::size_t row, std::size_t of_table, double most) {
+    const std::string& cell = turns.at(std::lround(10.0 * strips["time_s"][row].get<double>())).at(of_table);
+    if (strips[column][row].is_number()) {
+      EXPECT_NEAR(strips[column][row].get<double>(), std::stod(cell), most) << column << ", row " << row;
+    }
+  };
+  EXPECT_GT(strips["time_s"].size(), 4'000U) << "a flight of " << turns.size() << " turns";
+  for (std::size_t row = 0; row < strips["time_s"].size(); ++row) {
+    constexpr std::size_t kNorth_m = 8;
+    constexpr std::size_t kSnr_db = 16;
+    constexpr std::size_t kWaypointEast_m = 22;
+    expect_near("north_m", row, kNorth_m, 0.0501);
+    expect_near("snr_db", row, kSnr_db, 0.00501);
+    expect_near("waypoint_east_m", row, kWaypointEast_m, 0.0501);
+  }
 }
 
 }  // namespace

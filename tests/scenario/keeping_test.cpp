@@ -141,9 +141,15 @@ TEST_F(Keeping, GivenAFlightUnderWayASecondOneIntoItsFolderIsRefusedAndToldWhoIs
 }
 
 TEST_F(Keeping, GivenNoReportCanBeWrittenTheStatusIsThreeAndTheEarlierFlightStays) {
-  const std::vector<std::string> without_gnuplot{
-      "PATH=/nowhere", kBin / "earshot-fly", "--environment", kEnvironment, "--mission", kMission, "--out", out_()};
-  support::Process flight("/usr/bin/env", without_gnuplot, folder_ / "text");
+  const fs::path programs = folder_ / "programs";
+  fs::create_directories(programs);
+  for (const char* program : {"earshot-fly", "earshotd", "earshot-sim", "libearshot-simulation.so"})
+    fs::copy_file(kBin / program, programs / program);
+  std::ofstream(programs / "earshot-report") << "#!/bin/sh\nexit 2\n";
+  fs::permissions(programs / "earshot-report", fs::perms::owner_all);
+  const std::vector<std::string> without_report{
+      "EARSHOT_DATA=" + kSource.string(), programs / "earshot-fly", "--environment", kEnvironment, "--mission", kMission, "--out", out_()};
+  support::Process flight("/usr/bin/env", without_report, folder_ / "text");
   EXPECT_EQ(flight.wait(60s), 3) << flight.output();
   EXPECT_NE(flight.output().find((out_() / kUnfinished).string()), std::string::npos) << flight.output();
   EXPECT_TRUE(files() == earlier_);
@@ -162,7 +168,7 @@ TEST_F(Keeping, GivenItsRuntimeIsKilledBeforeTheFirstTickTheFlightEndsAtOnceAndS
 }
 
 TEST_F(Keeping, GivenSigtermAsSoonAsAnyOfItsProgramsIsThereTheFlightEndsAtOnceAndSaysSo) {
-  for (const char* program : {"earshot-fly", "earshotd", "earshot-sim"}) {
+  for (const char* program : {"earshot-fly", "earshotd", "earshot-sim", "libearshot-simulation.so"}) {
     const auto flight = fly({"--speed", "1"});
     ASSERT_NE(wait_for(program), 0) << program << ": " << flight->output();
     flight->signal(SIGTERM);

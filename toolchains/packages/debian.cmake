@@ -49,7 +49,7 @@ macro(describe COMPONENT NAME DEPENDS SUGGESTS SUMMARY TEXT)
 endmacro()
 describe(runtime earshot "adduser" "" "takes an underwater vehicle within earshot of a sound"
   "The program on the vehicle's computer (earshotd), its service, the policies\nand ocean tables that ship, missions to start from, and the commands that\nsign and verify missions and read journals.")
-describe(sil earshot-sil "earshot (= THIS_VERSION), gnuplot-nox | gnuplot" "" "flies Earshot in a simulated ocean"
+describe(sil earshot-sil "earshot (= THIS_VERSION)" "" "flies Earshot in a simulated ocean"
   "The ocean and the vehicle of a flight (earshot fly), its report, and the\nreplay of journals: software in the loop, on any computer.")
 describe(tools earshot-tools "earshot-sil (= THIS_VERSION), gnuplot-nox | gnuplot" "" "trains, evaluates and freezes Earshot's policies"
   "Sound fields of an ocean, training, evaluation, freezing and explanation of\npolicies, ocean tables, a listener for recordings, and a decoder of CAN buses;\nwith the worlds that policies are tested in.")

@@ -2,15 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <fstream>
 #include <string>
 
 #include "policy/report/document/flight_reading.hpp"
 #include "tests/policy/explain/flown_policy.hpp"
+#include "tests/policy/report/document/type_complaints.hpp"
 #include "tests/policy/report/flight_folder.hpp"
 #include "tests/policy/report/sea/sea_journal.hpp"
-#include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::report {
@@ -18,25 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kCompiler = "/usr/bin/tsc";
-
 class FlightTypes : public testing::Test {
  protected:
   void SetUp() override {
-    if (!fs::exists(kCompiler)) GTEST_SKIP() << kCompiler << " is not installed (Debian: node-typescript)";
+    if (!fs::exists(kTypeScript)) GTEST_SKIP() << kTypeScript << " is not installed (Debian: node-typescript)";
   }
-  /// What the compiler complains of in a program that says that `json` is of a type; "": nothing.
-  [[nodiscard]] std::string complaints_about(const std::string& type, const std::string& json) const {
-    fs::copy_file(fs::path(EARSHOT_SOURCE_DIR) / "policy/report/page/source/flight.ts", folder_ / "flight.ts",
-                  fs::copy_options::overwrite_existing);
-    std::ofstream(folder_ / "made.ts") << "import { " << type << " } from \"./flight\";\nexport const made: " << type << " = " << json
-                                       << ";\n";
-    support::Process compiler(kCompiler, {"--strict", "--noEmit", "--target", "es2020", folder_ / "made.ts"}, folder_ / "complaints");
-    const int status = compiler.wait(std::chrono::seconds(60));
-    EXPECT_EQ(status == 0, compiler.output().empty()) << compiler.output();
-    return compiler.output();
-  }
-
   const support::TemporaryFolder folder_;
 };
 
@@ -44,7 +28,7 @@ TEST_F(FlightTypes, AreThoseOfASimulatedFlightWithItsTruth) {
   const auto policy = explain::belief_policy(1);
   const messages::Bearing bearing{.direction = Radians{1.0}, .deviation = Radians{0.1}, .mirror_axis = Radians{2.0}};
   write_flight(folder_ / "flight", *policy, explain::flown(*policy, 3, {}, bearing), {});
-  EXPECT_EQ(complaints_about("Flight", read_to_its_end(surroundings_of(folder_ / "flight"))->whole().dump()), "");
+  EXPECT_EQ(type_complaints("Flight", read_to_its_end(surroundings_of(folder_ / "flight"))->whole().dump(), folder_), "");
 }
 
 TEST_F(FlightTypes, AreThoseOfAFlightAtSeaAndOfWhatComesOfOneUnderWay) {
@@ -62,16 +46,16 @@ TEST_F(FlightTypes, AreThoseOfAFlightAtSeaAndOfWhatComesOfOneUnderWay) {
     journal.end(messages::Ending::kStopped);
   }
   const auto flight = read_to_its_end(surroundings_of(folder_ / kJournalName));
-  EXPECT_EQ(complaints_about("Flight", flight->whole().dump()), "");
+  EXPECT_EQ(type_complaints("Flight", flight->whole().dump(), folder_), "");
   Sent nothing;
-  EXPECT_EQ(complaints_about("FlightNews", flight->changes(nothing).dump()), "");
+  EXPECT_EQ(type_complaints("FlightNews", flight->changes(nothing).dump(), folder_), "");
 }
 
 TEST_F(FlightTypes, AreNotThoseOfAFlightThatLacksAPart) {
   nlohmann::ordered_json flight = GrowingFlight({.name = "a", .journal = {}, .files = {}, .recording = {}}).whole();
-  EXPECT_EQ(complaints_about("Flight", flight.dump()), "");
+  EXPECT_EQ(type_complaints("Flight", flight.dump(), folder_), "");
   flight.erase("truth");
-  EXPECT_NE(complaints_about("Flight", flight.dump()).find("truth"), std::string::npos);
+  EXPECT_NE(type_complaints("Flight", flight.dump(), folder_).find("truth"), std::string::npos);
 }
 
 }  // namespace
