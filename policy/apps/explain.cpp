@@ -14,8 +14,11 @@
 #include "policy/command_line/policy_details.hpp"
 #include "policy/command_line/run.hpp"
 #include "policy/report/decision_report.hpp"
+#include "policy/report/document/flight_reading.hpp"
+#include "policy/report/document/json_values.hpp"
 #include "policy/report/explanation.hpp"
 #include "policy/report/map/policy_map.hpp"
+#include "policy/report/page/page_template.hpp"
 #include "policy/report/recorded_flight.hpp"
 
 namespace {
@@ -63,8 +66,10 @@ program::CommandLine& add_map(program::CommandLine& line, report::PolicyMapOptio
 }
 
 void add_decision(program::CommandLine& line, DecisionOptions& o) {
-  program::CommandLine& decision =
-      line.verb("decision", "writes a report about one decision of a flight: heard, believed, chosen, expected, and why");
+  program::CommandLine& decision = line.verb(
+      "decision",
+      "writes a report about one decision of a flight: heard, believed, chosen, expected, and why; of HTML the flight's page, opened at "
+      "it");
   decision.option("FLIGHT", &o.flight, "folder of a flight, or its journal (.lcmlog)").required();
   decision.option("--step", &o.step, "which decision; the first is 0").required();
   decision.option("--policy", &o.policy, "policy that flew; default: the .policy beside the journal");
@@ -80,9 +85,13 @@ void add_decision(program::CommandLine& line, DecisionOptions& o) {
   decision.flag("--force", &o.force, command_line::kForceHelp);
 }
 
-std::string in_format_of(const std::filesystem::path& output, const report::DecisionReport& made) {
-  if (output.extension() == ".html") return report::as_html(made);
-  return output.extension() == ".md" ? report::as_markdown(made) : report::as_json(made);
+/// The page of the whole flight, opened at the decision.
+std::string page_at(const DecisionOptions& o, const report::RecordingOptions& recording, explain::Baseline baseline) {
+  report::FlightSurroundings around = report::surroundings_of(o.flight);
+  around.recording = recording;
+  around.baseline = baseline;
+  around.open_at_step = o.step;
+  return report::page_with(report::json_text(report::read_to_its_end(std::move(around))->whole()));
 }
 
 host::OutputKind report_kind(const std::string& extension) {
@@ -107,9 +116,11 @@ void write_decision_report(const DecisionOptions& o) {
   command_line::print_policy_details(flight.policy_path.string(), *flight.policy);
   program::detail() << flight.journal_path.string() << ": " << flight.journal.decisions.size()
                     << " decisions, each as the policy makes it again\n";
-  const report::DecisionReport made = report::make_decision_report(
-      flight, report::index_of_step(flight, o.step), o.baseline == "here" ? explain::Baseline::kHere : explain::Baseline::kCentre);
-  host::write_whole(o.output, in_format_of(o.output, made));
+  const explain::Baseline baseline = o.baseline == "here" ? explain::Baseline::kHere : explain::Baseline::kCentre;
+  const report::DecisionReport made = report::make_decision_report(flight, report::index_of_step(flight, o.step), baseline);
+  host::write_whole(o.output, extension == ".html" ? page_at(o, recording, baseline)
+                              : extension == ".md" ? report::as_markdown(made)
+                                                   : report::as_json(made));
   for (const std::string& sentence : report::sentences(made.account)) program::print() << sentence << "\n";
   const explain::Attribution& parts = made.account.attribution;
   (parts.is_complete() ? program::detail() : program::print())

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "firmware/host/program/run.hpp"
-#include "policy/watch/server.hpp"
+#include "policy/watch/http/server.hpp"
 #include "policy/watch/watch.hpp"
 
 int main(int argc, char** argv) {

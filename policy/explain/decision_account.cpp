@@ -113,37 +113,11 @@ DecisionAccount account_of(const Circumstances& c, std::span<const RecordedDecis
   return account_of(c, decisions.back(), *belief);
 }
 
-std::vector<DecisionAccount> accounts_of(const Circumstances& c, std::span<const RecordedDecision> decisions) {
-  const auto belief = std::make_unique<policy::OceanBelief>();
-  belief->start(c.belief, c.tables);
-  std::vector<DecisionAccount> accounts;
-  for (const RecordedDecision& decision : decisions) {
-    belief->update(c.belief, c.tables, decision.position - c.south_west, decision.reception());
-    accounts.push_back(account_of(c, decision, *belief));
-  }
-  return accounts;
-}
-
 std::vector<ObservedAccount> weightiest(const DecisionAccount& account, std::size_t count) {
   std::vector<ObservedAccount> sorted = account.observed;
   std::ranges::stable_sort(sorted, [](const ObservedAccount& a, const ObservedAccount& b) { return std::abs(a.part) > std::abs(b.part); });
   sorted.resize(std::min(count, sorted.size()));
   return sorted;
-}
-
-std::vector<SubjectAccount> by_subject(const DecisionAccount& account) {
-  std::vector<SubjectAccount> sums;
-  for (const Subject subject : {Subject::kPlace, Subject::kMoved, Subject::kHeard, Subject::kBelieved, Subject::kPromised}) {
-    bool is_seen = false;
-    double sum = 0.0;
-    for (const ObservedAccount& o : account.observed) {
-      if (o.subject != subject) continue;
-      is_seen = true;
-      sum += o.part;
-    }
-    if (is_seen) sums.push_back({subject, sum});
-  }
-  return sums;
 }
 
 }  // namespace earshot::explain

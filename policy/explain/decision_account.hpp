@@ -91,17 +91,7 @@ struct Circumstances {
 [[nodiscard]] DecisionAccount account_of(const Circumstances& circumstances, const RecordedDecision& decision,
                                          const policy::OceanBelief& belief);
 
-/// Explains each of the decisions; the belief is followed through all of them once.
-[[nodiscard]] std::vector<DecisionAccount> accounts_of(const Circumstances& circumstances, std::span<const RecordedDecision> decisions);
-
 /// The observed elements that moved the choice most, for or against, first.
 [[nodiscard]] std::vector<ObservedAccount> weightiest(const DecisionAccount& account, std::size_t count);
-
-/// The sum of the parts of each subject, in the order of Subject. Subjects that the policy does not see are left out.
-struct SubjectAccount {
-  Subject subject;
-  double part;
-};
-[[nodiscard]] std::vector<SubjectAccount> by_subject(const DecisionAccount& account);
 
 }  // namespace earshot::explain

@@ -3,7 +3,6 @@
 #include "firmware/host/journal/words/wording.hpp"
 #include "policy/explain/wording.hpp"
 #include "policy/report/flight_files.hpp"
-#include "policy/report/html.hpp"
 #include "sim/search/account/search_account.hpp"
 
 namespace earshot::report {
@@ -45,12 +44,6 @@ std::vector<Condition> listed(const Conditions& c) {
   all.push_back({"area", size_to_string(c.area_size), c.place});
   if (!c.date.empty()) all.push_back({c.is_simulated ? "simulated on" : "flown on", c.date});
   return all;
-}
-
-std::string cards_of(const Conditions& conditions) {
-  std::string text = "<dl>\n";
-  for (const Condition& one : listed(conditions)) text += fact(one.name, escaped(one.value), escaped(one.meaning));
-  return text + "</dl>\n";
 }
 
 std::string to_string(const Conditions& conditions) {

@@ -39,9 +39,6 @@ struct Condition {
 /// What is unknown is left out.
 [[nodiscard]] std::vector<Condition> listed(const Conditions& conditions);
 
-/// As cards of a page, what is unknown left out.
-[[nodiscard]] std::string cards_of(const Conditions& conditions);
-
 /// "Frequency of the source 20.0 Hz; depth of the vehicle 300 m; area 25.0 x 25.0 km"
 [[nodiscard]] std::string to_string(const Conditions& conditions);
 

@@ -1,9 +1,7 @@
 #include "policy/report/decision_report.hpp"
 
 #include "firmware/host/text/duration.hpp"
-#include "policy/report/belief_pictures.hpp"
 #include "policy/report/explanation.hpp"
-#include "policy/report/html.hpp"
 
 namespace earshot::report {
 namespace {
@@ -26,12 +24,6 @@ std::string conditions_markdown(const DecisionReport& report) {
   const std::optional<Conditions>& conditions = report.flight.conditions;
   if (!conditions) return "";
   return (conditions->is_simulated ? std::string(kSimulationNote) + "\n\n" : "") + to_string(*conditions) + ".\n\n";
-}
-
-std::string conditions_html(const DecisionReport& report) {
-  const std::optional<Conditions>& conditions = report.flight.conditions;
-  if (!conditions) return "";
-  return (conditions->is_simulated ? "<p class=\"note\">" + std::string(kSimulationNote) + "</p>\n" : "") + cards_of(*conditions);
 }
 
 std::string notes(const DecisionReport& report) {
@@ -58,25 +50,6 @@ std::string title_of(const DecisionReport& report) {
   const explain::DecisionAccount& a = report.account;
   return "Step " + std::to_string(a.decision.step) + (a.decision.sweeping ? ": a sweep, going " : ": why it went ") +
          a.actions[a.decision.action].name;
-}
-
-std::string as_html(const DecisionReport& report) {
-  const explain::DecisionAccount& a = report.account;
-  std::string text =
-      html_head("Earshot: " + title_of(report)) + "<h1>" + title_of(report) + "</h1>\n<p>" + escaped(subtitle(report)) + "</p>\n";
-  if (!notes(report).empty()) text += "<p class=\"missed\">" + notes(report) + "</p>\n";
-  text += conditions_html(report) + "<ul class=\"words\">\n";
-  for (const std::string& sentence : sentences(a)) text += "<li>" + escaped(sentence) + "</li>\n";
-  text += "</ul>\n<h2>Where the source is believed to be</h2>\n<div class=\"chart cells\">" +
-          belief_svgs({{.account = a, .measurements = report.measurements(), .source = report.flight.source}}).front() + "</div>\n";
-  if (!a.decision.sweeping)  // the policy chose nothing there
-    text += "<h2>What it could do</h2>\n" + actions_table(a);
-  if (!a.decision.sweeping && has_network(a))
-    text += "<h2>What moved the choice</h2>\n<p>" + std::string(kPartsMean) + "</p>\n" + attribution_tables(a, kRows);
-  text += "<h2>What it measured</h2>\n" + measurements_table(report.measurements());
-  text += "<h2>All numbers that the policy received</h2>\n<details><summary>" + std::to_string(a.observed.size()) + " numbers</summary>\n" +
-          observation_table(a) + "</details>\n";
-  return text + std::string(kHtmlEnd);
 }
 
 std::string as_markdown(const DecisionReport& report) {

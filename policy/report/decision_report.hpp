@@ -23,7 +23,6 @@ struct DecisionReport {
 /// "Step 12: why it went NE"
 [[nodiscard]] std::string title_of(const DecisionReport& report);
 
-[[nodiscard]] std::string as_html(const DecisionReport& report);  ///< a page that needs no other file; draws with gnuplot
 [[nodiscard]] std::string as_markdown(const DecisionReport& report);
 [[nodiscard]] std::string as_json(const DecisionReport& report);
 

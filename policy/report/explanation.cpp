@@ -8,8 +8,6 @@
 #include <utility>
 
 #include "firmware/core/math.hpp"
-#include "firmware/host/text/duration.hpp"
-#include "policy/report/html.hpp"
 
 namespace earshot::report {
 namespace {
@@ -17,8 +15,6 @@ namespace {
 using explain::DecisionAccount;
 using explain::factor_to_string;
 using explain::fixed;
-
-constexpr std::size_t kMeasurementsShown = 6;
 
 std::string percent(double share) {
   const double p = 100.0 * share;
@@ -196,32 +192,6 @@ std::vector<ActionColumn> columns_of(const DecisionAccount& a) {
   return columns;
 }
 
-/// What a part of the log-probability is: its number, its bar and what it does to the chance.
-std::string part_cells(double part, double largest) {
-  return "<td>" + std::string(part >= 0.0 ? "+" : "") + fixed(part, 2) + "</td>" + signed_bar_cell(largest > 0.0 ? part / largest : 0.0) +
-         "<td>" + factor_to_string(part) + "</td>";
-}
-
-std::string observed_row(const explain::ObservedAccount& o, double largest) {
-  return "<tr><td class=\"left\">" + escaped(o.name) + "</td><td>" + o.value + "</td><td>" + o.baseline + "</td>" +
-         part_cells(o.part, largest) + "</tr>\n";
-}
-
-std::string seen_row(const explain::ObservedAccount& o) {
-  return "<tr><td class=\"left\">" + escaped(o.name) + "</td><td>" + o.value + "</td></tr>\n";
-}
-
-constexpr const char* kSeenHead = "<div class=\"table\"><table>\n<tr><th class=\"left\">observation</th><th>seen</th></tr>\n";
-constexpr const char* kObservedHead =
-    "<div class=\"table\"><table>\n<tr><th "
-    "class=\"left\">observation</th><th>seen</th><th>baseline</th><th>part</th><th>against, for</th><th>chance</th></tr>\n";
-
-double largest_part(const std::vector<explain::ObservedAccount>& observed) {
-  double largest = 0.0;
-  for (const explain::ObservedAccount& o : observed) largest = std::max(largest, std::abs(o.part));
-  return largest;
-}
-
 }  // namespace
 
 bool has_network(const DecisionAccount& a) {
@@ -315,40 +285,6 @@ std::string to_string(const messages::Bearing& bearing) {
   return text + " \u00B1 " + fixed(bearing.deviation.value * kDegreesPerRadian, 0) + "\u00B0";
 }
 
-std::string measurements_table(std::span<const explain::RecordedDecision> measurements) {
-  std::string text = "<div class=\"table\"><table>\n<tr><th>step</th><th>at</th><th>north (km)</th><th>east (km)</th><th>SNR</th></tr>\n";
-  for (std::size_t i = measurements.size(); i > 0 && measurements.size() - i < kMeasurementsShown; --i) {
-    const explain::RecordedDecision& measurement = measurements[i - 1];
-    text += "<tr><td>" + std::to_string(measurement.step) + "</td><td>" +
-            host::duration(measurement.time_s() - measurements.front().time_s()) + "</td><td>" +
-            fixed(measurement.position.north.value / 1e3, 2) + "</td><td>" + fixed(measurement.position.east.value / 1e3, 2) + "</td><td" +
-            (measurement.detected ? " class=\"heard\"" : "") + ">" + to_string(measurement.reception()) +
-            (measurement.detected ? " &#9679;" : "") + "</td></tr>\n";
-  }
-  return text + "</table></div>\n";
-}
-
-std::string actions_table(const DecisionAccount& a) {
-  const std::vector<ActionColumn> columns = columns_of(a);
-  std::string text = "<div class=\"table\"><table class=\"actions\">\n<thead><tr><th class=\"left\">direction</th>";
-  for (const ActionColumn& column : columns) text += "<th>" + column.name + "</th>";
-  text += "</tr></thead>\n<tbody>\n";
-  for (std::size_t i = 0; i < a.actions.size(); ++i) {
-    const explain::ActionAccount& action = a.actions[i];
-    const bool is_taken = i == a.decision.action;
-    text += "<tr" + std::string(is_taken ? " class=\"taken\"" : "") + "><td class=\"left\">" +
-            (is_taken ? "<b>" + action.name + "</b> taken" : action.name) + "</td>";
-    for (const ActionColumn& column : columns) {
-      text += &column == &columns.front() ? percent_cell(column.name, action.probability, is_taken)
-                                          : "<td data-name=\"" + column.name + "\">" + escaped(column.value(action)) + "</td>";
-    }
-    text += "</tr>\n";
-  }
-  text += "</tbody></table></div>\n<ul class=\"columns\">\n";
-  for (const ActionColumn& column : columns) text += "<li><b>" + column.name + "</b>: " + column.meaning + "</li>\n";
-  return text + "</ul>\n";
-}
-
 std::string actions_markdown(const DecisionAccount& a) {
   const std::vector<ActionColumn> columns = columns_of(a);
   std::string text = "| direction |";
@@ -366,35 +302,6 @@ std::string actions_markdown(const DecisionAccount& a) {
     text += "\n";
   }
   return text + "\n" + meanings;
-}
-
-std::string attribution_tables(const DecisionAccount& a, std::size_t rows) {
-  const std::vector<explain::ObservedAccount> top = explain::weightiest(a, rows);
-  double rest = a.attribution.sum();
-  for (const explain::ObservedAccount& o : top) rest -= o.part;
-  const double largest = std::max(largest_part(top), std::abs(rest));
-  std::string text = kObservedHead;
-  for (const explain::ObservedAccount& o : top) text += observed_row(o, largest);
-  if (a.observed.size() > top.size())
-    text += "<tr><td class=\"left\">the other " + std::to_string(a.observed.size() - top.size()) + "</td><td></td><td></td>" +
-            part_cells(rest, largest) + "</tr>\n";
-  text += "</table></div>\n<p>In all";
-  const char* separator = ": ";
-  std::vector<explain::SubjectAccount> subjects = explain::by_subject(a);
-  std::ranges::stable_sort(subjects, std::ranges::greater{}, [](const explain::SubjectAccount& one) { return std::abs(one.part); });
-  for (const explain::SubjectAccount& subject : subjects) {
-    text += separator + std::string(explain::to_string(subject.subject)) + " " + factor_to_string(subject.part);
-    separator = ", ";
-  }
-  return text + ". Compared with " + to_string(a.baseline) + ", for which " + a.actions[a.decision.action].name + " had " +
-         percent(std::exp(a.attribution.at_baseline)) + "; " + completeness_to_string(a.attribution) + ".</p>\n";
-}
-
-std::string observation_table(const DecisionAccount& a) {
-  std::string text = has_network(a) ? kObservedHead : kSeenHead;
-  const double largest = largest_part(a.observed);
-  for (const explain::ObservedAccount& o : a.observed) text += has_network(a) ? observed_row(o, largest) : seen_row(o);
-  return text + "</table></div>\n";
 }
 
 }  // namespace earshot::report

@@ -9,7 +9,7 @@
 
 namespace earshot::report {
 
-// One decision in words and tables: what a report and a row of a flight's page have in common.
+// One decision in words: what a report and the page of its flight have in common.
 
 /// Whether a network chose: only then is there something that moved its choice.
 [[nodiscard]] bool has_network(const explain::DecisionAccount& account);
@@ -46,16 +46,8 @@ inline constexpr const char* kPartsMean =
 /// "047° ± 10°", and its mirror image where left and right cannot be told apart.
 [[nodiscard]] std::string to_string(const messages::Bearing& bearing);
 
-/// The last measurements of the source, newest first.
-[[nodiscard]] std::string measurements_table(std::span<const explain::RecordedDecision> measurements);
-/// Every direction: its score or how likely it was, what the policy ranked it by, what it would be expected to bring, and what each column
-/// means.
-[[nodiscard]] std::string actions_table(const explain::DecisionAccount& account);
-/// The same as a table of Markdown.
+/// Every direction as a table of Markdown: its score or how likely it was, what the policy ranked it by, what it would be expected to
+/// bring, and what each column means.
 [[nodiscard]] std::string actions_markdown(const explain::DecisionAccount& account);
-/// What moved the choice of a network: the weightiest elements as bars, sums by subject, completeness.
-[[nodiscard]] std::string attribution_tables(const explain::DecisionAccount& account, std::size_t rows);
-/// Every element of the observation; of a network also how much it moved the choice.
-[[nodiscard]] std::string observation_table(const explain::DecisionAccount& account);
 
 }  // namespace earshot::report

@@ -114,16 +114,6 @@ void require_rows(const std::filesystem::path& path, std::size_t rows, std::size
     throw BadInput(path.string() + ": has " + host::counted(rows, "row") + " below its header; needs at least " + std::to_string(least));
 }
 
-std::vector<TrackRow> read_track(const std::filesystem::path& path) {
-  std::vector<TrackRow> rows = read_rows<TrackRow>(path, [](const char* line, TrackRow& row) {
-    const bool is_row =
-        std::sscanf(line, "%lf,%lf,%lf,%*f,%*f,%*f,%lf,%lf", &row.time_s, &row.north_m, &row.east_m, &row.snr_db, &row.range_m) == 5;
-    return is_row && std::isfinite(row.time_s + row.north_m + row.east_m + row.snr_db + row.range_m);
-  });
-  require_rows(path, rows.size(), 1);
-  return rows;
-}
-
 /// What is wrong with a row of a curve over ranges that rise from 0 by one step; nothing when it is right.
 const char* fault_in(std::span<const SnrRow> rows, std::size_t i) {
   constexpr double kUnevenness = 0.01;  // of a step: ranges are written rounded
@@ -271,37 +261,6 @@ FlightFiles read_flight_files(const std::filesystem::path& folder_or_journal) {
   const bool has_heard = files.summary.is_object() && files.summary.contains("hearing");
   if (has_heard && is_there(kHearingName) && is_there(kSpectrogramName)) files.sound = read_heard_sound(folder_or_journal);
   return files;
-}
-
-Flight read_flight(const std::filesystem::path& folder_or_journal) {
-  const std::filesystem::path& folder = folder_or_journal;
-  Flight flight;
-  if (!std::filesystem::is_directory(folder_or_journal)) {
-    flight.journal = read_journal(folder_or_journal);
-    flight.sea = read_sea_flight(folder_or_journal);
-    return flight;
-  }
-  const std::filesystem::path journal = journal_of_flight(folder);
-  flight.journal = read_journal(journal);
-  std::optional<SeaFlight> journalled = read_sea_flight(journal);
-  if (!std::filesystem::exists(folder / "summary.json")) {
-    flight.sea = std::move(journalled);
-  } else if (journalled) {
-    flight.events = std::move(journalled->events);
-    flight.ending_rule = std::move(journalled->ending_rule);
-  }
-  if (flight.sea && flight.sea->is_dated()) return flight;
-  const auto is_there = [&](const char* name) {
-    if (std::filesystem::exists(folder / name)) return true;
-    flight.missing.emplace_back(name);
-    return false;
-  };
-  if (is_there("summary.json")) flight.summary = read_summary(folder / "summary.json");
-  if (is_there("track.csv")) flight.track = read_track(folder / "track.csv");
-  if (is_there("snr.csv")) flight.snr = read_snr(folder / "snr.csv");
-  const bool has_heard = flight.summary.is_object() && flight.summary.contains("hearing");
-  if (has_heard && is_there(kHearingName) && is_there(kSpectrogramName)) flight.sound = read_heard_sound(folder);
-  return flight;
 }
 
 }  // namespace earshot::report

@@ -19,14 +19,6 @@ namespace earshot::report {
 
 // What a flight left in its folder, as plain numbers in the units of the files.
 
-struct TrackRow {
-  double time_s = 0.0;
-  double north_m = 0.0;
-  double east_m = 0.0;
-  double snr_db = 0.0;
-  double range_m = 0.0;
-};
-
 struct SnrRow {
   double range_m = 0.0;
   double snr_db = 0.0;
@@ -63,17 +55,6 @@ struct FlightFiles {
   std::vector<std::string> missing;  ///< names of files that a simulator should have left
 };
 
-/// A flight at sea leaves its journal alone, and so does one whose simulator was killed: whatever else is not there is empty.
-struct Flight : FlightFiles {
-  std::vector<TrackRow> track;
-  JournalledSearch journal;
-  std::optional<SeaFlight> sea;            ///< what the journal tells when there is no summary
-  std::vector<SeaFlight::Event> events;    ///< of a simulated flight, as its journal tells them
-  std::optional<std::string> ending_rule;  ///< of a simulated flight: the safety rule that ended it, in words with its evidence
-
-  [[nodiscard]] bool is_complete() const { return missing.empty(); }
-};
-
 inline constexpr const char* kJournalName = host::kFirstJournal;  ///< in a simulated flight's folder
 
 /// @throws host::BadInput naming the file when it cannot be read.
@@ -87,17 +68,11 @@ inline constexpr const char* kJournalName = host::kFirstJournal;  ///< in a simu
 /// Any other path is itself.
 [[nodiscard]] std::filesystem::path journal_of_flight(const std::filesystem::path& folder_or_journal);
 
-/// Of one of several journals that flights at sea left in a folder: what it tells alone. Of a folder: reads the decisions in its journal
-/// (journal_of_flight()), and of summary.json, track.csv and snr.csv those that are there; hearing.csv and spectrogram.csv when the summary
-/// says that it heard.
-/// @throws host::BadInput naming the journal when it is missing, or the file that cannot be read.
-[[nodiscard]] Flight read_flight(const std::filesystem::path& folder_or_journal);
-
 /// Of a folder what is there of summary.json and snr.csv, and of hearing.csv and spectrogram.csv when the summary says that it heard.
 /// @throws host::BadInput naming the file that cannot be read.
 [[nodiscard]] FlightFiles read_flight_files(const std::filesystem::path& folder_or_journal);
 
-/// All that read_flight() may read, and what flew beside the journal: its parts, the policy, the tables, a simulator's files. Some may not
+/// All that belongs to a flight: the parts of its journal, the policy, the tables, a simulator's files. Some may not
 /// be there. @throws host::BadInput naming the journal when it cannot be read.
 [[nodiscard]] std::vector<std::filesystem::path> files_of_flight(const std::filesystem::path& folder_or_journal);
 

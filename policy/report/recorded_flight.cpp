@@ -102,10 +102,10 @@ explain::Circumstances RecordedFlight::circumstances(explain::Baseline baseline)
 
 RecordedFlight open_recording(const fs::path& folder_or_journal, const RecordingOptions& options) {
   RecordedFlight flight;
-  std::optional<Flight> files;
+  std::optional<FlightFiles> files;
   flight.journal_path = journal_of_flight(folder_or_journal);
-  if (fs::exists(folder_or_journal / "summary.json")) files = read_flight(folder_or_journal);
-  flight.journal = files ? std::move(files->journal) : read_journal(flight.journal_path);
+  if (fs::exists(folder_or_journal / "summary.json")) files = read_flight_files(folder_or_journal);
+  flight.journal = read_journal(flight.journal_path);
   require_decisions(flight.journal_path, flight.journal);
   flight.policy_path = options.policy ? *options.policy : file_beside(flight.journal_path, "policy");
   flight.policy = host::load_unverified_policy(flight.policy_path);

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "policy/report/document/growing_flight.hpp"
-#include "policy/watch/audience.hpp"
+#include "policy/watch/http/audience.hpp"
 #include "policy/watch/flight_source.hpp"
 
 namespace earshot::watch {

@@ -8,12 +8,12 @@
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "policy/report/page/page_template.hpp"
-#include "policy/watch/audience.hpp"
+#include "policy/watch/http/audience.hpp"
 #include "policy/watch/desktop_browser.hpp"
 #include "policy/watch/followed_flight.hpp"
 #include "policy/watch/lcm_flight.hpp"
 #include "policy/watch/publisher.hpp"
-#include "policy/watch/server.hpp"
+#include "policy/watch/http/server.hpp"
 
 namespace earshot::watch {
 namespace {
@@ -21,7 +21,7 @@ namespace {
 constexpr std::chrono::milliseconds kBetweenTurns{20};
 
 ServerSettings settings_of(const WatchOptions& options) {
-  ServerSettings settings{.page = report::kPageTemplate};
+  ServerSettings settings{.page = report::page_template()};
   if (options.listen && !options.password_file)
     throw host::BadInput("--listen " + *options.listen + ": others could read the flight: needs --password-file");
   if (options.listen && !is_address(*options.listen))

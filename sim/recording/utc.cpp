@@ -2,7 +2,6 @@
 
 #include <chrono>
 
-#include "firmware/host/text/numbers.hpp"
 #include "firmware/host/text/utc.hpp"
 
 namespace earshot::recording {
@@ -19,8 +18,7 @@ std::optional<Time> utc(const Calendar& c) {
 
 std::string to_iso(Time utc) {
   constexpr std::int64_t kHalfMillisecond_us = 500;
-  const host::CivilTime t = host::civil_time(Time{utc.us + kHalfMillisecond_us});
-  return host::formatted("%04d-%02u-%02uT%02u:%02u:%02u.%03uZ", t.year, t.month, t.day, t.hour, t.minute, t.second, t.millisecond);
+  return host::iso_8601(Time{utc.us + kHalfMillisecond_us});
 }
 
 }  // namespace earshot::recording

@@ -13,10 +13,8 @@
 
 #include "firmware/desk/journal_view/events/timeline.hpp"
 #include "firmware/desk/journal_view/export/export.hpp"
-#include "firmware/desk/journal_view/export/mcap_export.hpp"
-#include "firmware/desk/journal_view/export/record_lines.hpp"
-#include "firmware/desk/journal_view/export/turn_table.hpp"
 #include "firmware/desk/journal_view/followed_journal.hpp"
+#include "firmware/desk/journal_view/mission_origin.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/file/printable.hpp"
@@ -71,14 +69,19 @@ class Exports {
   explicit Exports(const ViewOptions& options) {
     host::DistinctFiles read;
     read.read("JOURNAL", host::JournalParts(options.journal).files());
+    const std::optional<n2k::LocalPlane> plane = options.plane ? options.plane : plane_beside(options.journal);
     std::vector<host::Output> outputs;
-    if (options.csv) outputs.push_back({"--csv", *options.csv, kTurnTableOutput});
-    if (options.jsonl) outputs.push_back({"--jsonl", *options.jsonl, kRecordLinesOutput});
-    if (options.mcap) outputs.push_back({"--mcap", *options.mcap, kMcapOutput});
+    for_each_asked(options, [&](const ExportKind& kind, const std::filesystem::path& path) {
+      if (kind.origin == Origin::kNeeded && !plane)
+        throw host::BadInput(std::string(kind.option) + " " + path.string() +
+                             ": needs the mission's origin, which no journal holds, nor a summary.json beside this one: state it with "
+                             "--origin LATITUDE_DEG,LONGITUDE_DEG");
+      outputs.push_back({kind.option, path, kind.output});
+    });
     host::require_writable(std::move(read), outputs, options.replace);
-    if (options.csv) add(*options.csv, std::make_unique<TurnTable>(*options.csv, options.plane));
-    if (options.jsonl) add(*options.jsonl, std::make_unique<RecordLines>(*options.jsonl));
-    if (options.mcap) add(*options.mcap, std::make_unique<McapExport>(*options.mcap, options.plane));
+    for_each_asked(options, [&](const ExportKind& kind, const std::filesystem::path& path) {
+      files_.push_back({path, kind.make(path, plane)});
+    });
   }
 
   [[nodiscard]] bool empty() const { return files_.empty(); }
@@ -98,7 +101,10 @@ class Exports {
     std::unique_ptr<Export> content;
   };
 
-  void add(const std::filesystem::path& path, std::unique_ptr<Export> content) { files_.push_back({path, std::move(content)}); }
+  static void for_each_asked(const ViewOptions& options, const auto& take) {
+    for (std::size_t i = 0; i < kExportKindCount; ++i)
+      if (options.files[i]) take(kExportKinds[i], *options.files[i]);
+  }
 
   std::vector<File> files_;
 };
@@ -185,7 +191,8 @@ void report_others(const std::filesystem::path& journal) {
 /// A journal that is gone leaves the record that a vehicle is brought up by.
 bool prints_record_alone(const ViewOptions& options) {
   std::error_code error;
-  if (options.csv || options.jsonl || options.mcap || std::filesystem::exists(options.journal, error)) return false;
+  const bool asks_for_files = std::ranges::any_of(options.files, [](const auto& path) { return path.has_value(); });
+  if (asks_for_files || std::filesystem::exists(options.journal, error)) return false;
   const std::optional<std::string> record = host::safety_record_beside(options.journal);
   if (record) program::print() << *record << "\n" << std::flush;
   return record.has_value();

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <optional>
 
+#include "firmware/desk/journal_view/export_kinds.hpp"
 #include "firmware/host/file/output_file.hpp"
 #include "firmware/wire/n2k/local_plane.hpp"
 
@@ -12,10 +14,8 @@ namespace earshot::journal {
 /// What is to be made of a journal; with none of the files its timeline is printed.
 struct ViewOptions {
   std::filesystem::path journal;
-  std::optional<std::filesystem::path> csv = std::nullopt;
-  std::optional<std::filesystem::path> jsonl = std::nullopt;
-  std::optional<std::filesystem::path> mcap = std::nullopt;
-  std::optional<n2k::LocalPlane> plane = std::nullopt;  ///< about the mission's origin, which no journal says
+  std::array<std::optional<std::filesystem::path>, kExportKindCount> files{};  ///< in the order of kExportKinds
+  std::optional<n2k::LocalPlane> plane = std::nullopt;  ///< about the mission's origin; nothing: that of a flight's summary
   bool follow = false;                                  ///< the mission may still be under way: wait for its end
   std::chrono::seconds wait{60};                        ///< likewise for its beginning
   host::Replace replace = host::Replace::kOwnKind;

@@ -34,4 +34,9 @@ std::string date_and_time(Time time) {
   return formatted("%d-%02u-%02u %02u:%02u:%02u", t.year, t.month, t.day, t.hour, t.minute, t.second);
 }
 
+std::string iso_8601(Time time) {
+  const CivilTime t = civil_time(time);
+  return formatted("%04d-%02u-%02uT%02u:%02u:%02u.%03uZ", t.year, t.month, t.day, t.hour, t.minute, t.second, t.millisecond);
+}
+
 }  // namespace earshot::host

@@ -25,4 +25,7 @@ struct CivilTime {
 /// "2026-11-22 15:04:07"
 [[nodiscard]] std::string date_and_time(Time time);
 
+/// "2026-11-22T15:04:07.250Z"; what is left over of a millisecond is cut off.
+[[nodiscard]] std::string iso_8601(Time time);
+
 }  // namespace earshot::host

@@ -5,8 +5,6 @@
 #include "policy/evaluate/output/csv.hpp"
 
 namespace earshot::evaluate {
-namespace {
-
 std::string_view name_of(search::EpisodeEnd end) {
   switch (end) {
     case search::EpisodeEnd::kRunning:
@@ -20,8 +18,6 @@ std::string_view name_of(search::EpisodeEnd end) {
   }
   return "";
 }
-
-}  // namespace
 
 PathTable::PathTable() : csv_("world,policy,episode,step,north_m,east_m,snr_db,reward_so_far,source_north_m,source_east_m,state\n") {}
 

@@ -8,6 +8,9 @@
 
 namespace earshot::evaluate {
 
+/// "running", "found", "left_domain", "time_limit"
+[[nodiscard]] std::string_view name_of(search::EpisodeEnd end);
+
 /// The paths of searches as CSV: a row for every start and for the end of every step.
 class PathTable {
  public:

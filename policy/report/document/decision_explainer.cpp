@@ -19,8 +19,9 @@ std::unique_ptr<policy::OceanTables> load_tables(const std::filesystem::path& pa
 
 }  // namespace
 
-DecisionExplainer::DecisionExplainer(std::filesystem::path journal, const RecordingOptions& options, std::span<const SnrRow> snr)
-    : journal_(std::move(journal)), snr_(snr), policy_name_("the policy in the journal") {
+DecisionExplainer::DecisionExplainer(std::filesystem::path journal, const RecordingOptions& options, explain::Baseline baseline,
+                                     std::span<const SnrRow> snr)
+    : journal_(std::move(journal)), baseline_(baseline), snr_(snr), policy_name_("the policy in the journal") {
   if (options.policy) {
     policy_ = host::load_unverified_policy(*options.policy);
     policy_name_ = options.policy->string();
@@ -87,7 +88,8 @@ void DecisionExplainer::prepare() {
                              .belief = observer_ ? observer_->belief : policy_->observation.belief,
                              .tables = observer_ ? *observer_->tables : *tables_,
                              .belief_is_the_policys = has_belief,
-                             .south_west = south_west_});
+                             .south_west = south_west_,
+                             .baseline = baseline_});
 }
 
 explain::DecisionAccount DecisionExplainer::explained(const RecordedDecision& decision) {

@@ -25,7 +25,8 @@ class DecisionExplainer {
   /// @param journal  "": nothing lies beside it
   /// @param snr      of the ocean that a simulator flew in, for a policy that holds no belief; empty: not known
   /// @throws host::BadInput when what `options` names cannot be read
-  DecisionExplainer(std::filesystem::path journal, const RecordingOptions& options, std::span<const SnrRow> snr);
+  DecisionExplainer(std::filesystem::path journal, const RecordingOptions& options, explain::Baseline baseline,
+                    std::span<const SnrRow> snr);
 
   void take(const journal::PolicyBytes& policy);
   void take(const journal::TablesBytes& tables);
@@ -49,6 +50,7 @@ class DecisionExplainer {
   [[nodiscard]] explain::DecisionAccount explained(const explain::RecordedDecision& decision);
 
   std::filesystem::path journal_;
+  explain::Baseline baseline_;
   std::span<const SnrRow> snr_;
   std::string policy_name_;
   bool is_policy_named_ = false;  ///< by a person

@@ -147,9 +147,18 @@ ordered_json sound_value(const HeardSound& sound, double began_s) {
   for (const double level : level_db) cells.push_back(static_cast<std::uint8_t>(std::lround(255.0 * (level - least) / span)));
   std::vector<double> times = thinned(table.time_s, rows);
   for (double& time : times) time -= began_s;
+  constexpr std::size_t kMostMeasurements = 2'000;
+  ordered_json measured_s = ordered_json::array();
+  ordered_json modelled_db = ordered_json::array();
+  for (std::size_t i = 0; i < sound.measurements.size(); i += stride_to(sound.measurements.size(), kMostMeasurements)) {
+    const HeardRow& row = sound.measurements[i];
+    measured_s.push_back(rounded(row.time_s - began_s, 1));
+    modelled_db.push_back(row.modelled_too_faint ? ordered_json() : rounded(row.modelled_snr_db, 2));
+  }
   return {{"frequency_hz", rounded_all(thinned(table.frequency_hz, columns), 2)},
           {"time_s", rounded_all(times, 1)},
-          {"level_db_re_1upa2_per_hz", {{"least", rounded(least, 2)}, {"most", rounded(most, 2)}, {"cells", base64(cells)}}}};
+          {"level_db_re_1upa2_per_hz", {{"least", rounded(least, 2)}, {"most", rounded(most, 2)}, {"cells", base64(cells)}}},
+          {"modelled", {{"time_s", measured_s}, {"snr_db", modelled_db}}}};
 }
 
 }  // namespace earshot::report

@@ -83,7 +83,10 @@ std::vector<std::string> sentences_of_simulator(const FlightSources& flight) {
           unfinished_step(flight),
           s.value("whole_steps", steps) < steps ? "The last step was cut short by the source." : "",
           search::to_string(account),
-          kOrdersOfASimulation};
+          kOrdersOfASimulation,
+          s.contains("hearing") ? "It measured the SNR in sound. For the first " + fixed(s.at("hearing").at("search_began_s"), 0) +
+                                      " s it lay at its start, to learn the noise of the sea."
+                                : ""};
 }
 
 std::vector<std::string> sentences_of_vehicle(const FlightSources& flight) {
@@ -120,14 +123,6 @@ std::vector<Condition> facts_of_simulator(const FlightSources& flight) {
   return facts;
 }
 
-std::string loudest_of(const SeaFlight& flight) {
-  std::optional<double> loudest;
-  for (const SeaFlight::Measurement& one : flight.measurements) {
-    if (!one.too_faint) loudest = std::max(loudest.value_or(one.snr_db), one.snr_db);
-  }
-  return loudest ? fixed(*loudest, 1) + " dB" : "-";
-}
-
 std::vector<Condition> facts_of_vehicle(const FlightSources& sources) {
   const SeaFlight& flight = *sources.by_journal;
   const std::vector<explain::RecordedDecision>& decisions = sources.journal.decisions;
@@ -138,14 +133,14 @@ std::vector<Condition> facts_of_vehicle(const FlightSources& sources) {
                                {"time in the journal", host::duration(flight.ended_s)}};
   if (flight.search_began_s) {
     facts.push_back({"of it searching", host::duration(flight.search_ended_s.value_or(flight.ended_s) - *flight.search_began_s)});
-    facts.push_back({"sailed in the search", fixed(flight.distance().value / 1e3, 1) + " km"});
+    facts.push_back({"sailed in the search", fixed(flight.sailed.value / 1e3, 1) + " km"});
   }
   facts.push_back({"decisions", std::to_string(decisions.size())});
   facts.push_back({"detections", std::to_string(std::ranges::count_if(decisions, &explain::RecordedDecision::detected)),
                    search::detection_means(flight.threshold.value)});
-  facts.push_back({"loudest SNR", loudest_of(flight)});
-  facts.push_back({"fixes", std::to_string(flight.fixes.size())});
-  facts.push_back({"SNR measurements", std::to_string(flight.measurements.size())});
+  facts.push_back({"loudest SNR", flight.loudest_db ? fixed(*flight.loudest_db, 1) + " dB" : "-"});
+  facts.push_back({"fixes", std::to_string(flight.fixes)});
+  facts.push_back({"SNR measurements", std::to_string(flight.measurements)});
   facts.push_back({"refused",
                    "fixes " + std::to_string(refused.navigation_refused) + ", SNR " + std::to_string(refused.snr_refused) + ", bearings " +
                        std::to_string(refused.bearings_refused) + " and " + std::to_string(refused.bearings_of_others) +

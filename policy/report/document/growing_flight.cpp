@@ -7,6 +7,7 @@
 
 #include "firmware/desk/journal_view/events/timeline.hpp"
 #include "firmware/host/safety_record/words/record_words.hpp"
+#include "firmware/host/text/numbers.hpp"
 #include "firmware/host/text/utc.hpp"
 #include "policy/report/document/decision_explainer.hpp"
 #include "policy/report/document/decision_value.hpp"
@@ -46,13 +47,16 @@ ordered_json rows_from(const std::vector<ordered_json>& rows, std::size_t first)
 class GrowingFlight::Parts {
  public:
   explicit Parts(FlightSurroundings surroundings)
-      : around_(std::move(surroundings)), explainer_(around_.journal, around_.recording, around_.files.snr) {}
+      : around_(std::move(surroundings)), explainer_(around_.journal, around_.recording, around_.baseline, around_.files.snr) {}
 
   void take(const journal::Entry& entry) {
-    const std::vector<journal::Event> events = timeline_.take(entry);
+    std::vector<journal::Event> events = timeline_.take(entry);
     journal_.take(entry);
     if (const auto* const record = std::get_if<journal::Record>(&entry)) {
       if (!std::exchange(has_begun_, true)) begin(record->time);
+      if (std::holds_alternative<messages::JournalResumed>(record->content) && !events.empty())
+        events.back().text += "; " + host::decimals((record->time - last_).to_seconds(), 0) + " s after the last record";
+      last_ = record->time;
       by_journal_.take(*record);
       std::visit([&](const auto& content) { note(content, *record); }, record->content);
     }
@@ -95,6 +99,13 @@ class GrowingFlight::Parts {
     return has_ended_ || timeline_.is_closed() || (health_ && health_->end_reason != messages::EndReason::kNone);
   }
   [[nodiscard]] const JournalledSearch& journal() const { return journal_; }
+  /// A killed simulator should have left its files; a vehicle has none, nor has a simulator that still flies.
+  [[nodiscard]] FlightFiles files() const {
+    FlightFiles files{.summary = around_.files.summary, .snr = {}, .sound = {}, .missing = {}};
+    if (has_ended_ && !host::is_dated(began_)) files.missing = around_.files.missing;
+    return files;
+  }
+
   [[nodiscard]] const std::optional<SeaFlight>& by_journal() const { return by_journal_.flight(); }
   [[nodiscard]] const std::string& unexplained() const {
     static const std::string kNothing;
@@ -103,7 +114,7 @@ class GrowingFlight::Parts {
 
  private:
   void begin(Time time) {
-    began_ = time;
+    began_ = last_ = time;
     turns_ = TurnRows(time);
     if (!around_.files.summary.is_null()) explainer_.set_south_west(place_in(around_.files.summary.at("area").at("south_west")));
   }
@@ -134,13 +145,6 @@ class GrowingFlight::Parts {
   void add(const std::vector<journal::Event>& events) {
     for (const journal::Event& event : events)
       events_.push_back({{"time_s", rounded(seconds(event.time), 3)}, {"kind", to_string(event.kind)}, {"text", event.text}});
-  }
-
-  /// A killed simulator should have left its files; a vehicle has none, nor has a simulator that still flies.
-  [[nodiscard]] FlightFiles files() const {
-    FlightFiles files{.summary = around_.files.summary, .snr = {}, .sound = {}, .missing = {}};
-    if (has_ended_ && !host::is_dated(began_)) files.missing = around_.files.missing;
-    return files;
   }
 
   /// All but the rows.
@@ -185,6 +189,7 @@ class GrowingFlight::Parts {
   std::vector<ordered_json> decisions_;
   std::vector<ordered_json> events_;
   Time began_;
+  Time last_;  ///< of the records
   bool has_begun_ = false;
   bool has_ended_ = false;
 };
@@ -212,6 +217,9 @@ bool GrowingFlight::is_over() const {
 }
 const JournalledSearch& GrowingFlight::journal() const {
   return parts_->journal();
+}
+FlightFiles GrowingFlight::files() const {
+  return parts_->files();
 }
 const std::optional<SeaFlight>& GrowingFlight::by_journal() const {
   return parts_->by_journal();

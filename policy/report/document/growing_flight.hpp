@@ -22,6 +22,7 @@ struct FlightSurroundings {
   std::filesystem::path journal;  ///< policy and tables that it does not hold are looked for beside it; "": nowhere
   FlightFiles files;              ///< of a simulator
   RecordingOptions recording;     ///< what a person says
+  explain::Baseline baseline = explain::Baseline::kCentre;   ///< with which what a policy saw is compared
   std::optional<std::uint32_t> open_at_step = std::nullopt;  ///< the decision that a page shows first
 };
 
@@ -59,6 +60,8 @@ class GrowingFlight {
   /// Its mission has ended, or its journal.
   [[nodiscard]] bool is_over() const;
   [[nodiscard]] const JournalledSearch& journal() const;
+  /// Its summary, and what of a simulator's files is missing.
+  [[nodiscard]] FlightFiles files() const;
   [[nodiscard]] const std::optional<SeaFlight>& by_journal() const;  ///< nothing: the journal does not begin with a mission
   /// Why its decisions are not explained: a file is missing or at fault, or another policy flew; "" where they are, or nothing is to be.
   [[nodiscard]] const std::string& unexplained() const;

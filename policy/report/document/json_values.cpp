@@ -31,6 +31,10 @@ nlohmann::ordered_json place_value(NorthEast place) {
   return {{"north_m", rounded(place.north.value, 1)}, {"east_m", rounded(place.east.value, 1)}};
 }
 
+std::string json_text(const nlohmann::ordered_json& value) {
+  return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 std::string base64(std::span<const std::uint8_t> bytes) {
   constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;

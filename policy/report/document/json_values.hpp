@@ -18,6 +18,8 @@ namespace earshot::report {
 [[nodiscard]] nlohmann::ordered_json compass_value(Radians direction);
 /// To the decimetre.
 [[nodiscard]] nlohmann::ordered_json place_value(NorthEast place);
+/// On one line. What is not UTF-8 is replaced: the name of a folder may be any bytes.
+[[nodiscard]] std::string json_text(const nlohmann::ordered_json& value);
 /// RFC 4648, section 4.
 [[nodiscard]] std::string base64(std::span<const std::uint8_t> bytes);
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "policy/report/gnuplot/gnuplot_svg.hpp"
-#include "policy/report/snr_surface.hpp"
+#include "policy/report/map/kilometres.hpp"
+#include "policy/report/map/snr_surface.hpp"
 #include "sim/plot/gnuplot.hpp"
 #include "sim/plot/snr_scale.hpp"
 

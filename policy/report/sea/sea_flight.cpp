@@ -8,11 +8,8 @@
 #include "firmware/config/safety.hpp"
 #include "firmware/host/journal/reading/record_source.hpp"
 #include "firmware/host/journal/words/rule_event_words.hpp"
-#include "firmware/host/journal/words/wording.hpp"
 #include "firmware/host/safety_record/words/record_words.hpp"
-#include "firmware/host/text/numbers.hpp"
 #include "firmware/host/text/utc.hpp"
-#include "firmware/messages/dictionary/health_words.hpp"
 #include "firmware/messages/input.hpp"
 #include "firmware/messages/safety_event.hpp"
 
@@ -60,23 +57,11 @@ bool SeaFlight::is_dated() const {
   return host::is_dated(began);
 }
 
-Meters SeaFlight::distance() const {
-  Meters sum{0.0};
-  const Fix* before = nullptr;
-  for (const Fix& fix : fixes) {
-    if (!search_began_s || fix.time_s < *search_began_s || (search_ended_s && fix.time_s > *search_ended_s)) continue;
-    if (before != nullptr) sum = sum + range_between(before->position, fix.position);
-    before = &fix;
-  }
-  return sum;
-}
-
 void SeaFlightReader::take(const journal::Record& record) {
   if (!std::exchange(has_begun_, true)) flight_ = begun_with(record);
   if (!flight_) return;
   time_s_ = (record.time - flight_->began).to_seconds();
-  const double last_s = std::exchange(flight_->ended_s, std::max(flight_->ended_s, time_s_));
-  silence_s_ = std::max(0.0, time_s_ - last_s);
+  flight_->ended_s = std::max(flight_->ended_s, time_s_);
   std::visit([this](const auto& content) { note(content); }, record.content);
 }
 
@@ -84,15 +69,18 @@ void SeaFlightReader::note_safety_record(std::optional<std::string> words) {
   if (flight_) flight_->safety_record = std::move(words);
 }
 
-void SeaFlightReader::add_event(std::string what) {
-  flight_->events.push_back({time_s_, std::move(what)});
-}
-
 void SeaFlightReader::note(const messages::Input& input) {
-  if (const auto* fix = std::get_if<messages::Navigation>(&input.value); fix != nullptr && messages::is_usable(*fix))
-    flight_->fixes.push_back({.time_s = time_s_, .position = fix->position, .depth = fix->depth});
-  if (const auto* snr = std::get_if<messages::SnrMeasurement>(&input.value); snr != nullptr && std::isfinite(snr->snr.value))
-    flight_->measurements.push_back({.time_s = time_s_, .snr_db = snr->snr.value, .too_faint = snr->too_faint});
+  if (const auto* fix = std::get_if<messages::Navigation>(&input.value); fix != nullptr && messages::is_usable(*fix)) {
+    ++flight_->fixes;
+    if (flight_->state == MissionState::kSearch) {
+      if (place_) flight_->sailed += range_between(*place_, fix->position);
+      place_ = fix->position;
+    }
+  }
+  if (const auto* snr = std::get_if<messages::SnrMeasurement>(&input.value); snr != nullptr && std::isfinite(snr->snr.value)) {
+    ++flight_->measurements;
+    if (!snr->too_faint) flight_->loudest_db = std::max(flight_->loudest_db.value_or(snr->snr.value), snr->snr.value);
+  }
   const auto* const order = std::get_if<messages::OperatorCommand>(&input.value);
   const bool is_own_abort = order != nullptr && order->order == messages::Order::kAbort && input.port == kEarshotItself;
   if (is_own_abort && flight_->end_reason == EndReason::kNone) flight_->aborted_by = journal::AbortedBy::kProgram;
@@ -108,36 +96,19 @@ void SeaFlightReader::note(const messages::Health& health) {
   if (is_new_search) flight_->account = {.believes = flight_->account.believes, .max_steps = flight_->account.max_steps};
   if (health.state != MissionState::kStandby) note_account(health, flight_->account);
   if (health.state == before) return;
-  const bool is_over = health.end_reason != EndReason::kNone;
-  add_event(is_over ? journal::to_string(health, false, flight_->aborted_by) : messages::to_string(health.state));
+  place_ = std::nullopt;
   if (is_new_search) flight_->search_began_s = time_s_;
   if (before == MissionState::kSearch) flight_->search_ended_s = time_s_;
 }
 
-void SeaFlightReader::note(const messages::CommandAcknowledgement& answer) {
-  std::optional<SeaFlight::Answer>& last = flight_->last_answer;
-  if (last && last->issuer == answer.issuer && last->number == answer.number && last->outcome == answer.outcome) {
-    flight_->events.at(last->event).what = last->what + " (" + std::to_string(++last->times) + " times)";
-    return;
-  }
-  const std::string what = journal::to_string(answer);
-  last = {.issuer = answer.issuer, .number = answer.number, .outcome = answer.outcome, .what = what, .event = flight_->events.size()};
-  add_event(what);
-}
-
 void SeaFlightReader::note(const messages::SafetyEvent& event) {
-  const std::string rule = journal::to_string(event);
-  add_event(rule);
   if (flight_->state != MissionState::kSearch || !event.begins) return;
+  const std::string rule = journal::to_string(event);
   if (event.response >= config::Response::kAbort)
     flight_->ending_rule = rule;
   else if (event.response >= config::Response::kReturn && !flight_->account.way_home)
     flight_->account.way_home = {
         .rule = rule, .steps = flight_->steps_taken, .is_to_surface = event.response == config::Response::kSurface};
-}
-
-void SeaFlightReader::note(const messages::JournalResumed& resumed) {
-  add_event(journal::to_string(resumed) + "; " + host::decimals(silence_s_, 0) + " s after the last record");
 }
 
 void SeaFlightReader::note(const messages::Decision& decision) {

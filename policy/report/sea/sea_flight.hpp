@@ -28,36 +28,10 @@ struct SeaFlight {
   Hertz frequency;    ///< of the source that it searched for
   std::string build;  ///< version and commit of the program that flew
 
-  struct Fix {
-    double time_s = 0.0;
-    NorthEast position;
-    Meters depth;
-  };
-  std::vector<Fix> fixes;
-
-  struct Measurement {
-    double time_s = 0.0;
-    double snr_db = 0.0;
-    bool too_faint = false;  ///< not measured: it lies somewhere below
-  };
-  std::vector<Measurement> measurements;
-
-  /// An order that came, a rule that acted, a state that the mission went into, or another process that went on with it.
-  struct Event {
-    double time_s = 0.0;
-    std::string what;
-  };
-  std::vector<Event> events;
-  /// The last answer to an order, which is given again as often as the order is sent.
-  struct Answer {
-    std::uint32_t issuer = 0;
-    std::uint32_t number = 0;
-    messages::CommandOutcome outcome{};
-    std::string what;
-    std::size_t event = 0;  ///< its place among `events`
-    std::size_t times = 1;
-  };
-  std::optional<Answer> last_answer;
+  std::size_t fixes = 0;                            ///< of the vehicle's own navigation
+  std::size_t measurements = 0;                     ///< of the SNR, as they came in
+  std::optional<double> loudest_db = std::nullopt;  ///< of those that were not too faint
+  Meters sailed{0.0};                               ///< while it searched
 
   std::optional<std::string> safety_record;  ///< what that says which stands beside the journal
 
@@ -76,8 +50,6 @@ struct SeaFlight {
   [[nodiscard]] const char* why_it_ended() const;
   /// Its clock says UTC.
   [[nodiscard]] bool is_dated() const;
-  /// How far it sailed while it searched.
-  [[nodiscard]] Meters distance() const;
 };
 
 /// Makes a flight of the records of its journal, one after the other.
@@ -90,21 +62,18 @@ class SeaFlightReader {
   [[nodiscard]] const std::optional<SeaFlight>& flight() const { return flight_; }
 
  private:
-  void add_event(std::string what);
   void note(const messages::Input& input);
   void note(const messages::Health& health);
-  void note(const messages::CommandAcknowledgement& answer);
   void note(const messages::SafetyEvent& event);
-  void note(const messages::JournalResumed& resumed);
   void note(const messages::Decision& decision);
-  /// Files, set-points, troubles of a controller, and what cannot be read.
+  /// Files, answers, set-points, troubles of a controller, and what cannot be read.
   template <class Content>
   void note(const Content& /*content*/) {}
 
   std::optional<SeaFlight> flight_;
   bool has_begun_ = false;
   double time_s_ = 0.0;
-  double silence_s_ = 0.0;  ///< since the record before
+  std::optional<NorthEast> place_;  ///< the last of this search
 };
 
 /// Nothing when the journal does not begin with a mission. @throws host::BadInput naming the file when it cannot be read.

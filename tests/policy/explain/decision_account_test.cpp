@@ -1,5 +1,7 @@
 #include "policy/explain/decision_account.hpp"
 
+#include "policy/explain/decision_follower.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -52,9 +54,9 @@ TEST(DecisionAccount, SharesOutTheWholeDifferenceAmongWhatWasSeen) {
   const DecisionAccount a = account(*policy, flown(*policy, 4, kCorner), Baseline::kCentre);
   EXPECT_TRUE(a.attribution.is_complete());
   ASSERT_EQ(a.observed.size(), policy->observation.spec.size());
-  double of_subjects = 0.0;
-  for (const SubjectAccount& subject : by_subject(a)) of_subjects += subject.part;
-  EXPECT_NEAR(of_subjects, a.attribution.difference(), kCompleteness);
+  double of_all = 0.0;
+  for (const ObservedAccount& seen : a.observed) of_all += seen.part;
+  EXPECT_NEAR(of_all, a.attribution.difference(), kCompleteness);
   const std::vector<ObservedAccount> top = weightiest(a, 3);
   ASSERT_EQ(top.size(), 3U);
   EXPECT_GE(std::abs(top[0].part), std::abs(top[1].part));
@@ -154,17 +156,28 @@ TEST(DecisionAccount, BlamesNothingOnThePlaceWhenComparedWithTheSamePlace) {
   EXPECT_FALSE(account_of(centre, taken).belief_is_the_policys);
 }
 
-TEST(DecisionAccount, IsTheSameWhetherOneOrAllDecisionsAreExplained) {
-  const auto policy = belief_policy(1);
-  const std::vector<RecordedDecision> taken = flown(*policy, 4, kCorner);
-  const Circumstances circumstances{
-      .policy = *policy, .belief = policy->observation.belief, .tables = falling_ocean(), .south_west = kCorner};
-  const std::vector<DecisionAccount> all = accounts_of(circumstances, taken);
-  ASSERT_EQ(all.size(), 4U);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const DecisionAccount one = account_of(circumstances, std::span(taken).first(i + 1));
-    EXPECT_EQ(one.attribution.parts, all[i].attribution.parts);
-    EXPECT_EQ(one.place.probability, all[i].place.probability);
+/// The searches of a policy with a belief and of one that an observer stands in for, one after the other.
+TEST(DecisionFollower, ExplainsEachDecisionAsThoseBeforeItAloneDoAndBeginsAnew) {
+  const auto observed = belief_policy(1);
+  for (const bool holds_belief : {true, false}) {
+    const auto policy = holds_belief ? belief_policy(2) : place_policy(1);
+    const std::vector<RecordedDecision> taken = flown(*policy, 4, kCorner);
+    const Circumstances circumstances{.policy = *policy,
+                                      .belief = holds_belief ? policy->observation.belief : observed->observation.belief,
+                                      .tables = falling_ocean(),
+                                      .belief_is_the_policys = holds_belief,
+                                      .south_west = kCorner};
+    DecisionFollower follower(circumstances);
+    for (const int search : {1, 2}) {
+      for (std::size_t i = 0; i < taken.size(); ++i) {
+        follower.follow(taken[i]);
+        EXPECT_EQ(follower.contradiction(taken[i]), Contradiction::kNone) << search;
+        const DecisionAccount here = follower.account_of(taken[i]);
+        const DecisionAccount alone = account_of(circumstances, std::span(taken).first(i + 1));
+        EXPECT_EQ(here.attribution.parts, alone.attribution.parts);
+        EXPECT_EQ(here.place.probability, alone.place.probability);
+      }
+    }
   }
 }
 

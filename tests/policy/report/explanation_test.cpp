@@ -112,43 +112,33 @@ TEST(Explanation, RatesTheDirectionsOfATrainedPolicyByItsScores) {
 }
 
 TEST(Explanation, ShowsTheCostByWhichThePolicyRanksTheDirectionsAndExplainsItBelowTheTable) {
-  const std::string table = actions_table(account_of_three());
-  for (const char* cost : {"0.32", "0.00", "1.00"})  // 1 / 0.76 - 1, 1 / 1 - 1, 1 / 0.5 - 1
-    EXPECT_EQ(count(table, std::string("<td data-name=\"regret (steps)\">") + cost + "</td>"), 1U) << cost;
-  EXPECT_TRUE(support::has_line(table, {"<li><b>regret (steps)</b>", "rest of the search", "ranks the directions"}));
+  const std::string table = actions_markdown(account_of_three());
+  EXPECT_TRUE(support::has_line(table, {"| E |", "| 0.32 |"}));   // 1 / 0.76 - 1
+  EXPECT_TRUE(support::has_line(table, {"| NE |", "| 0.00 |"}));  // 1 / 1 - 1
+  EXPECT_TRUE(support::has_line(table, {"| N |", "| 1.00 |"}));   // 1 / 0.5 - 1
+  EXPECT_TRUE(support::has_line(table, {"- regret (steps): ", "rest of the search", "ranks the directions"}));
   EXPECT_TRUE(support::has_line(table, {"the best has 0; 10 or more is shown as 10."}));
-  EXPECT_TRUE(support::has_line(actions_markdown(account_of_three()), {"| E |", "| 0.32 |"}));
 }
 
 TEST(Explanation, GivesScoresOfAPolicyThatTakesTheBestDirectionAndProbabilitiesOfOneThatDrawsLots) {
   explain::DecisionAccount account = account_of_three();
   EXPECT_TRUE(
-      support::has_line(actions_table(account), {"<li><b>score (%)</b>", "made from the regret", "takes the direction with the highest"}));
-  EXPECT_EQ(count(actions_table(account), "probability with which"), 0U);
+      support::has_line(actions_markdown(account), {"- score (%): ", "made from the regret", "takes the direction with the highest"}));
+  EXPECT_EQ(count(actions_markdown(account), "probability with which"), 0U);
   for (explain::ActionAccount& action : account.actions) action.worth = std::nullopt;
-  EXPECT_EQ(count(actions_table(account), "regret"), 0U);
-  EXPECT_TRUE(support::has_line(actions_table(account), {"<li><b>score (%)</b>", "takes the direction with the highest"}));
+  EXPECT_EQ(count(actions_markdown(account), "regret"), 0U);
+  EXPECT_TRUE(support::has_line(actions_markdown(account), {"- score (%): ", "takes the direction with the highest"}));
   account.draw = policy::ActionDraw::kSampled;
-  EXPECT_EQ(count(actions_table(account), "score"), 0U);
-  EXPECT_TRUE(support::has_line(actions_table(account), {"<li><b>chosen with (%)</b>", "probability with which the policy draws"}));
+  EXPECT_EQ(count(actions_markdown(account), "score"), 0U);
+  EXPECT_TRUE(support::has_line(actions_markdown(account), {"- chosen with (%): ", "probability with which the policy draws"}));
 }
 
-TEST(Explanation, ShowsHowMuchANumberMovedTheChoiceOfANetworkAlone) {
-  explain::DecisionAccount account = account_of_three();
-  account.observed = {{.name = "SNR", .value = "9 dB", .baseline = "0 dB", .part = 0.5}};
-  EXPECT_EQ(count(observation_table(account), "0.50"), 0U);
-  EXPECT_EQ(count(observation_table(account), "<td>9 dB</td>"), 1U);
-  for (explain::ActionAccount& action : account.actions) action.worth = std::nullopt;
-  EXPECT_EQ(count(observation_table(account), "0.50"), 1U);
-}
-
-TEST(Explanation, NamesEveryCellOfADirectionForANarrowScreenAndExplainsEveryColumn) {
-  const std::string table = actions_table(account_of_three());
+TEST(Explanation, ExplainsEveryColumnOfItsTable) {
+  const std::string table = actions_markdown(account_of_three());
   for (const char* name : {"score (%)", "regret (steps)", "expected SNR (dB)", "detects (%)", "finds (%)", "finds within 3 steps (%)",
                            "nearer by (km)", "border"}) {
-    EXPECT_EQ(count(table, std::string("<td data-name=\"") + name + "\""), 3U) << name;
-    EXPECT_EQ(count(table, std::string("<th>") + name + "</th>"), 1U) << name;
-    EXPECT_EQ(count(table, std::string("<li><b>") + name + "</b>: "), 1U) << name;
+    EXPECT_EQ(count(table, std::string("| ") + name + " |"), 1U) << name;
+    EXPECT_EQ(count(table, std::string("- ") + name + ": "), 1U) << name;
   }
 }
 

@@ -26,7 +26,7 @@ const char* type_of(const Json& value) {
 
 }  // namespace
 
-const McapFile::Schema kPoseSchema{
+const Schema kPoseSchema{
     .name = "foxglove.PoseInFrame",
     .json = R"({"title":"foxglove.PoseInFrame","type":"object","properties":{)"
             R"("timestamp":{"type":"object","title":"time","properties":{"sec":{"type":"integer"},"nsec":{"type":"integer"}}},)"
@@ -36,14 +36,14 @@ const McapFile::Schema kPoseSchema{
             R"("orientation":{"title":"foxglove.Quaternion","type":"object",)"
             R"("properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"},"w":{"type":"number"}}}}}}})"};
 
-const McapFile::Schema kLocationSchema{
+const Schema kLocationSchema{
     .name = "foxglove.LocationFix",
     .json = R"({"title":"foxglove.LocationFix","type":"object","properties":{)"
             R"("timestamp":{"type":"object","title":"time","properties":{"sec":{"type":"integer"},"nsec":{"type":"integer"}}},)"
             R"("frame_id":{"type":"string"},"latitude":{"type":"number"},"longitude":{"type":"number"},"altitude":{"type":"number"},)"
             R"("position_covariance":{"type":"array","items":{"type":"number"}},"position_covariance_type":{"type":"integer"}}})"};
 
-const McapFile::Schema kLogSchema{
+const Schema kLogSchema{
     .name = "foxglove.Log",
     .json = R"({"title":"foxglove.Log","type":"object","properties":{)"
             R"("timestamp":{"type":"object","title":"time","properties":{"sec":{"type":"integer"},"nsec":{"type":"integer"}}},)"

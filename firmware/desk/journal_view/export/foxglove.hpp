@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "firmware/desk/journal_view/events/timeline.hpp"
-#include "firmware/desk/journal_view/export/mcap_file.hpp"
 #include "firmware/messages/navigation.hpp"
 #include "firmware/wire/n2k/local_plane.hpp"
 
@@ -15,9 +14,14 @@ namespace earshot::journal {
 
 inline constexpr const char* kMissionFrame = "mission";  ///< x east, y north, z up from the surface, metres
 
-extern const McapFile::Schema kPoseSchema;
-extern const McapFile::Schema kLocationSchema;
-extern const McapFile::Schema kLogSchema;
+/// A JSON schema and the name by which viewers know what it describes.
+struct Schema {
+  const char* name = nullptr;
+  const char* json = nullptr;
+};
+extern const Schema kPoseSchema;
+extern const Schema kLocationSchema;
+extern const Schema kLogSchema;
 
 /// Where the vehicle is in kMissionFrame and where its bow points: x forward, y to port, z up.
 /// @param fix  is_usable()

@@ -5,15 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <csignal>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
-#include <thread>
 #include <vector>
 
 #include "firmware/core/big_endian.hpp"
@@ -21,6 +18,7 @@
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/host/safety_record/safety_copies.hpp"
 #include "firmware/messages/dictionary/mission_words.hpp"
+#include "tests/firmware/desk/journal_view/journal_program.hpp"
 #include "tests/firmware/host/journal/known_journal.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -31,8 +29,6 @@ namespace {
 
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
-
-const fs::path kProgram = fs::path(EARSHOT_BIN_DIR) / "earshot-journal";
 
 class JournalView : public ::testing::Test {
  protected:
@@ -154,7 +150,7 @@ TEST_F(JournalView, RefusesWhatIsNoJournal) {
   EXPECT_EQ(errors_, journal_.string() + ": no such file\n");
 }
 
-TEST_F(JournalView, WritesAllThreeFilesInOneGoAndReplacesItsOwnKind) {
+TEST_F(JournalView, WritesSeveralFilesInOneGoAndReplacesItsOwnKind) {
   for (int i = 0; i < 2; ++i) {
     EXPECT_EQ(view({"--csv", file("t.csv"), "--jsonl", file("r.jsonl"), "--mcap", file("m.mcap")}), 0) << errors_;
     EXPECT_EQ(output_, file("t.csv") + ": 4 turns\n" + file("r.jsonl") + ": 18 records\n" + file("m.mcap") + ": 32 messages\n");
@@ -174,9 +170,10 @@ TEST_F(JournalView, NeverWritesOverTheJournalThatItReads) {
   const std::string before = support::read_text(journal_);
   fs::create_symlink(journal_, file("link"));
   fs::create_hard_link(journal_, file("hard"));
+  std::ofstream(file("summary.json")) << R"({"origin":{"latitude_deg":38.5,"longitude_deg":-20.1}})";
   std::ofstream(file("journal.part2.lcmlog")) << "a part whose beginning is damaged";
   for (const std::string& name : {journal_.string(), file("link"), file("hard"), file("journal.part2.lcmlog")}) {
-    for (const char* option : {"--csv", "--jsonl", "--mcap"}) {
+    for (const char* option : {"--csv", "--jsonl", "--mcap", "--geojson", "--gpx", "--kml"}) {
       EXPECT_EQ(view({option, name, "--force"}), 2) << errors_;
       EXPECT_NE(errors_.find(std::string(option) + " " + name + ": the same file"), std::string::npos) << errors_;
     }
@@ -193,7 +190,65 @@ TEST_F(JournalView, RefusesAnOriginThatIsNone) {
     EXPECT_NE(errors_.find(std::string("--origin ") + origin + ": "), std::string::npos) << errors_;
   }
   EXPECT_EQ(view({"--origin", "38.5,-20.1"}), 2);
+  EXPECT_EQ(view({"--jsonl", file("r.jsonl"), "--origin", "38.5,-20.1"}), 2);
   EXPECT_EQ(view({"--csv", file("t.csv"), "--origin", "38.5,-20.1"}), 0) << errors_;
+}
+
+TEST_F(JournalView, WritesMapsAboutTheOriginAndReplacesItsOwnKind) {
+  const std::vector<std::string> maps{"--geojson", file("f.geojson"), "--gpx",    file("f.gpx"),
+                                      "--kml",     file("f.kml"),     "--origin", "38.5,-20.1"};
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(view(maps), 0) << errors_;
+    const std::string what = ": 1 decision, a track of 1 place\n";
+    EXPECT_EQ(output_, file("f.geojson") + what + file("f.gpx") + what + file("f.kml") + what);
+  }
+  for (const std::string other : {"{\"type\":\"FeatureCollection\",\"features\":[]}", "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<gpx >",
+                                  "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<kml >"}) {
+    const char* const option = other.starts_with("{") ? "--geojson" : other.ends_with("<gpx >") ? "--gpx" : "--kml";
+    std::ofstream(file("other")) << other;
+    EXPECT_EQ(view({option, file("other"), "--origin", "38.5,-20.1"}), 2);
+    EXPECT_TRUE(support::has_line(errors_, {"other", "already", "--force"})) << errors_;
+    EXPECT_EQ(support::read_text(file("other")), other);
+  }
+}
+
+TEST_F(JournalView, WritesNoMapWithoutAnOriginAndNamesTheOptionThatStatesIt) {
+  for (const char* option : {"--geojson", "--gpx", "--kml"}) {
+    EXPECT_EQ(view({"--csv", file("t.csv"), option, file("f")}), 2);
+    EXPECT_TRUE(support::has_line(errors_, {option, file("f"), "origin", "--origin"})) << errors_;
+    EXPECT_FALSE(fs::exists(file("t.csv")) || fs::exists(file("f")));
+  }
+}
+
+TEST_F(JournalView, TakesTheOriginOfASimulatedFlightFromItsSummaryUnlessItIsStated) {
+  const auto columns = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"--csv", file("t.csv")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(view(arguments), 0) << errors_;
+    return support::read_text(file("t.csv"));
+  };
+  // As in TurnTable.SaysLatitudeAndLongitudeWhereTheOriginIsKnown.
+  const std::string known = ",2000.000,0.0090437,10.0179663,299.500,";
+  std::ofstream(file("summary.json")) << R"({"found":true,"origin":{"latitude_deg":0.0,"longitude_deg":10}})";
+  EXPECT_NE(columns({}).find(known), std::string::npos);
+  EXPECT_NE(columns({"--origin", "0,20"}).find(",20.0179663,"), std::string::npos);
+  EXPECT_EQ(view({"--kml", file("f.kml")}), 0) << errors_;
+  for (const char* summary :
+       {"", "[", "[]", "{}", R"({"origin":null})", R"({"origin":{"latitude_deg":0.0}})",
+        R"({"origin":{"latitude_deg":"0","longitude_deg":10}})", R"({"origin":{"latitude_deg":85,"longitude_deg":10}})"}) {
+    std::ofstream(file("summary.json")) << summary;
+    EXPECT_NE(columns({}).find(",2000.000,,,299.500,"), std::string::npos) << summary;
+    EXPECT_EQ(view({"--kml", file("f.kml")}), 2) << summary;
+  }
+}
+
+// GIVEN a folder of a simulated flight in which another journal lies, WHEN a map is made of that, THEN the flight's origin is not its.
+TEST_F(JournalView, TakesNoOriginOfAnotherJournalsFlight) {
+  std::ofstream(file("summary.json")) << R"({"origin":{"latitude_deg":0.0,"longitude_deg":10}})";
+  fs::copy_file(journal_, folder_ / "journal-2.lcmlog");
+  support::Process process(kProgram, {file("journal-2.lcmlog"), "--kml", file("f.kml")},
+                           {.folder = folder_, .output = folder_ / "said", .errors = folder_ / "err"});
+  EXPECT_EQ(process.wait(30s), 2);
 }
 
 /// Numbers and no checksums, as liblcm writes them (tests/firmware/host/journal/bus_log_test.cpp).
@@ -227,137 +282,6 @@ TEST_F(JournalView, ReadsALogOfTheBusAndSaysWhatItLacks) {
   EXPECT_EQ(view({"--csv", file("t.csv"), "--jsonl", file("r.jsonl")}), 1);
   EXPECT_NE(support::read_text(file("r.jsonl")).find("\"depth_m\":300"), std::string::npos);
   EXPECT_NE(output_.find("t.csv: 2 turns"), std::string::npos) << output_;
-}
-
-/// A mission that is under way while earshot journal follows it.
-class JournalFollowed : public ::testing::Test {
- protected:
-  /// Waits, for as long as it takes but not for ever, until this was said.
-  [[nodiscard]] bool hears(const std::string& text) const {
-    for (int i = 0; i < 600; ++i, std::this_thread::sleep_for(50ms))
-      if (process_.output().find(text) != std::string::npos) return true;
-    return false;
-  }
-  static fs::path begun(const fs::path& path, WrittenJournal& journal) {
-    journal.message(kBegan, wire::kMissionChannel, known_mission());
-    journal.flush();
-    return path;
-  }
-
-  const support::TemporaryFolder folder_;
-  const fs::path path_ = folder_ / "journal.lcmlog";
-  WrittenJournal journal_{path_};
-  support::Process process_{kProgram, {begun(path_, journal_).string(), "--follow"}, folder_ / "said.txt"};
-};
-
-TEST_F(JournalFollowed, SaysWhatHappensAsItIsWrittenUntilTheMissionEnds) {
-  EXPECT_TRUE(hears("mission begins"));
-  journal_.health(after(1000), 1, messages::MissionState::kSearch);
-  journal_.flush();
-  EXPECT_TRUE(hears("1.0 s  SEARCH\n")) << process_.output();
-  journal_.close({.time = after(2000), .ending = messages::Ending::kStopped});
-  EXPECT_EQ(process_.wait(30s), 0);
-  EXPECT_NE(process_.output().find("end: the program was stopped"), std::string::npos) << process_.output();
-}
-
-TEST_F(JournalFollowed, EndsOnCtrlC) {
-  EXPECT_TRUE(hears("mission begins"));
-  process_.signal(SIGINT);
-  EXPECT_EQ(process_.wait(30s), 130);
-}
-
-TEST_F(JournalFollowed, EndsWhenTheProgramThatWroteIsGone) {
-  journal_.close();  // without a closing record, as if it had been killed
-  EXPECT_EQ(process_.wait(30s), 1);
-  EXPECT_NE(process_.output().find("the journal's end is missing"), std::string::npos) << process_.output();
-}
-
-/// GIVEN a folder in which a flight was made, WHEN its journal is followed, THEN it is the next flight that is told of.
-class FlightFollowed : public ::testing::Test {
- protected:
-  FlightFollowed() {
-    WrittenJournal old(path_);
-    begin(old);
-    old.health(Time{1'000'000}, 1, messages::MissionState::kSearch);
-    old.close({.time = Time{2'000'000}, .ending = messages::Ending::kMissionOver});
-  }
-  static void begin(WrittenJournal& journal) {
-    journal.message(Time{}, wire::kMissionChannel, known_mission());
-    journal.flush();
-  }
-  void follow() {
-    process_ = std::make_unique<support::Process>(kProgram, std::vector<std::string>{path_.string(), "--follow", wait_}, output_);
-  }
-  [[nodiscard]] bool hears(const std::string& text) const {
-    for (int i = 0; i < 600; ++i, std::this_thread::sleep_for(50ms))
-      if (process_->output().find(text) != std::string::npos) return true;
-    return false;
-  }
-  [[nodiscard]] fs::path unfinished(const char* name) const {
-    fs::create_directories(folder_ / name);
-    return folder_ / name / "journal.lcmlog";
-  }
-
-  const support::TemporaryFolder folder_;
-  const fs::path path_ = folder_ / "journal.lcmlog";
-  const fs::path output_ = folder_ / "said.txt";
-  std::string wait_ = "--wait=60";
-  std::unique_ptr<support::Process> process_;
-};
-
-TEST_F(FlightFollowed, IsTheOneThatIsUnderWayThoughOneThatWasCutOffLiesBesideIt) {
-  fs::copy_file(path_, unfinished("unfinished-flight"));
-  WrittenJournal flight(unfinished("unfinished-flight-2"));
-  begin(flight);
-  follow();
-  EXPECT_TRUE(hears("mission begins"));
-  flight.health(Time{5'000'000}, 1, messages::MissionState::kSearch);
-  flight.flush();
-  EXPECT_TRUE(hears("5.0 s  SEARCH\n")) << process_->output();
-  flight.close({.time = Time{6'000'000}, .ending = messages::Ending::kMissionOver});
-  fs::rename(folder_ / "unfinished-flight-2/journal.lcmlog", path_);
-  fs::remove(folder_ / "unfinished-flight-2");
-  EXPECT_EQ(process_->wait(30s), 0);
-  EXPECT_NE(process_->output().find("6.0 s  end: the mission was over"), std::string::npos) << process_->output();
-  EXPECT_EQ(process_->output().find("1.0 s  SEARCH"), std::string::npos) << process_->output();
-}
-
-TEST_F(FlightFollowed, IsFoundInItsFolderWhateverItsNumberThere) {
-  WrittenJournal third(folder_ / "journal-3.lcmlog");
-  begin(third);
-  process_ = std::make_unique<support::Process>(kProgram, std::vector<std::string>{folder_.path().string(), "--follow", wait_}, output_);
-  EXPECT_TRUE(hears("follows " + (folder_ / "journal-3.lcmlog").string())) << process_->output();
-  third.health(Time{5'000'000}, 1, messages::MissionState::kSearch);
-  third.flush();
-  EXPECT_TRUE(hears("5.0 s  SEARCH\n")) << process_->output();
-  third.close({.time = Time{6'000'000}, .ending = messages::Ending::kMissionOver});
-  EXPECT_EQ(process_->wait(30s), 0) << process_->output();
-}
-
-TEST_F(FlightFollowed, IsWaitedForWhereAnOlderOneLiesOrNone) {
-  for (const bool is_old_there : {true, false}) {
-    if (!is_old_there) fs::remove(path_);
-    follow();
-    EXPECT_TRUE(hears("earshot journal: waiting for a mission that writes " + path_.string())) << process_->output();
-    WrittenJournal flight(unfinished("unfinished-flight"));
-    begin(flight);
-    EXPECT_TRUE(hears("mission begins"));
-    flight.close({.time = Time{6'000'000}, .ending = messages::Ending::kMissionOver});
-    EXPECT_EQ(process_->wait(30s), 0) << process_->output();
-    EXPECT_EQ(process_->output().find("1.0 s  SEARCH"), std::string::npos) << process_->output();
-    fs::remove_all(folder_ / "unfinished-flight");
-  }
-}
-
-TEST_F(FlightFollowed, ThatDoesNotComeIsSaidAndNotReplacedByAnOlderOne) {
-  wait_ = "--wait=1";
-  follow();
-  EXPECT_EQ(process_->wait(30s), 2);
-  EXPECT_TRUE(support::has_line(process_->output(), {path_.string(), "flight", "no", "began", "without --follow"})) << process_->output();
-  fs::remove(path_);
-  follow();
-  EXPECT_EQ(process_->wait(30s), 2);
-  EXPECT_NE(process_->output().find(path_.string() + ": no such file; no mission began there"), std::string::npos) << process_->output();
 }
 
 }  // namespace

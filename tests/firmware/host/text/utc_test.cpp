@@ -18,6 +18,7 @@ TEST(HostUtc, IsTheCalendarsDateWithWhatIsLeftOfAMillisecondCutOff) {
   EXPECT_EQ(t.second, 7U);
   EXPECT_EQ(t.millisecond, 250U);
   EXPECT_EQ(date_and_time(kInNovember), "2026-11-22 15:04:07");
+  EXPECT_EQ(iso_8601(kInNovember), "2026-11-22T15:04:07.250Z");
 }
 
 TEST(HostUtc, BeforeTheEpochIsTheDayBefore) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -41,6 +42,17 @@ class SeaJournal {
   }
   void snr(double s, double db, bool too_faint = false) {
     input(s, messages::SnrMeasurement{.time = at(s), .snr = Decibels{db}, .too_faint = too_faint});
+  }
+  void battery(double s, double percent) { input(s, messages::VehicleStatus{.time = at(s), .battery_percent = percent}); }
+  void order(double s, messages::Order order) {
+    input(s, messages::OperatorCommand{.time = at(s), .expiry = at(s), .issuer = 1, .number = 1, .order = order});
+  }
+  void port(double s, const messages::PortReport& report) { input(s, report, report.port); }
+  void setpoint(double s, const messages::Setpoint& setpoint) {
+    append(s, wire::kJournalledSetpointChannel, wire::Encoded(setpoint, at(s)), host::Priority::kSteering);
+  }
+  void file(double s, std::string_view channel, std::span<const std::uint8_t> bytes) {
+    if (journal_.append(at(s), channel, bytes, host::Priority::kOrder) != Status::kOk) std::abort();
   }
   void state(double s, messages::MissionState state, messages::EndReason reason, std::uint32_t steps) {
     messages::Health health;

@@ -6,11 +6,6 @@
 #include <string>
 
 #include "firmware/host/file/bad_input.hpp"
-#include "policy/report/page.hpp"
-#include "policy/report/sound/sound_plots.hpp"
-#include "tests/policy/explain/flown_policy.hpp"
-#include "tests/policy/report/flight_folder.hpp"
-#include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/text/tells.hpp"
 
@@ -61,23 +56,6 @@ TEST_F(HeardSoundTest, NamesTheLineThatIsNoRow) {
   }
   write("spectrogram.csv", "time_s,5,6\n1,80\n");
   EXPECT_TRUE(support::has_line(complaint(), {"spectrogram.csv:2", "not", "table"})) << complaint();
-}
-
-TEST_F(HeardSoundTest, IsDrawnWithMeasuredAndModelledSnrAndTheSpectrogramOnlyForAFlightThatHeard) {
-  const auto policy = explain::belief_policy(1);
-  write_flight(folder_, *policy, explain::flown(*policy, 3, {}), {});
-  EXPECT_EQ(pictures_of(read_flight(folder_)).sound, "") << "the summary says nothing of sound";
-  std::string summary = support::read_text(folder_ / "summary.json");
-  summary.insert(summary.find('{') + 1, R"("hearing": {"sound": "synthetic", "search_began_s": 133.0}, )");
-  write("summary.json", summary);
-  const Flight flight = read_flight(folder_);
-  const Pictures pictures = pictures_of(flight);
-  EXPECT_NE(pictures.sound.find(">measured<"), std::string::npos);
-  EXPECT_NE(pictures.sound.find(">modelled<"), std::string::npos);
-  EXPECT_NE(pictures.sound.find(">frequency (Hz)<"), std::string::npos);
-  EXPECT_NE(page(flight, pictures, {}).find("For the first 133 s it lay at its start"), std::string::npos);
-  std::filesystem::remove(folder_ / "spectrogram.csv");
-  EXPECT_EQ(read_flight(folder_).missing, std::vector<std::string>{"spectrogram.csv"});
 }
 
 }  // namespace

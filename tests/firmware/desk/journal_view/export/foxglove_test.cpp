@@ -47,13 +47,13 @@ TEST(Foxglove, LogsSayInformationWarningErrorAsTheSchemaCountsThem) {
 }
 
 TEST(Foxglove, SchemasOfTheirMessagesAreJson) {
-  for (const McapFile::Schema& schema : {kPoseSchema, kLocationSchema, kLogSchema}) {
+  for (const Schema& schema : {kPoseSchema, kLocationSchema, kLogSchema}) {
     const nlohmann::json json = nlohmann::json::parse(schema.json);
     EXPECT_EQ(json.at("title"), schema.name);
     EXPECT_EQ(json.at("type"), "object");
   }
   // Every field that is sent is in the schema.
-  const auto expect_all = [](const nlohmann::ordered_json& message, const McapFile::Schema& schema) {
+  const auto expect_all = [](const nlohmann::ordered_json& message, const Schema& schema) {
     const nlohmann::json properties = nlohmann::json::parse(schema.json).at("properties");
     EXPECT_EQ(message.size(), properties.size());
     for (const auto& [name, value] : message.items()) EXPECT_TRUE(properties.contains(name)) << name;

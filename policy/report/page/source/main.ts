@@ -1,0 +1,180 @@
+// The page of a flight: one that stands in the file, or one under way.
+
+import "leaflet/leaflet.css";
+import "../style.css";
+
+import {Clock} from "./clock";
+import {DecisionPanel} from "./decision_panel";
+import {byId, duration, element, replace, utc} from "./dom";
+import {EventLog} from "./event_log";
+import {EXPORTS, save} from "./exports";
+import type {Flight, FlightNews} from "./flight";
+import {FORMAT} from "./flight";
+import {bytesOf, end_s, merge} from "./flight_data";
+import {listen} from "./live";
+import {FlightMap} from "./map";
+import {showSpectrogram} from "./spectrogram";
+import {StripCharts} from "./strips";
+import {showSummary} from "./summary";
+
+declare const DecompressionStream: new (format: "gzip") => ReadableWritablePair<Uint8Array, Uint8Array>;  // TypeScript 4.8 does not know it
+
+const STEP_S = 10;  // of an arrow key
+
+/** Everything about one flight. */
+class Page {
+  private readonly clock = new Clock();
+  private readonly map: FlightMap;
+  private readonly strips: StripCharts;
+  private readonly decision: DecisionPanel;
+  private readonly events: EventLog;
+
+  constructor(private flight: Flight) {
+    byId("page").hidden = false;
+    this.clock.end_s = end_s(flight);
+    this.clock.isFollowing = !flight.is_over;
+    const first = flight.decisions.find((decision) => decision.step === flight.open_at_step);
+    this.clock.time_s = first ? first.time_s : this.clock.end_s;
+    showSummary(flight);
+    this.map = new FlightMap(flight, this.clock);
+    this.strips = new StripCharts(flight, this.clock);
+    this.decision = new DecisionPanel(flight, this.clock);
+    this.events = new EventLog(flight, this.clock);
+    showSpectrogram(flight, this.clock);
+    this.clock.onChange(() => this.update());
+    this.addControls();
+    this.addExports();
+    this.update();
+  }
+
+  /** The same flight, or another, sent anew. */
+  renew(whole: Flight): void {
+    Object.assign(this.flight, whole);
+    this.take({mission: whole.mission, events: [], sound: whole.sound});
+    this.strips.build();
+  }
+
+  take(news: FlightNews): void {
+    merge(this.flight, news);
+    this.clock.extend(end_s(this.flight));
+    showSummary(this.flight);
+    this.strips.extend();
+    if (news.decisions || news.mission || news.truth) this.map.redraw();
+    if (news.events) this.events.redraw();
+    if (news.sound) showSpectrogram(this.flight, this.clock);
+    if (this.flight.is_over && this.clock.isFollowing) this.clock.follow(false);
+    byId("follow").hidden = this.flight.is_over;
+  }
+
+  private update(): void {
+    const {time_s, isPlaying, isFollowing} = this.clock;
+    const slider = byId("time") as HTMLInputElement;
+    slider.max = String(this.clock.end_s);
+    slider.value = String(time_s);
+    const text = this.flight.began_utc ? `${duration(time_s)} · ${utc(this.flight.began_utc, time_s)}` : duration(time_s);
+    slider.setAttribute("aria-valuetext", text);
+    replace(byId("moment"), `${text} of ${duration(this.clock.end_s)}`);
+    const play = byId("play");
+    replace(play, isPlaying ? "Pause" : "Play");
+    play.setAttribute("aria-pressed", String(isPlaying));
+    byId("follow").setAttribute("aria-pressed", String(isFollowing));
+    this.map.update();
+    this.strips.update();
+    this.decision.update();
+    this.events.update();
+  }
+
+  private addControls(): void {
+    byId("time").addEventListener("input", (event) => this.clock.set(Number((event.target as HTMLInputElement).value)));
+    byId("play").addEventListener("click", () => this.clock.play(!this.clock.isPlaying));
+    byId("speed").addEventListener("change", (event) => {
+      this.clock.speed = Number((event.target as HTMLSelectElement).value);
+    });
+    byId("follow").addEventListener("click", () => this.clock.follow(!this.clock.isFollowing));
+    byId("follow").hidden = this.flight.is_over;
+    byId("fit").addEventListener("click", () => this.map.fit());
+    const help = byId("help") as HTMLDialogElement;
+    byId("show-help").addEventListener("click", () => help.showModal());
+    document.addEventListener("keydown", (event) => this.obey(event));
+  }
+
+  private obey(event: KeyboardEvent): void {
+    const target = event.target as HTMLElement;
+    if (event.ctrlKey || event.altKey || event.metaKey || target.closest("input, select, textarea, dialog, .leaflet-container")) return;
+    const keys: Record<string, () => void> = {
+      ArrowLeft: () => this.clock.set(this.clock.time_s - STEP_S),
+      ArrowRight: () => this.clock.set(this.clock.time_s + STEP_S),
+      ArrowUp: () => this.decision.go(-1),
+      ArrowDown: () => this.decision.go(1),
+      Home: () => this.clock.set(0),
+      End: () => this.clock.set(this.clock.end_s),
+      " ": () => this.clock.play(!this.clock.isPlaying),
+      "?": () => (byId("help") as HTMLDialogElement).showModal(),
+    };
+    if (event.key === " " && target.closest("button, summary")) return;
+    const act = keys[event.key];
+    if (!act) return;
+    event.preventDefault();
+    act();
+  }
+
+  private addExports(): void {
+    const file = (suffix: string) => `${this.flight.name.replace(/[^\w.-]+/g, "_") || "flight"}.${suffix}`;
+    const buttons = Object.entries(EXPORTS).map(([name, {suffix, type, write, needsOrigin}]) => {
+      const isOff = needsOrigin && !this.flight.mission?.origin;
+      return element(
+          "button", {
+            type: "button",
+            disabled: isOff,
+            title: isOff ? "The latitude and longitude of this flight are not known." : null,
+            onclick: () => save(file(suffix), new Blob([write(this.flight)], {type}))
+          },
+          name);
+    });
+    const picture = element(
+        "button", {
+          type: "button",
+          onclick: () => this.map.picture().toBlob((content) => {
+            if (content) save(file("png"), content);
+          })
+        },
+        "PNG of the map");
+    replace(byId("exports"), ...buttons, picture, element("button", {type: "button", onclick: () => print()}, "Print"));
+  }
+}
+
+/** What stands in the file, plain or compressed; null: nothing. */
+async function embedded(): Promise<Flight|null> {
+  const data = document.getElementById("flight");
+  if (!data?.textContent) return null;
+  if (data.getAttribute("type") === "application/json") return JSON.parse(data.textContent) as Flight;
+  const packed = new Blob([bytesOf(data.textContent.trim())]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return (await new Response(packed).json()) as Flight;
+}
+
+function refuse(text: string): void {
+  byId("connection").hidden = false;
+  replace(byId("connection"), text);
+}
+
+async function main(): Promise<void> {
+  const flight = await embedded();
+  if (flight && flight.format !== FORMAT)
+    return refuse(`This page shows flights of format ${FORMAT}, and this one has format ${flight.format}.`);
+  if (flight) {
+    new Page(flight);
+    return;
+  }
+  let page: Page|null = null;
+  listen({
+    whole: (whole) => {
+      if (page)
+        page.renew(whole);
+      else
+        page = new Page(whole);
+    },
+    news: (news) => page?.take(news),
+  });
+}
+
+main().catch((error: unknown) => refuse(`This page cannot be shown: ${String(error)}`));
