@@ -21,6 +21,7 @@ import {showSummary} from "./summary";
 
 declare const DecompressionStream: new (format: "gzip") => ReadableWritablePair<Uint8Array, Uint8Array>;  // TypeScript 4.8 does not know it
 
+const REFRESH_MS = 50;
 const STEP_S = 10;  // of an arrow key
 
 /** Everything about one flight. */
@@ -30,6 +31,8 @@ class Page {
   private readonly strips: StripCharts;
   private readonly decision: DecisionPanel;
   private readonly events: EventLog;
+  private readonly changed = new Set<keyof FlightNews>();
+  private isAsked = false;
 
   constructor(private flight: Flight) {
     byId("page").hidden = false;
@@ -56,14 +59,25 @@ class Page {
     this.strips.build();
   }
 
+  /** News may come faster than a picture can be drawn: what came since the last one is drawn together. */
   take(news: FlightNews): void {
     merge(this.flight, news);
+    for (const part of Object.keys(news) as (keyof FlightNews)[]) this.changed.add(part);
+    if (this.isAsked) return;
+    this.isAsked = true;
+    setTimeout(() => this.refresh(), REFRESH_MS);
+  }
+
+  private refresh(): void {
+    this.isAsked = false;
+    const has = (...parts: (keyof FlightNews)[]) => parts.some((part) => this.changed.has(part));
     this.clock.extend(end_s(this.flight));
-    showSummary(this.flight);
-    this.strips.extend();
-    if (news.decisions || news.mission || news.truth) this.map.redraw();
-    if (news.events) this.events.redraw();
-    if (news.sound) showSpectrogram(this.flight, this.clock);
+    if (has("verdict", "sentences", "shortcomings", "facts", "health")) showSummary(this.flight);
+    if (has("strips")) this.strips.extend();
+    if (has("decisions", "mission", "truth")) this.map.redraw();
+    if (has("events")) this.events.redraw();
+    if (has("sound")) showSpectrogram(this.flight, this.clock);
+    this.changed.clear();
     if (this.flight.is_over && this.clock.isFollowing) this.clock.follow(false);
     byId("follow").hidden = this.flight.is_over;
   }
