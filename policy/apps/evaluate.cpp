@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "firmware/host/file/checksum_text.hpp"
@@ -30,12 +31,14 @@
 #include "policy/evaluate/evaluation.hpp"
 #include "policy/evaluate/output/figures_json.hpp"
 #include "policy/evaluate/output/path_table.hpp"
+#include "policy/evaluate/output/searches_json.hpp"
 #include "policy/evaluate/output/table.hpp"
 #include "policy/evaluate/output/table_plot.hpp"
 #include "policy/evaluate/task.hpp"
 #include "policy/evaluate/time_to_find.hpp"
 #include "policy/evaluate/trial.hpp"
 #include "policy/evaluate/world_file.hpp"
+#include "policy/report/page/page_template.hpp"
 #include "sim/parallel/rank_session.hpp"
 #include "sim/plot/gnuplot.hpp"
 #include "sim/search/known_ocean.hpp"
@@ -61,6 +64,7 @@ struct Options {
   std::optional<std::string> csv;
   std::optional<std::string> plot;
   std::optional<std::string> paths;
+  std::optional<std::string> page;
   std::vector<std::string> tables;
   bool declared = false;
   bool timing = false;
@@ -102,6 +106,10 @@ void add_options(program::CommandLine& line, Options& o) {
   line.option("--csv", &o.csv, "also write the table there");
   line.option("--plot", &o.plot, "also draw it there (.png or .svg)");
   line.option("--paths", &o.paths, "also write there where every search went, step by step (CSV)");
+  line.option("--page", &o.page,
+              "also write a page there (HTML, needs no other file): every policy in every world, and the paths of the first 50 searches of "
+              "each")
+      .names("a file");
   line.flag("--declared", &o.declared,
             "as at sea, nobody reports to a searcher that the source is found: a search of one that declares it itself (ocean_search) ends "
             "when it does so within a step length of a source");
@@ -170,22 +178,31 @@ std::vector<evaluate::WorldFile> worlds_of(const Options& o, const std::filesyst
   return worlds;
 }
 
-/// Flies a candidate's searches; shows progress, and keeps the paths where there is a table for them.
+/// Where searches went, for the files that are asked for.
+struct Paths {
+  std::optional<evaluate::PathTable> table;
+  std::optional<evaluate::SearchesJson> searches;
+};
+
+/// Flies a candidate's searches; shows progress, and keeps the paths that are asked for.
 std::vector<evaluate::Flight> fly(const evaluate::Candidate& candidate, const evaluate::Trial& trial, parallel::Ranks& ranks,
-                                  evaluate::PathTable* paths) {
+                                  Paths& paths) {
   std::optional<program::ProgressBar> bar;
   if (ranks.rank() == 0) bar.emplace(trial.file.name + ", " + candidate.name);
   const evaluate::Watcher watcher = [&](std::size_t number, const search::Episode& episode, search::EpisodeEnd end) {
     if (bar) bar->update(static_cast<double>(number) / static_cast<double>(trial.episodes));
-    if (paths != nullptr) paths->add(trial.file.name, candidate.name, number, episode, end);
+    if (paths.table) paths.table->add(trial.file.name, candidate.name, number, episode, end);
+    if (paths.searches) paths.searches->add(trial.file.name, candidate.name, number, episode, end);
   };
   return evaluate::fly(candidate, trial, ranks, watcher);
 }
 
-void write_files(const Options& o, const evaluate::EvaluationSetup& setup, const std::vector<evaluate::Row>& rows) {
+void write_files(const Options& o, const evaluate::EvaluationSetup& setup, const std::vector<evaluate::Row>& rows, const Paths& paths) {
   const evaluate::Timing timing = o.timing ? evaluate::Timing::kIncluded : evaluate::Timing::kLeftOut;
   if (o.json) host::write_whole(*o.json, evaluate::as_json(setup, rows, timing));
   if (o.csv) host::write_whole(*o.csv, evaluate::as_csv(rows, timing));
+  if (o.paths) host::write_whole(*o.paths, paths.table->csv());
+  if (o.page) host::write_whole(*o.page, report::page_with(evaluate::as_suite(setup, rows, *paths.searches), report::PageOf::kSuite));
   if (!o.plot) return;
   try {
     const std::string title = evaluate::title_of(setup);
@@ -228,6 +245,7 @@ void check_files(const Options& o, const Inputs& read) {
   if (o.csv) files.push_back({"--csv", *o.csv, kTableOutput});
   if (o.plot) files.push_back({"--plot", *o.plot, host::picture_kind(*o.plot)});
   if (o.paths) files.push_back({"--paths", *o.paths, kPathsOutput});
+  if (o.page) files.push_back({"--page", *o.page, host::kHtmlOutput});
   host::require_writable(files_of(o, read), files, host::replaced_by(o.force));
 }
 
@@ -263,7 +281,7 @@ struct Common {
 
 /// Flies every candidate in every world, and prints the table of each world. @return on rank 0 the rows; elsewhere nothing
 std::vector<evaluate::Row> fly_in_all(std::span<const evaluate::WorldFile> worlds, std::span<const evaluate::Candidate> candidates,
-                                      const Common& common, parallel::Ranks& ranks, evaluate::PathTable& paths) {
+                                      const Common& common, parallel::Ranks& ranks, Paths& paths) {
   const Options& o = common.options;
   std::vector<evaluate::Row> rows;
   for (std::size_t i = 0; i < worlds.size(); ++i) {
@@ -274,7 +292,7 @@ std::vector<evaluate::Row> fly_in_all(std::span<const evaluate::WorldFile> world
     const evaluate::Pace pace = evaluate::pace_of(searched->world);
     const std::size_t first_row = rows.size();
     for (const evaluate::Candidate& candidate : candidates) {
-      const std::vector<evaluate::Flight> flights = fly(candidate, trial, ranks, o.paths ? &paths : nullptr);
+      const std::vector<evaluate::Flight> flights = fly(candidate, trial, ranks, paths);
       if (ranks.rank() == 0) rows.push_back(evaluate::row_of(world.name, candidate.name, flights, pace, world.seed));
     }
     if (ranks.rank() > 0) continue;
@@ -288,7 +306,8 @@ std::vector<evaluate::Row> fly_in_all(std::span<const evaluate::WorldFile> world
 void evaluate_policies(const Options& o, parallel::RankSession& session) {
   parallel::Ranks& ranks = session.ranks();
   const bool speaks = ranks.rank() == 0;
-  if (o.paths && ranks.size() > 1) throw BadInput("--paths: not with several MPI ranks");
+  for (const auto& [option, file] : {std::pair("--paths", o.paths), std::pair("--page", o.page)})
+    if (file && ranks.size() > 1) throw BadInput(std::string(option) + ": not with several MPI ranks");
   std::optional<evaluate::FlownMission> mission;
   if (o.mission) mission = evaluate::read_mission(*o.mission);
   const std::vector<evaluate::Candidate> candidates = candidates_of(o, mission);
@@ -330,7 +349,9 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
   std::optional<policy::ActionDraw> draw;
   if (o.draw) draw = description::draw_named(*o.draw);
 
-  evaluate::PathTable paths;
+  Paths paths;
+  if (o.paths) paths.table.emplace();
+  if (o.page) paths.searches.emplace();
   const std::vector<evaluate::Row> rows = fly_in_all(worlds, candidates, {o, environment, task.settings, tables, draw}, ranks, paths);
   if (speaks) {
     std::vector<std::optional<evaluate::FlownTables>> described;
@@ -345,9 +366,8 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
                  .warnings = warnings,
                  .worlds = worlds,
                  .tables = described},
-                rows);
+                rows, paths);
   }
-  if (o.paths) host::write_whole(*o.paths, paths.csv());
 }
 
 }  // namespace

@@ -86,8 +86,9 @@ MarkedBy marked_by(const FileDescriptor& file) {
 }
 
 void require_not_being_written(const std::filesystem::path& path) {
+  // Shared: of several programs that ask at the same time none takes another for the writer.
   const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (file.number() >= 0) mark_as_written(file, path);
+  if (file.number() >= 0 && ::flock(file.number(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK) refuse(file, path, "this file");
 }
 
 }  // namespace earshot::host

@@ -72,7 +72,7 @@ std::string title_of(const EvaluationSetup& setup) {
          std::string(search::name_of(setup.settings.placement));
 }
 
-std::string as_json(const EvaluationSetup& setup, std::span<const Row> rows, Timing timing) {
+ordered_json figures(const EvaluationSetup& setup, std::span<const Row> rows, Timing timing) {
   const search::SearchSettings& settings = setup.settings;
   ordered_json json{{"episodes", setup.episodes}, {"source", search::name_of(settings.placement)}};
   if (settings.placement == search::SourcePlacement::kFixed) {
@@ -101,7 +101,26 @@ std::string as_json(const EvaluationSetup& setup, std::span<const Row> rows, Tim
                               {"ocean_tables", setup.tables[i] ? as_json(*setup.tables[i]) : ordered_json("own ocean")}});
   }
   for (const Row& row : rows) json["results"].push_back(as_json(row, timing));
-  return json.dump(1) + "\n";
+  return json;
+}
+
+std::string as_json(const EvaluationSetup& setup, std::span<const Row> rows, Timing timing) {
+  return figures(setup, rows, timing).dump(1) + "\n";
+}
+
+std::string as_suite(const EvaluationSetup& setup, std::span<const Row> rows, const SearchesJson& searches) {
+  const Rectangle& area = setup.settings.domain;
+  return ordered_json{{"format", 1},
+                      {"title", title_of(setup)},
+                      {"area",
+                       {{"south_m", area.south_west.north.value},
+                        {"west_m", area.south_west.east.value},
+                        {"north_m", area.north_east.north.value},
+                        {"east_m", area.north_east.east.value}}},
+                      {"detection_threshold_db", setup.settings.detection_threshold.value},
+                      {"figures", figures(setup, rows, Timing::kLeftOut)},
+                      {"searches", searches.json()}}
+      .dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
 }  // namespace earshot::evaluate

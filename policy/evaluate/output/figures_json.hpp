@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
 
+#include "policy/evaluate/output/searches_json.hpp"
 #include "policy/evaluate/output/table.hpp"
 #include "policy/evaluate/world_file.hpp"
 #include "sim/search/settings.hpp"
@@ -35,7 +37,12 @@ struct EvaluationSetup {
 /// "300 searches each in munk_flat, source changing"
 [[nodiscard]] std::string title_of(const EvaluationSetup& setup);
 
-/// The figures as JSON: the evaluation, then a row for each policy in each world. A time that never comes and an unknown ratio are null.
+/// The figures as JSON: the evaluation, then a row for each policy in each world. A time that never comes and an unknown ratio are NaN,
+/// which JSON writes as null.
+[[nodiscard]] nlohmann::ordered_json figures(const EvaluationSetup& setup, std::span<const Row> rows, Timing timing);
 [[nodiscard]] std::string as_json(const EvaluationSetup& setup, std::span<const Row> rows, Timing timing);
+
+/// What the page of an evaluation is given (policy/report/page/source/suite.ts).
+[[nodiscard]] std::string as_suite(const EvaluationSetup& setup, std::span<const Row> rows, const SearchesJson& searches);
 
 }  // namespace earshot::evaluate

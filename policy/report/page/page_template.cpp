@@ -64,13 +64,14 @@ std::string_view page_template() {
   return {earshot_page_begin, earshot_page_end};
 }
 
-std::string page_with(std::string_view flight) {
+std::string page_with(std::string_view json, PageOf what) {
   const std::string_view page = page_template();
   const std::size_t place = page.find(kPlace);
-  const bool is_long = flight.size() > kLong_bytes;
+  const bool is_long = json.size() > kLong_bytes;
   std::string text(page.substr(0, place));
-  text += is_long ? R"(<script id="flight" type="application/gzip">)" : R"(<script id="flight" type="application/json">)";
-  text += is_long ? base64(compressed(flight)) : escaped(flight);
+  text += std::string("<script id=\"") + (what == PageOf::kFlight ? "flight" : "suite") + "\" type=\"application/" +
+          (is_long ? "gzip" : "json") + "\">";
+  text += is_long ? base64(compressed(json)) : escaped(json);
   text += "</script>";
   return text += page.substr(place + kPlace.size());
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -8,8 +9,13 @@ namespace earshot::report {
 /// The page of a flight without the flight: it asks `events` beside it for one that is under way (policy/watch).
 [[nodiscard]] std::string_view page_template();
 
-/// The page with a flight in it, which needs no other file.
-/// @param flight  JSON, as source/flight.ts describes it. Compressed (gzip) where it is long.
-[[nodiscard]] std::string page_with(std::string_view flight);
+enum class PageOf : std::uint8_t {
+  kFlight,  ///< source/flight.ts
+  kSuite,   ///< of an evaluation: source/suite.ts
+};
+
+/// The page with what it shows in it, which needs no other file.
+/// @param json  as its source describes it. Compressed (gzip) where it is long.
+[[nodiscard]] std::string page_with(std::string_view json, PageOf what = PageOf::kFlight);
 
 }  // namespace earshot::report

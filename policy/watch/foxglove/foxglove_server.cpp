@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "firmware/host/file/bad_input.hpp"
-#include "policy/watch/foxglove/this_computer.hpp"
+#include "policy/watch/http/this_computer.hpp"
 #include "policy/watch/foxglove/viewer.hpp"
 
 namespace earshot::watch {

@@ -32,6 +32,7 @@
 #include "firmware/policy/tables/ocean_tables.hpp"
 #include "sim/apps/fly/emulated_board.hpp"
 #include "sim/apps/fly/flight_folder.hpp"
+#include "sim/apps/fly/flight_page.hpp"
 #include "sim/apps/fly/flight_plan.hpp"
 #include "sim/apps/fly/flight_summary.hpp"
 #include "sim/apps/fly/hearing/hear_option.hpp"
@@ -71,6 +72,7 @@ struct Options {
   std::optional<std::uint32_t> end_with;
   bool ignore_source = false;
   bool no_report = false;
+  bool watch = false;
 };
 
 void declare(program::CommandLine& line, Options& o) {
@@ -117,6 +119,7 @@ void declare(program::CommandLine& line, Options& o) {
       .from(1, std::numeric_limits<std::int32_t>::max());
   line.flag("--ignore-source", &o.ignore_source, "fly on to the last step even when the source is found (benchmarks)");
   line.flag("--no-report", &o.no_report, "do not write report.html");
+  line.flag("--watch", &o.watch, "show it in a browser while it is flown; the page then stays until Ctrl-C");
 }
 
 /// Where the two processes of a flight find each other, and where they write.
@@ -335,12 +338,9 @@ host::MissionFile checked_mission(const Options& o) {
   return mission;
 }
 
-int fly_search(Options o) {
+int fly_search(Options o, const std::optional<fly::OtherProcess>& owner, fly::FlightPage& page) {
   if (o.environment.empty()) o.environment = host::shipped("sim/ocean/environments/munk_flat.toml");
   if (o.mission.empty()) o.mission = host::shipped(default_mission(o));
-  program::stop_on_signals();
-  const std::optional<fly::OtherProcess> owner =
-      o.end_with ? std::make_optional<fly::OtherProcess>(static_cast<pid_t>(*o.end_with)) : std::nullopt;
   const host::MissionFile mission = checked_mission(o);
   warn_of_another_source(o, mission);
   if (mission.hearing && !o.hear && program::talk() != program::Talk::kQuiet)
@@ -349,6 +349,7 @@ int fly_search(Options o) {
   const std::vector<host::BusLock> locks = lock_buses(o, mission);
   o.can_interface = chosen_can_interface(o, mission);
   FlightFolder folder(o.out);
+  if (o.watch) page.begin(o.out);
   const link::RunSlot slot;
   Meeting meeting{.domain = slot.domain(),
                   .lcm_url = chosen_url(o, mission).value_or(slot.lcm_url()),
@@ -367,7 +368,6 @@ int fly_search(Options o) {
   wait_for_both(simulator, runtime, owner);
   runtime.report_signal("earshot fly");
   simulator.report_signal("earshot fly");
-
   const bool has_flown = fs::exists(folder.unfinished() / "summary.json");
   const int status = exit_status(simulator, runtime, has_flown);
   if (has_flown && conclude(o, folder, is_flown(simulator, runtime))) return status;
@@ -375,6 +375,16 @@ int fly_search(Options o) {
   if (fs::exists(folder.unfinished()))
     std::cerr << "earshot fly: this flight is not whole; " << fly::place_of_rest(folder.unfinished()) << "\n";
   return status == program::kDone ? program::kLost : status;
+}
+
+int fly_and_show(const Options& o) {
+  program::stop_on_signals();
+  const std::optional<fly::OtherProcess> owner =
+      o.end_with ? std::make_optional<fly::OtherProcess>(static_cast<pid_t>(*o.end_with)) : std::nullopt;
+  fly::FlightPage page;
+  const int status = fly_search(o, owner, page);
+  if (status == program::kDone) page.stay(owner);
+  return status;
 }
 
 }  // namespace
@@ -386,5 +396,5 @@ int main(int argc, char** argv) {
       "Exit status: 0 flown (found or not), 2 bad input, 3 a process or a file was lost, 130 Ctrl-C.");
   Options options;
   declare(line, options);
-  return program::run(line, argc, argv, [&] { return fly_search(options); });
+  return program::run(line, argc, argv, [&] { return fly_and_show(options); });
 }

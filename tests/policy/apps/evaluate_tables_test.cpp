@@ -168,7 +168,7 @@ TEST_F(TablesForEvaluate, AndAllElseThatIsReadAreReplacedByNoOutput) {
   write_ocean_with_section(folder / "e.toml", folder / "section.csv");
   std::ofstream(folder / "w.toml") << "name = \"own\"\nwhat = \"b\"\nseed = 1\nenvironment = \"e.toml\"\n";
   const std::string brief = "evaluate --force --episodes 1 ";
-  for (const std::string output : {"--csv", "--json", "--paths"}) {
+  for (const std::string output : {"--csv", "--json", "--paths", "--page"}) {
     const std::string and_policy = ", " + output + " p.policy: the same file";
     refuses(brief + "p.policy " + output + " p.policy", {"POLICY p.policy" + and_policy});
     refuses(brief + "--policies oracle,p.policy --source fixed " + output + " p.policy", {"POLICY p.policy" + and_policy});

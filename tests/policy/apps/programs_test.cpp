@@ -301,7 +301,7 @@ TEST_F(Programs, LeaveFilesThatAreNoneOfTheirOwnUnlessForced) {
   const std::string notes = "[seabed]\ndepth_m = 3000\n";
   for (const char* name : {"notes.toml", "notes.svg"}) std::ofstream(folder / name) << notes;
   const std::string evaluate = "evaluate --policies oracle --episodes 1";
-  for (const char* option : {" --json notes.toml", " --csv notes.toml", " --paths notes.toml", " --plot notes.svg"})
+  for (const char* option : {" --json notes.toml", " --csv notes.toml", " --paths notes.toml", " --page notes.toml", " --plot notes.svg"})
     refuses(evaluate + option, {"is there already and is not", "--force"});
   const std::string train = "train" + kOcean + " --episodes 1 -o ";
   refuses(train + "notes.toml", {"notes.toml: is there already and is not a checkpoint"});

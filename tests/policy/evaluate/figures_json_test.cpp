@@ -127,5 +127,14 @@ TEST_F(FiguresJson, SaysInItsTitleWhatWasSearched) {
   EXPECT_TRUE(support::tells(title_of(setup(std::nullopt)), {"300", "searches", "source"}));
 }
 
+TEST_F(FiguresJson, OfASuiteAreThoseOfTheFileWithTheAreaAndTheSearches) {
+  const auto suite = nlohmann::json::parse(as_suite(setup(std::nullopt), std::span(&row_, 1), SearchesJson{}));
+  EXPECT_EQ(suite["figures"], nlohmann::json::parse(as_json(setup(std::nullopt), std::span(&row_, 1), Timing::kLeftOut)));
+  EXPECT_EQ(suite["area"], nlohmann::json::parse(R"({"south_m": 0.0, "west_m": 0.0, "north_m": 25000.0, "east_m": 25000.0})"));
+  EXPECT_EQ(suite["title"], "300 searches each in paper, source fixed");
+  EXPECT_EQ(suite["detection_threshold_db"], 10.0);
+  EXPECT_TRUE(suite["searches"].is_array());
+}
+
 }  // namespace
 }  // namespace earshot::evaluate

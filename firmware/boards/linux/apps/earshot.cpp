@@ -53,6 +53,7 @@ constexpr std::array kDescriptions{
     Description{"earshot-sil", "replay", "gives a journal to the vehicle's core again, also with another policy or mission"},
     Description{"earshot-sil", "report", "writes the page about a flight again"},
     Description{"earshot-sil", "sim", "the ocean and the vehicle of a flight; earshot fly starts it"},
+    Description{"earshot-sil", "watch", "shows a flight in a browser, while it is flown and afterwards"},
     Description{"earshot-tools", "candump", "prints in words what goes over a CAN bus, and records it"},
     Description{"earshot-tools", "dbc", "prints the CAN messages as a DBC file"},
     Description{"earshot-tools", "evaluate", "flies many searches with policies and baselines, and reports how they did"},

@@ -1,5 +1,8 @@
 #include "firmware/host/journal/reading/decode_record.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "firmware/core/crc32.hpp"
 #include "firmware/wire/journal/closing_record.hpp"
 #include "firmware/wire/journal/input_record.hpp"
@@ -25,6 +28,14 @@ Content closing_in(std::span<const std::uint8_t> data) {
 }
 
 }  // namespace
+
+std::string journalled_channel(std::string_view channel) {
+  using namespace wire;
+  constexpr std::array kInputs{kNavStateChannel,      kSnrEstimateChannel,     kBearingChannel,         kOperatorCommandChannel,
+                               kVehicleStatusChannel, kAutopilotStatusChannel, kHydrophoneStatusChannel};
+  if (channel == kSetpointChannel) return std::string(kJournalledSetpointChannel);
+  return std::ranges::find(kInputs, channel) != kInputs.end() ? std::string(channel) + ".1" : std::string(channel);
+}
 
 Content decode_record(std::string_view channel, Time time, std::span<const std::uint8_t> data) {
   messages::Input input;

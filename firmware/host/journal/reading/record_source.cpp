@@ -1,27 +1,12 @@
 #include "firmware/host/journal/reading/record_source.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <utility>
 
 #include "firmware/host/journal/reading/decode_record.hpp"
-#include "firmware/wire/lcm/channels.hpp"
 
 namespace earshot::journal {
-namespace {
-
-/// The channel in a journal of what was on a bus: a bus log knows one port.
-std::string journalled_channel(const std::string& channel) {
-  using namespace wire;
-  constexpr std::array kInputs{kNavStateChannel,      kSnrEstimateChannel,     kBearingChannel,         kOperatorCommandChannel,
-                               kVehicleStatusChannel, kAutopilotStatusChannel, kHydrophoneStatusChannel};
-  if (channel == kSetpointChannel) return std::string(kJournalledSetpointChannel);
-  return std::ranges::find(kInputs, channel) != kInputs.end() ? channel + ".1" : channel;
-}
-
-}  // namespace
-
 std::optional<Entry> RecordSource::next() {
   if (waiting_.empty()) {
     host::JournalRecord record;

@@ -1,4 +1,4 @@
-// The page of a flight: one that stands in the file, or one under way.
+// The page: a flight or an evaluation that stands in the file, or a flight under way.
 
 import "leaflet/leaflet.css";
 import "../style.css";
@@ -15,6 +15,8 @@ import {listen} from "./live";
 import {FlightMap} from "./map";
 import {showSpectrogram} from "./spectrogram";
 import {StripCharts} from "./strips";
+import type {Suite} from "./suite";
+import {SuitePage} from "./suite_page";
 import {showSummary} from "./summary";
 
 declare const DecompressionStream: new (format: "gzip") => ReadableWritablePair<Uint8Array, Uint8Array>;  // TypeScript 4.8 does not know it
@@ -144,12 +146,12 @@ class Page {
 }
 
 /** What stands in the file, plain or compressed; null: nothing. */
-async function embedded(): Promise<Flight|null> {
-  const data = document.getElementById("flight");
+async function embedded(id: "flight"|"suite"): Promise<unknown> {
+  const data = document.getElementById(id);
   if (!data?.textContent) return null;
-  if (data.getAttribute("type") === "application/json") return JSON.parse(data.textContent) as Flight;
+  if (data.getAttribute("type") === "application/json") return JSON.parse(data.textContent);
   const packed = new Blob([bytesOf(data.textContent.trim())]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return (await new Response(packed).json()) as Flight;
+  return new Response(packed).json();
 }
 
 function refuse(text: string): void {
@@ -158,9 +160,14 @@ function refuse(text: string): void {
 }
 
 async function main(): Promise<void> {
-  const flight = await embedded();
-  if (flight && flight.format !== FORMAT)
-    return refuse(`This page shows flights of format ${FORMAT}, and this one has format ${flight.format}.`);
+  const suite = (await embedded("suite")) as Suite | null;
+  const flight = (await embedded("flight")) as Flight | null;
+  const format = (flight ?? suite)?.format ?? FORMAT;
+  if (format !== FORMAT) return refuse(`This page shows format ${FORMAT}, and what is in it has format ${format}.`);
+  if (suite) {
+    new SuitePage(suite);
+    return;
+  }
   if (flight) {
     new Page(flight);
     return;

@@ -1,4 +1,4 @@
-#include "policy/watch/foxglove/this_computer.hpp"
+#include "policy/watch/http/this_computer.hpp"
 
 #include <gtest/gtest.h>
 
