@@ -168,7 +168,7 @@ TEST_F(Keeping, GivenItsRuntimeIsKilledBeforeTheFirstTickTheFlightEndsAtOnceAndS
 }
 
 TEST_F(Keeping, GivenSigtermAsSoonAsAnyOfItsProgramsIsThereTheFlightEndsAtOnceAndSaysSo) {
-  for (const char* program : {"earshot-fly", "earshotd", "earshot-sim", "libearshot-simulation.so"}) {
+  for (const char* program : {"earshot-fly", "earshotd", "earshot-sim"}) {
     const auto flight = fly({"--speed", "1"});
     ASSERT_NE(wait_for(program), 0) << program << ": " << flight->output();
     flight->signal(SIGTERM);

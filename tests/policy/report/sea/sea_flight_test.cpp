@@ -53,6 +53,8 @@ TEST_F(SeaFlightTest, TellsHowFarItSailedInItsSearchAlone) {
   journal.fix(40, 0, 0);  // 400 m and 500 m after the first in the search
   journal.state(50, MissionState::kAbort, EndReason::kNavigationStale, 2);
   journal.fix(60, 9'000, 0);
+  journal.state(70, MissionState::kSearch, EndReason::kNone, 2);
+  journal.fix(80, 20'000, 0);  // the first of another search
   journal.end(messages::Ending::kStopped);
   const SeaFlight flight = read_sea_flight(path_).value();
   EXPECT_NEAR(flight.sailed.value, 900.0, 1e-9);
