@@ -151,7 +151,7 @@ std::size_t FoxgloveServer::Service::channel_of(const journal::Topic* topic) {
   channels_.push_back({.topic = topic, .time_ns = 0, .last = {}});
   const std::size_t channel = channels_.size() - 1;
   for (auto& [connection, viewer] : viewers_)
-    viewer.tell(Json{{"op", "advertise"}, {"channels", Json::array({advertisement_of(channel, *topic)})}}.dump());
+    viewer.control(Json{{"op", "advertise"}, {"channels", Json::array({advertisement_of(channel, *topic)})}}.dump());
   return channel;
 }
 
@@ -201,10 +201,10 @@ int FoxgloveServer::Service::greet(lws* connection) {
   const std::lock_guard lock(mutex_);
   if (viewers_.size() >= kMostViewers) return kClose;
   Viewer& viewer = viewers_[connection];
-  viewer.tell(Json{{"op", "serverInfo"}, {"name", "Earshot"}, {"capabilities", {"time"}}, {"metadata", Json::object()}}.dump());
+  viewer.control(Json{{"op", "serverInfo"}, {"name", "Earshot"}, {"capabilities", {"time"}}, {"metadata", Json::object()}}.dump());
   Json channels = Json::array();
   for (std::size_t i = 0; i < channels_.size(); ++i) channels.push_back(advertisement_of(i, *channels_[i].topic));
-  viewer.tell(Json{{"op", "advertise"}, {"channels", channels}}.dump());
+  viewer.control(Json{{"op", "advertise"}, {"channels", channels}}.dump());
   viewer.send_time(time_ns_);
   lws_callback_on_writable(connection);
   return 0;
@@ -220,7 +220,7 @@ int FoxgloveServer::Service::receive(lws* connection, std::string_view piece) {
   if (request.is_object())
     obey(viewer, request);
   else
-    viewer.tell(status(2, "a message of the viewer is no JSON object"));
+    viewer.control(status(2, "a message of the viewer is no JSON object"));
   lws_callback_on_writable(connection);
   return 0;
 }
@@ -236,9 +236,9 @@ void FoxgloveServer::Service::obey(Viewer& viewer, const Json& request) {
   } else if (operation == "unsubscribe") {
     for (const Json& one : list_of("subscriptionIds"))
       if (!one.is_number_unsigned() || !viewer.unsubscribe(one.get<Viewer::Subscription>()))
-        viewer.tell(status(1, "there is no subscription " + one.dump()));
+        viewer.control(status(1, "there is no subscription " + one.dump()));
   } else {
-    viewer.tell(status(1, "a viewer may subscribe and unsubscribe; this is refused: " + operation.dump()));
+    viewer.control(status(1, "a viewer may subscribe and unsubscribe; this is refused: " + operation.dump()));
   }
 }
 
@@ -252,7 +252,7 @@ void FoxgloveServer::Service::subscribe(Viewer& viewer, const Json& subscription
   const std::optional<std::uint32_t> id = number_of("id");
   const std::optional<std::uint32_t> number = number_of("channelId");
   if (!id || !number || *number >= channels_.size() || !viewer.subscribe(*id, *number)) {
-    viewer.tell(status(2, "no such channel, or a subscription that is there already: " + subscription.dump()));
+    viewer.control(status(2, "no such channel, or a subscription that is there already: " + subscription.dump()));
     return;
   }
   const Channel& channel = channels_[*number];

@@ -45,11 +45,11 @@ void Viewer::queue(std::string bytes) {
 
 std::optional<Frame> Viewer::next() {
   if (dropped_ > 0)
-    tell(status(
+    control(status(
         1, std::to_string(std::exchange(dropped_, 0)) + " messages were left out, the oldest that waited: this viewer reads too slowly"));
-  if (!told_.empty()) {
-    Frame frame = std::move(told_.front());
-    told_.pop_front();
+  if (!controls_.empty()) {
+    Frame frame = std::move(controls_.front());
+    controls_.pop_front();
     return frame;
   }
   if (messages_.empty()) return std::nullopt;

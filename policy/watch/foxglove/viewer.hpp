@@ -25,14 +25,14 @@ class Viewer {
   static constexpr std::size_t kMostWaiting_bytes = 4U << 20U;
 
   /// What the viewer must not miss: it goes before messages.
-  void tell(std::string json) { told_.push_back({.is_binary = false, .bytes = std::move(json)}); }
+  void control(std::string json) { controls_.push_back({.is_binary = false, .bytes = std::move(json)}); }
   /// On a channel that it subscribes to, else nothing. Where too much waits, the oldest go.
   void send(Channel channel, std::uint64_t time_ns, std::string_view message);
   /// The time at which the flight is.
   void send_time(std::uint64_t time_ns);
   /// @return nothing when there is nothing to send
   [[nodiscard]] std::optional<Frame> next();
-  [[nodiscard]] bool is_waiting() const { return !told_.empty() || !messages_.empty(); }
+  [[nodiscard]] bool is_waiting() const { return !controls_.empty() || !messages_.empty(); }
 
   /// @return false: it has that subscription, or that channel, already
   [[nodiscard]] bool subscribe(Subscription subscription, Channel channel);
@@ -45,7 +45,7 @@ class Viewer {
   void queue(std::string bytes);
 
   std::map<Channel, Subscription> subscriptions_;
-  std::deque<Frame> told_;
+  std::deque<Frame> controls_;
   std::deque<std::string> messages_;
   std::size_t waiting_bytes_ = 0;
   std::uint64_t dropped_ = 0;  ///< since it was last told

@@ -98,7 +98,7 @@ class Served(unittest.TestCase):
         channels = self.channels(viewer)
         self.assertLessEqual(TOPICS, channels.keys())
         self.subscribe(viewer, *(channel["id"] for channel in channels.values()))
-        seen = set()
+        seen: set[str] = set()
         while len(seen) < len(channels):
             subscription, _, content = self.message(viewer)
             channel = next(one for one in channels.values() if one["id"] == subscription - 100)

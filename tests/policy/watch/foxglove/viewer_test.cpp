@@ -40,7 +40,7 @@ TEST(Viewer, IsToldWhatItMustNotMissBeforeItsMessages) {
   Viewer viewer;
   ASSERT_TRUE(viewer.subscribe(1, 0));
   viewer.send(0, 0, "{}");
-  viewer.tell("first");
+  viewer.control("first");
   EXPECT_EQ(all_frames(viewer).at(0).bytes, "first");
 }
 
