@@ -1,12 +1,7 @@
 // earshot-watch: the page of a flight while it is flown.
 
-#include <chrono>
-#include <cstdint>
-#include <optional>
-
-#include "firmware/host/program/run.hpp"
-#include "policy/watch/http/server.hpp"
 #include "policy/watch/watch.hpp"
+#include "firmware/host/program/run.hpp"
 
 int main(int argc, char** argv) {
   using namespace earshot;
@@ -16,16 +11,16 @@ int main(int argc, char** argv) {
                             "Ctrl-C. It only reads: it commands nothing, and the vehicle does not know of it.\n"
                             "Exit status: 0 ended by Ctrl-C, 2 bad input, 3 the network was lost.");
   watch::WatchOptions options;
-  std::optional<std::uint32_t> port;
-  std::optional<std::uint32_t> wait_s;
-  line.option("PLACE", &options.what,
-              "journal of a flight (.lcmlog), its folder, or lcm: what a vehicle says on LCM. Of a folder the mission that is under way "
-              "there, else the last that is over")
+  line.option(
+          "PLACE", &options.what,
+          "journal of a flight (.lcmlog), its folder, or lcm: the messages of a vehicle on LCM. Of a folder the mission that is under way "
+          "there, else the last that is over")
       .required();
-  line.option("--wait", &wait_s, "seconds to wait for a mission that begins there; a flight that is over is not shown then")
+  line.option("--wait", &options.wait_s, "seconds to wait for a mission that begins there; a flight that is over is not shown then")
       .from(0, 86'400);
   line.option("--lcm-url", &options.lcm_url, "LCM network of the vehicle, for lcm").shows_default();
-  line.option("--port", &port, "TCP port; 0: one that is free; default: 8020, or one that is free where that is taken").from(0, 65'535);
+  line.option("--port", &options.port, "TCP port; 0: one that is free; default: 8020, or one that is free where that is taken")
+      .from(0, 65'535);
   line.option("--listen", &options.listen,
               "address of this computer where others may read, 0.0.0.0 for all that it has; needs --password-file; default: this computer "
               "alone");
@@ -36,9 +31,5 @@ int main(int argc, char** argv) {
       "Examples:\n"
       "  earshot watch out\n"
       "  earshot watch lcm --lcm-url 'udpm://239.255.76.67:7667?ttl=1'");
-  return program::run(line, argc, argv, [&] {
-    if (port) options.port = static_cast<std::uint16_t>(*port);
-    if (wait_s) options.wait = std::chrono::seconds(*wait_s);
-    return watch::watch(options);
-  });
+  return program::run(line, argc, argv, [&] { return watch::watch(options); });
 }

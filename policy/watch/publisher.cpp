@@ -20,8 +20,8 @@ void Publisher::update(report::GrowingFlight& flight, Change change) {
   if (change != Change::kNone) whole_ = nullptr;
   const bool has_followers = audience_.has_followers();
   if (has_followers && change == Change::kMore) {
-    const nlohmann::ordered_json news = flight.changes(sent_);
-    if (!news.empty()) audience_.publish(event("news", news));
+    const nlohmann::ordered_json changes = flight.changes(sent_);
+    if (!changes.empty()) audience_.publish(event("news", changes));
   }
   if (!audience_.asks()) return;
   if (!has_followers) sent_ = flight.all_sent();

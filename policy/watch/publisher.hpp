@@ -3,8 +3,8 @@
 #include <cstdint>
 
 #include "policy/report/document/growing_flight.hpp"
-#include "policy/watch/http/audience.hpp"
 #include "policy/watch/flight_source.hpp"
+#include "policy/watch/http/audience.hpp"
 
 namespace earshot::watch {
 

@@ -1,5 +1,6 @@
 #include "policy/watch/watch.hpp"
 
+#include <chrono>
 #include <iostream>
 #include <memory>
 
@@ -8,12 +9,12 @@
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "policy/report/page/page_template.hpp"
-#include "policy/watch/http/audience.hpp"
 #include "policy/watch/desktop_browser.hpp"
 #include "policy/watch/followed_flight.hpp"
+#include "policy/watch/http/audience.hpp"
+#include "policy/watch/http/server.hpp"
 #include "policy/watch/lcm_flight.hpp"
 #include "policy/watch/publisher.hpp"
-#include "policy/watch/http/server.hpp"
 
 namespace earshot::watch {
 namespace {
@@ -32,8 +33,8 @@ ServerSettings settings_of(const WatchOptions& options) {
 }
 
 /// On the usual port, so that an address that somebody kept is right again; on any other where that is taken.
-std::unique_ptr<Server> serve(ServerSettings settings, std::optional<std::uint16_t> port, Audience& audience) {
-  if (port) settings.port = *port;
+std::unique_ptr<Server> serve(ServerSettings settings, std::optional<std::uint32_t> port, Audience& audience) {
+  if (port) settings.port = static_cast<std::uint16_t>(*port);
   try {
     return std::make_unique<Server>(settings, audience);
   } catch (const PortTaken&) {
@@ -45,7 +46,9 @@ std::unique_ptr<Server> serve(ServerSettings settings, std::optional<std::uint16
 
 std::unique_ptr<FlightSource> source_of(const WatchOptions& options) {
   if (options.what == kLcm) return std::make_unique<LcmFlight>(options.lcm_url);
-  return std::make_unique<FollowedFlight>(options.what, options.wait);
+  std::optional<std::chrono::seconds> wait;
+  if (options.wait_s) wait = std::chrono::seconds(*options.wait_s);
+  return std::make_unique<FollowedFlight>(options.what, wait);
 }
 
 }  // namespace
@@ -53,7 +56,6 @@ std::unique_ptr<FlightSource> source_of(const WatchOptions& options) {
 int watch(const WatchOptions& options) {
   const ServerSettings settings = settings_of(options);
   program::stop_on_signals();
-  program::stop_on_sighup();
   const std::unique_ptr<FlightSource> source = source_of(options);
   Change change = source->take();  // what is no journal is refused before anybody is served
   Audience audience;

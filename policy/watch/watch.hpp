@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -16,9 +15,9 @@ inline constexpr const char* kLcm = "lcm";  ///< in place of a journal
 struct WatchOptions {
   std::string what;  ///< a journal, its folder, or kLcm
   std::string lcm_url{host::kDefaultLcmUrl};
-  std::optional<std::chrono::seconds> wait = std::nullopt;  ///< for a mission that begins; nothing: for none
-  std::optional<std::uint16_t> port = std::nullopt;         ///< nothing: kUsualPort, or any where that is taken
-  std::optional<std::string> listen = std::nullopt;         ///< nothing: this computer alone
+  std::optional<std::uint32_t> wait_s = std::nullopt;  ///< for a mission that begins; nothing: for none
+  std::optional<std::uint32_t> port = std::nullopt;    ///< nothing: kUsualPort, or any where that is taken
+  std::optional<std::string> listen = std::nullopt;    ///< nothing: this computer alone
   std::optional<std::filesystem::path> password_file = std::nullopt;
   bool open = false;  ///< in a browser, where there is a desktop
 };

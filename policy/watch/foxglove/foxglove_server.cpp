@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "firmware/host/file/bad_input.hpp"
-#include "policy/watch/http/this_computer.hpp"
 #include "policy/watch/foxglove/viewer.hpp"
+#include "policy/watch/http/this_computer.hpp"
 
 namespace earshot::watch {
 namespace {

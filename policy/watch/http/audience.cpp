@@ -21,8 +21,8 @@ std::vector<std::shared_ptr<Browser>> Audience::present() const {
   return present;
 }
 
-void Audience::publish(const Frame& news) {
-  for (const auto& browser : present()) dropped_ += browser->push(news);
+void Audience::publish(const Frame& frame) {
+  for (const auto& browser : present()) dropped_ += browser->push(frame);
 }
 
 void Audience::give(const Frame& whole) {

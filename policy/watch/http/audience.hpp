@@ -20,7 +20,7 @@ class Audience {
   /// A place for another browser, which is free again when nobody holds it any more. Nothing: all places are taken.
   [[nodiscard]] std::shared_ptr<Browser> join();
 
-  void publish(const Frame& news);
+  void publish(const Frame& frame);
   /// To all that ask for it.
   void give(const Frame& whole);
   /// Another flight begins: everybody asks for it.

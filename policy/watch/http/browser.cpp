@@ -4,11 +4,11 @@
 
 namespace earshot::watch {
 
-std::uint64_t Browser::push(Frame news) {
+std::uint64_t Browser::push(Frame frame) {
   const std::lock_guard lock(mutex_);
   if (state_ == State::kLost) return 1;
   if (state_ == State::kAsks) return 0;
-  const bool is_full = frames_.size() >= kMostFrames || (!frames_.empty() && bytes_ + news->size() > kMostBytes);
+  const bool is_full = frames_.size() >= kMostFrames || (!frames_.empty() && bytes_ + frame->size() > kMostBytes);
   if (is_full) {
     const std::uint64_t dropped = frames_.size() + 1;
     frames_.clear();
@@ -17,8 +17,8 @@ std::uint64_t Browser::push(Frame news) {
     wake_.signal();
     return dropped;
   }
-  bytes_ += news->size();
-  frames_.push_back(std::move(news));
+  bytes_ += frame->size();
+  frames_.push_back(std::move(frame));
   wake_.signal();
   return 0;
 }

@@ -25,7 +25,7 @@ class Browser {
 
   /// What has come since what it was given before. Passed over where it has not been given the whole.
   /// @return how many frames were dropped
-  std::uint64_t push(Frame news);
+  std::uint64_t push(Frame frame);
   /// It waits for the whole flight.
   [[nodiscard]] bool asks() const;
   void give(Frame whole);

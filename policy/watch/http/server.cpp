@@ -192,7 +192,7 @@ class Server::Http final : private httplib::Server {
     }
     if (request.method == "HEAD") return response.set_header("Content-Type", kEventStream);
     const std::shared_ptr<Browser> browser = audience_.join();
-    if (!browser) return refuse({kBusy, "So many browsers look on that there is no place left.", false}, response);
+    if (!browser) return refuse({kBusy, "All places for browsers are taken.", false}, response);
     response.set_content_provider(
         kEventStream, [browser, connection = answered](std::size_t, httplib::DataSink&) { return connection->send_next(*browser); });
   }

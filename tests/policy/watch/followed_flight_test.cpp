@@ -159,9 +159,9 @@ TEST_F(WatchedJournal, IsSentWholeOnceAndThenOnlyWhatCame) {
   const auto late = audience.join();
   const Change change = next_change(flight);
   publisher.update(flight.flight(), change);
-  const Frame news = early->next();
-  ASSERT_TRUE(news && news->starts_with("event: news\ndata: {"));
-  const auto value = nlohmann::json::parse(news->substr(news->find("data: ") + 6));
+  const Frame changes = early->next();
+  ASSERT_TRUE(changes && changes->starts_with("event: news\ndata: {"));
+  const auto value = nlohmann::json::parse(changes->substr(changes->find("data: ") + 6));
   EXPECT_EQ(value["strips"]["time_s"], nlohmann::json::array({2}));
   EXPECT_FALSE(value.contains("mission"));
   const Frame other = late->next();

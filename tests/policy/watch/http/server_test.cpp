@@ -176,15 +176,15 @@ TEST_F(WatchServer, HoldsTenThousandConnectionsOff) {
 TEST_F(WatchServer, EndsThoughBrowsersWait) {
   Audience audience;
   auto server = std::make_unique<Server>(ServerSettings{.port = 0, .page = kPage}, audience);
-  Client looks(port_in(server->url()));
-  looks.send(request("GET /events"));
-  looks.read_until("retry");
+  Client waiting(port_in(server->url()));
+  waiting.send(request("GET /events"));
+  waiting.read_until("retry");
   Client idle(port_in(server->url()));
   const auto began = steady_clock::now();
   server.reset();
   EXPECT_LT(steady_clock::now() - began, 2s);
-  looks.read_all();
-  EXPECT_TRUE(looks.is_closed());
+  waiting.read_all();
+  EXPECT_TRUE(waiting.is_closed());
 }
 
 TEST_F(WatchServer, SharesNoPort) {
