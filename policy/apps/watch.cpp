@@ -26,6 +26,8 @@ int main(int argc, char** argv) {
               "alone");
   line.option("--password-file", &options.password_file,
               "file whose first line is the password that a browser asks for, with any user name; nobody else may read it");
+  line.flag("--foxglove", &options.foxglove, "also serve Foxglove and Lichtblick, on this computer alone");
+  line.option("--foxglove-port", &options.foxglove_port, "their TCP port; 0: one that is free").shows_default().from(0, 65'535);
   line.flag("--open", &options.open, "open it in a browser, where there is a desktop");
   line.footer(
       "Examples:\n"

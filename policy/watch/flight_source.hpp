@@ -2,7 +2,10 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
+#include <utility>
 
+#include "firmware/host/journal/reading/entry.hpp"
 #include "policy/report/document/growing_flight.hpp"
 
 namespace earshot::watch {
@@ -26,6 +29,18 @@ class FlightSource {
   [[nodiscard]] virtual report::GrowingFlight& flight() = 0;
   /// Until more may have come, so long at most.
   virtual void wait(std::chrono::milliseconds most) = 0;
+
+  /// @param observer  is given every entry of the flight, in order, from the next take() on
+  void observe(std::function<void(const journal::Entry&)> observer) { observer_ = std::move(observer); }
+
+ protected:
+  void add(const journal::Entry& entry) {
+    flight().take(entry);
+    if (observer_) observer_(entry);
+  }
+
+ private:
+  std::function<void(const journal::Entry&)> observer_;
 };
 
 }  // namespace earshot::watch

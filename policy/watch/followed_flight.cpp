@@ -78,7 +78,7 @@ bool FollowedFlight::take_entries() {
     const std::optional<journal::Entry> entry = source_->next();
     is_at_end_ = !entry;
     if (!entry) break;
-    flight_->take(*entry);
+    add(*entry);
     has_taken = true;
   }
   return has_taken;

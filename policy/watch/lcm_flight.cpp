@@ -66,7 +66,7 @@ Change LcmFlight::take(const wire::Lc02Message& message) {
   const auto* const health = std::get_if<messages::Health>(&content);
   const bool is_another = health != nullptr && health->end_reason == messages::EndReason::kNone && flight_->is_over();
   if (is_another) begin();
-  flight_->take(journal::Record{
+  add(journal::Record{
       .number = next_number_++, .time = time, .channel = channel, .size_bytes = message.data.size(), .content = std::move(content)});
   return is_another ? Change::kOther : Change::kMore;
 }

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/program/exit_status.hpp"
@@ -11,6 +12,7 @@
 #include "policy/report/page/page_template.hpp"
 #include "policy/watch/desktop_browser.hpp"
 #include "policy/watch/followed_flight.hpp"
+#include "policy/watch/foxglove/foxglove_feed.hpp"
 #include "policy/watch/http/audience.hpp"
 #include "policy/watch/http/server.hpp"
 #include "policy/watch/lcm_flight.hpp"
@@ -57,10 +59,15 @@ int watch(const WatchOptions& options) {
   const ServerSettings settings = settings_of(options);
   program::stop_on_signals();
   const std::unique_ptr<FlightSource> source = source_of(options);
+  std::optional<FoxgloveFeed> foxglove;
+  if (options.foxglove) foxglove.emplace(static_cast<std::uint16_t>(options.foxglove_port));
+  if (foxglove) source->observe([&](const journal::Entry& entry) { foxglove->take(entry); });
   Change change = source->take();  // what is no journal is refused before anybody is served
   Audience audience;
   const std::unique_ptr<Server> server = serve(settings, options.port, audience);
-  program::print() << server->url() << "\n" << std::flush;
+  program::print() << server->url() << "\n";
+  if (foxglove) program::print() << foxglove->url() << "\n";
+  program::print() << std::flush;
   if (options.open) open_in_browser(server->url());
   Publisher publisher(audience);
   while (!program::stop_requested) {

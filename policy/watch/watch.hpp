@@ -9,7 +9,8 @@
 
 namespace earshot::watch {
 
-inline constexpr const char* kLcm = "lcm";  ///< in place of a journal
+inline constexpr const char* kLcm = "lcm";            ///< in place of a journal
+inline constexpr std::uint32_t kFoxglovePort = 8765;  ///< where viewers expect it
 
 /// What a person asks of `earshot watch`.
 struct WatchOptions {
@@ -19,7 +20,9 @@ struct WatchOptions {
   std::optional<std::uint32_t> port = std::nullopt;    ///< nothing: kUsualPort, or any where that is taken
   std::optional<std::string> listen = std::nullopt;    ///< nothing: this computer alone
   std::optional<std::filesystem::path> password_file = std::nullopt;
-  bool open = false;  ///< in a browser, where there is a desktop
+  bool open = false;      ///< in a browser, where there is a desktop
+  bool foxglove = false;  ///< serve Foxglove and Lichtblick, too
+  std::uint32_t foxglove_port = kFoxglovePort;
 };
 
 /// Serves the page of a flight until a signal ends it. @return the exit status of `earshot watch`
