@@ -1,6 +1,6 @@
-// watch.decision_ms: from a decision in the journal to the event of it at a browser, at 95 % of the decisions of a search of 100 steps, each
-// with the belief and the reasons that its policy gives. Twenty browsers look on, one of which never reads. The journal is written again
-// as a flight wrote it, a decision every 60 to 100 ms.
+// watch.decision_ms: from a decision in the journal to the event of it at a browser, at 95 % of the decisions of a search of 100 steps,
+// each with the belief and the reasons that its policy gives. Twenty browsers look on, one of which never reads. The journal is written
+// again as a flight wrote it, a decision every 60 to 100 ms.
 
 #include <algorithm>
 #include <chrono>
@@ -139,9 +139,9 @@ int main() try {
   std::vector<double> times_ms = measurement.run();
   if (times_ms.empty()) throw std::runtime_error("no decision came");
   std::ranges::sort(times_ms);
-  std::cout << nlohmann::ordered_json{{"name", "watch.decision_ms"},         {"unit", "ms"},
-                                      {"decisions", times_ms.size()},        {"p50", quantile(times_ms, 0.5)},
-                                      {"most", times_ms.back()},             {"value", quantile(times_ms, 0.95)}}
+  std::cout << nlohmann::ordered_json{{"name", "watch.decision_ms"},  {"unit", "ms"},
+                                      {"decisions", times_ms.size()}, {"p50", quantile(times_ms, 0.5)},
+                                      {"most", times_ms.back()},      {"value", quantile(times_ms, 0.95)}}
             << "\n";
   return 0;
 } catch (const std::exception& e) {

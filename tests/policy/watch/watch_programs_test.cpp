@@ -29,7 +29,8 @@ class WatchProgram : public policy_programs::Programs {
     for (int i = 0; i < 400; ++i, std::this_thread::sleep_for(50ms)) {
       const std::string said = content(folder / "out");
       const std::size_t at = said.find("http://127.0.0.1:");
-      if (at != std::string::npos && said.find("/\n", at) != std::string::npos) return static_cast<std::uint16_t>(std::stoi(said.substr(at + 17)));
+      if (at != std::string::npos && said.find("/\n", at) != std::string::npos)
+        return static_cast<std::uint16_t>(std::stoi(said.substr(at + 17)));
     }
     ADD_FAILURE() << "no address: " << content(folder / "err");
     return 0;
@@ -124,7 +125,8 @@ TEST_F(WatchProgram, ShowsAFlightOfEarshotFlyThatStaysUntilCtrlC) {
   EXPECT_NE(events.find("event: flight\n"), std::string::npos);
   EXPECT_NE(events.find("\"is_over\":true"), std::string::npos);
   EXPECT_TRUE(fs::exists(folder / "flight/summary.json"));
-  EXPECT_NE(content(folder / "out").find("page        stays at the address above until Ctrl-C"), std::string::npos) << content(folder / "out");
+  EXPECT_NE(content(folder / "out").find("page        stays at the address above until Ctrl-C"), std::string::npos)
+      << content(folder / "out");
   process.signal(SIGINT);
   EXPECT_EQ(process.wait(20s), 0) << content(folder / "err");
   client->read_all();
