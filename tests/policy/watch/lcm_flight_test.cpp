@@ -46,7 +46,8 @@ TEST(LcmFlight, IsWhatTheVehiclePublishes) {
   LcmFlight flight(kUrl);
   VehicleOnLcm vehicle;
   EXPECT_EQ(flight.take(), Change::kNone);
-  vehicle.send(wire::kNavStateChannel, journal::known_fix(journal::kBegan));
+  const auto now = std::chrono::system_clock::now().time_since_epoch();  // an older fix counts as none
+  vehicle.send(wire::kNavStateChannel, journal::known_fix({std::chrono::duration_cast<std::chrono::microseconds>(now).count()}));
   vehicle.send_health(messages::MissionState::kSearch, messages::EndReason::kNone);
   while (flight.flight().whole()["strips"]["time_s"].empty()) ASSERT_EQ(next_change(flight), Change::kMore);
   const auto whole = flight.flight().whole();
