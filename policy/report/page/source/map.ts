@@ -265,25 +265,25 @@ export class FlightMap {
     this.decisionsDrawn = count;
     const marks = this.group("decisions");
     const bearings = this.group("bearings");
-    for (const decision of decisions.slice(0, count)) {
-      if (this.isOn.decisions)
-        L.circleMarker(at(decision.at), {
-           radius: 4,
-           weight: 1.5,
-           color: colour("decision"),
-           fillColor: decision.detected ? colour("decision") : colour("ground"),
-           fillOpacity: 1
-         })
-            .bindTooltip(`step ${decision.step}: ${decision.too_faint ? "below " : ""}${number(decision.snr_db, 1, "dB")}, went ${
-                decision.direction}`)
-            .on("click", () => this.clock.set(decision.time_s))
-            .addTo(marks);
-      if (this.isOn.decisions && decision.declared)
+    const taken = decisions.slice(0, count);
+    for (const decision of this.isOn.bearings ? taken : [])
+      if (decision.bearing) this.drawBearing(bearings, decision.at, decision.bearing, decision === taken[count - 1]);
+    for (const decision of this.isOn.decisions ? taken : []) {  // after the bearings, so that the pointer finds them
+      L.circleMarker(at(decision.at), {
+         radius: 4,
+         weight: 1.5,
+         color: colour("decision"),
+         fillColor: decision.detected ? colour("decision") : colour("ground"),
+         fillOpacity: 1
+       })
+          .bindTooltip(
+              `step ${decision.step}: ${decision.too_faint ? "below " : ""}${number(decision.snr_db, 1, "dB")}, went ${decision.direction}`)
+          .on("click", () => this.clock.set(decision.time_s))
+          .addTo(marks);
+      if (decision.declared)
         L.circleMarker(at(decision.declared), {radius: 9, weight: 3, color: colour("declared"), fill: false})
             .bindTooltip(`declared found at step ${decision.step}`)
             .addTo(marks);
-      if (this.isOn.bearings && decision.bearing)
-        this.drawBearing(bearings, decision.at, decision.bearing, decision === decisions[count - 1]);
     }
   }
 
