@@ -38,7 +38,9 @@ class PageTest(unittest.TestCase):
         self.assertEqual(outside, [])
 
     def new_page(self, width: int = 1280, height: int = 900, scheme: str = "light") -> Page:
-        page = self.browser.new_page(viewport={"width": width, "height": height}, color_scheme=scheme, accept_downloads=True)
+        page = self.browser.new_page(
+            viewport={"width": width, "height": height}, color_scheme=scheme, accept_downloads=True
+        )
         self.addCleanup(page.close)
         page.on("console", self.note)
         page.on("pageerror", lambda error: self.errors.append(str(error)))

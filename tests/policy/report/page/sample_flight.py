@@ -28,8 +28,7 @@ def place(north: float, east: float) -> dict[str, float]:
 def belief(row: int, column: int, cells: int = 10, side_m: float = 10_000.0) -> Flight:
     """The likeliest cell is given; every other one is the less likely, the farther it lies from it."""
     far = [max(abs(r - row), abs(c - column)) for r in range(cells) for c in range(cells)]
-    # A tenth of the area about the likeliest cell holds half of it, and the byte grows by 28 a ring.
-    area = bytes(min(255, 28 * ring) for ring in far)
+    area = bytes(min(255, 36 * ring) for ring in far)
     middle = side_m / cells
     likeliest = place((row + 0.5) * middle, (column + 0.5) * middle)
     return {
@@ -80,13 +79,30 @@ def decision(index: int) -> Flight:
         "sweeping": index == 0,
         "overridden": index == 2,
         "declared": place(7000.0, 6000.0) if index == 3 else None,
-        "reasons": [f"Reason {index}: the sound grows to the {DIRECTIONS[index]}.", "East was second best: it costs 0.5 steps."],
+        "reasons": [
+            f"Reason {index}: the sound grows to the {DIRECTIONS[index]}.",
+            "East was second best: it costs 0.5 steps.",
+        ],
         "actions": [action(name, 4.0 - abs(i - index), 0.5 * abs(i - index)) for i, name in enumerate(DIRECTIONS)],
         "taken": index,
         "second_best": (index + 1) % 4,
         "hypotheses": [
-            {"ocean": "Munk profile", "level_db": 3.0, "spread_db": 4.0, "silence_share": 0.1, "is_moving": False, "share": 0.75},
-            {"ocean": "Arctic duct", "level_db": -3.0, "spread_db": 6.0, "silence_share": 0.0, "is_moving": True, "share": 0.25},
+            {
+                "ocean": "Munk profile",
+                "level_db": 3.0,
+                "spread_db": 4.0,
+                "silence_share": 0.1,
+                "is_moving": False,
+                "share": 0.75,
+            },
+            {
+                "ocean": "Arctic duct",
+                "level_db": -3.0,
+                "spread_db": 6.0,
+                "silence_share": 0.0,
+                "is_moving": True,
+                "share": 0.25,
+            },
         ],
         "observed": [
             {"name": "distance to the south edge", "value": "2.0 km", "part": 0.02},
@@ -237,13 +253,22 @@ def big(rows: int = 8000, decisions: int = 100, cells: int = 50) -> Flight:
         one = decision(step % 4) | {"step": step, "time_s": round(step * every_s), "declared": None}
         one["at"] = place(1000.0 + 8000.0 * step / decisions, 1000.0 + 4000.0 * (step % 17) / 17)
         one["belief"] = belief(step % cells, (7 * step) % cells, cells) | {
-            "area_of_cell": base64.b64encode(draw.randbytes(cells * cells)).decode()
+            "area_of_cell": base64.b64encode(
+                bytes(max(0, byte - draw.randrange(9)) for byte in rings(step, cells))
+            ).decode()
         }
         flight["decisions"].append(one)
-    flight["events"] = [
-        {"time_s": round(i * end_s / 1000), "kind": "other", "text": f"event {i}"} for i in range(1000)
-    ]
+    flight["events"] = [{"time_s": round(i * end_s / 1000), "kind": "other", "text": f"event {i}"} for i in range(1000)]
     return flight
+
+
+def rings(step: int, cells: int) -> list[int]:
+    """Three rings about where the sound was heard: what a belief looks like that knows a distance."""
+    row, column = 0.5 * cells + 0.2 * (step % 20), 0.4 * cells + 0.1 * (step % 30)
+    far = [((r - row) ** 2 + (c - column) ** 2) ** 0.5 for r in range(cells) for c in range(cells)]
+    return [
+        min(255, round(60 * min(abs(d - ring) for ring in (0.05 * cells, 0.25 * cells, 0.45 * cells)))) for d in far
+    ]
 
 
 def page_with(page: str, flight: Flight, is_compressed: bool = False) -> str:

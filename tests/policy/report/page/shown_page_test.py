@@ -1,7 +1,7 @@
 """What the page of a flight shows, and what it keeps to itself."""
 
-from playwright.sync_api import Page
 from page_rig import PageTest
+from playwright.sync_api import Page
 from sample_flight import NASTY_NAME, at_sea, small
 
 
@@ -40,7 +40,9 @@ class Shown(PageTest):
             ["Reason 1: the sound grows to the NE.", "East was second best: it costs 0.5 steps."],
         )
         self.assertIn("NE ◀ taken", page.inner_text("tr.taken"))
-        self.assertEqual(page.locator("#decision tr", has_text="second best").locator("td").first.inner_text(), "E second best")
+        self.assertEqual(
+            page.locator("#decision tr", has_text="second best").locator("td").first.inner_text(), "E second best"
+        )
         taken = page.locator("tr.taken td").all_inner_texts()
         self.assertEqual(taken[1:], ["4.00", "12.0 ± 3.5 dB", "25 %", "5.0 %", "−120 m", "0.00"])
 
@@ -87,7 +89,8 @@ class Shown(PageTest):
 
     def test_draws_the_spectrogram_with_its_scale(self) -> None:
         page = self.open(small())
-        pixel = "([x, y]) => [...document.querySelector('#spectrogram canvas').getContext('2d').getImageData(x, y, 1, 1).data]"
+        canvas = "document.querySelector('#spectrogram canvas').getContext('2d')"
+        pixel = f"([x, y]) => [...{canvas}.getImageData(x, y, 1, 1).data]"
         # The ends of cividis; frequency goes up, time to the right: the loud cell stands bottom left.
         self.assertEqual(page.evaluate(pixel, [0, 3]), [255, 234, 70, 255])
         self.assertEqual(page.evaluate(pixel, [0, 2]), [0, 32, 77, 255])
