@@ -41,7 +41,7 @@ export class BeliefPicture {
         if (area >= FAINTEST) continue;
         const share = 1 - area / FAINTEST;
         const at = 4 * ((belief.cells_north - 1 - row) * belief.cells_east + column);  // a picture begins in the north
-        cells.data.set([...cividis(strongestIsYellow ? share : 1 - share), 80 + 150 * share], at);
+        cells.data.set([...cividis(strongestIsYellow ? share : 1 - share), 110 + 130 * share], at);
       }
     this.canvas.width = belief.cells_east;
     this.canvas.height = belief.cells_north;

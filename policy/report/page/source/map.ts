@@ -109,7 +109,7 @@ export class FlightMap {
     if (north.length > 0 && east.length > 0)
       this.map.fitBounds(
           [[Math.min(...north), Math.min(...east)], [Math.max(...north) + 1, Math.max(...east) + 1]],
-          {paddingTopLeft: [36, 12], paddingBottomRight: [18, 40]});
+          {paddingTopLeft: [36, 12], paddingBottomRight: [18, 44]});
   }
 
   /** After news, or in other colours. */
@@ -197,19 +197,20 @@ export class FlightMap {
     const {south_m, west_m, north_m, east_m} = mission.area;
     const step_m = [1e3, 2e3, 5e3, 1e4, 2e4, 5e4, 1e5].find((step) => Math.max(north_m - south_m, east_m - west_m) / step <= 8) ?? 2e5;
     const line = (places: LatLng[]) => L.polyline(places, {color: colour("grid"), weight: 1, interactive: false}).addTo(grid);
-    const label = (place: LatLng, text: string, anchor: [number, number]) =>
+    const label = (place: LatLng, text: string, side: "north"|"east") =>
         L.marker(place, {
-           icon: L.divIcon({html: text, className: "grid-label", iconSize: [48, 14], iconAnchor: anchor}),
+           icon: L.divIcon(
+               {html: text, className: `grid-label ${side}`, iconSize: [30, 14], iconAnchor: side === "east" ? [15, -3] : [34, 7]}),
            keyboard: false,
            interactive: false
          }).addTo(grid);
     for (let north = Math.ceil(south_m / step_m) * step_m; north <= north_m; north += step_m) {
       line([[north, west_m], [north, east_m]]);
-      label([north, west_m], `${north / 1000}`, [52, 7]);
+      label([north, west_m], `${north / 1000}`, "north");
     }
     for (let east = Math.ceil(west_m / step_m) * step_m; east <= east_m; east += step_m) {
       line([[south_m, east], [north_m, east]]);
-      label([south_m, east], east === 0 ? "km" : `${east / 1000}`, [24, -3]);
+      label([south_m, east], east === 0 ? "km" : `${east / 1000}`, "east");
     }
     if (!this.isOn.fences) return;
     const fence = (places: Place[], name: string, tint: string, dashArray: string) => {
@@ -336,7 +337,8 @@ export class FlightMap {
       for (const [share, weight] of [[0.9, 1], [0.5, 2.5]] as const)
         L.polyline(outline(belief, share), {color: colour("outline"), weight, interactive: false}).addTo(group);
     if (this.isOn.belief || this.isOn.outlines)
-      L.circleMarker(at(belief.likeliest), {radius: 6, color: colour("likeliest"), weight: 2.5, fill: false})
+      L.circleMarker(
+           at(belief.likeliest), {radius: 5, color: colour("likeliest"), weight: 2.5, fillColor: colour("ground"), fillOpacity: 1})
           .bindTooltip(`likeliest place, ${percent(belief.likeliest_share, 1)}`)
           .addTo(group);
     if (!this.isOn.spread) return;

@@ -21,7 +21,10 @@ class Files(PageTest):
         with page.expect_download() as waiting:
             page.click(f"#exports button:text-is('{name}')")
         file = waiting.value.path()
-        return waiting.value.suggested_filename, file.read_text() if name != "PNG of the map" else file.read_bytes().hex()
+        return (
+            waiting.value.suggested_filename,
+            file.read_text() if name != "PNG of the map" else file.read_bytes().hex(),
+        )
 
     def assert_begins_right(self, longitude: float, latitude: float) -> None:
         self.assertAlmostEqual(latitude, 45.0 + 2000.0 / LATITUDE_M, delta=2.0 / LATITUDE_M)  # of the tables' digits
@@ -33,7 +36,9 @@ class Files(PageTest):
         features = json.loads(text)["features"]
         tracks = [f for f in features if f["properties"]["kind"] == "track"]
         decisions = [f for f in features if f["properties"]["kind"] == "decision"]
-        self.assertEqual([(t["geometry"]["type"], len(t["geometry"]["coordinates"])) for t in tracks], [("LineString", TRACK)])
+        self.assertEqual(
+            [(t["geometry"]["type"], len(t["geometry"]["coordinates"])) for t in tracks], [("LineString", TRACK)]
+        )
         longitude, latitude, altitude_m = tracks[0]["geometry"]["coordinates"][0]
         self.assert_begins_right(longitude, latitude)
         self.assertEqual(altitude_m, -100.0)
@@ -92,7 +97,9 @@ class Files(PageTest):
         self.assertTrue(name.endswith(".png"))
         self.assertTrue(content.startswith(b"\x89PNG\r\n\x1a\n".hex()))
         width, height = int(content[32:40], 16), int(content[40:48], 16)
-        frame = page.evaluate("[document.getElementById('map').clientWidth, document.getElementById('map').clientHeight]")
+        frame = page.evaluate(
+            "[document.getElementById('map').clientWidth, document.getElementById('map').clientHeight]"
+        )
         self.assertEqual([width, height], frame)
 
     def test_saves_no_latitudes_that_it_does_not_know(self) -> None:

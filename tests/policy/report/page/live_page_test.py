@@ -33,11 +33,11 @@ class Server:
                     return
                 self.send_header("Content-Type", "text/event-stream")
                 self.end_headers()
-                news: queue.Queue[tuple[str, Any] | None] = queue.Queue()
-                news.put(("flight", outer.flight))
-                outer.pages.append(news)
+                messages: queue.Queue[tuple[str, Any] | None] = queue.Queue()
+                messages.put(("flight", outer.flight))
+                outer.pages.append(messages)
                 self.wfile.write(b"retry: 200\n\n")
-                while (one := news.get()) is not None:
+                while (one := messages.get()) is not None:
                     self.wfile.write(f"event: {one[0]}\ndata: {json.dumps(one[1])}\n\n".encode())
                     self.wfile.flush()
 
@@ -113,7 +113,10 @@ class Live(PageTest):
 
     def test_draws_the_same_strips_of_news_as_of_the_whole(self) -> None:
         end_s = 30_000  # three thousand rows are thinned where they are drawn
-        whole = under_way() | {"strips": strips(list(range(0, end_s + 1, 10)), self.busy_row), "decisions": [decision(0)]}
+        whole = under_way() | {
+            "strips": strips(list(range(0, end_s + 1, 10)), self.busy_row),
+            "decisions": [decision(0)],
+        }
         _, at_once = self.watch(whole)
         begin = whole | {"strips": {name: column[:1500] for name, column in whole["strips"].items()}}
         server, page = self.watch(begin)

@@ -164,10 +164,9 @@ class Moment(PageTest):
     def on_map(self, page: Page, north_m: float, east_m: float) -> tuple[float, float]:
         """Where a place of the sample is on the screen, by the frame that the belief's picture fills: 10 km square."""
         page.locator("#map").scroll_into_view_if_needed()
-        box = page.evaluate(
-            "(({left, bottom, width}) => [left, bottom, width])(document.querySelector('canvas.belief').getBoundingClientRect())"
-        )
-        return box[0] + box[2] * east_m / 10_000, box[1] - box[2] * north_m / 10_000
+        box = page.locator("canvas.belief").bounding_box()
+        assert box
+        return box["x"] + box["width"] * east_m / 10_000, box["y"] + box["height"] * (1 - north_m / 10_000)
 
     def point_at(self, page: Page, time_s: float) -> float:
         """The pointer over the strips at a time; its place on the screen. The axis at their left is 52 pixels wide."""

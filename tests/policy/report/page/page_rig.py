@@ -70,7 +70,11 @@ class PageTest(unittest.TestCase):
     def move(self, page: Page, time_s: float) -> None:
         """The slider, as a reader drags it."""
         page.evaluate(
-            "(t) => { const slider = document.getElementById('time'); slider.value = t; slider.dispatchEvent(new Event('input')); }",
+            """(time_s) => {
+              const slider = document.getElementById('time');
+              slider.value = time_s;
+              slider.dispatchEvent(new Event('input'));
+            }""",
             time_s,
         )
         self.drawn(page)
@@ -79,12 +83,11 @@ class PageTest(unittest.TestCase):
         return float(page.input_value("#time"))
 
     def belief_cell(self, page: Page, row: int, column: int) -> list[int]:
-        """Red, green, blue and opacity in the middle of a cell of the belief's picture; rows count from the south."""
+        """Red, green, blue and opacity of a cell of the belief's picture; rows count from the south."""
         return page.evaluate(
             """([row, column]) => {
               const canvas = document.querySelector('canvas.belief');
-              const side = canvas.width / 10;
-              return [...canvas.getContext('2d').getImageData((column + 0.5) * side, canvas.height - (row + 0.5) * side, 1, 1).data];
+              return [...canvas.getContext('2d').getImageData(column, canvas.height - 1 - row, 1, 1).data];
             }""",
             [row, column],
         )

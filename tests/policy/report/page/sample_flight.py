@@ -63,7 +63,7 @@ def action(name: str, score: float, regret: float) -> Flight:
 
 
 def decision(index: int) -> Flight:
-    """The first was too faint to measure, the second has a bearing with its mirror image, the last declares the source found."""
+    """The first was too faint to measure, the second has a bearing and its mirror, the last declares the find."""
     time_s = DECISION_S[index]
     at = place(north_m(time_s), 1500.0)
     return {
