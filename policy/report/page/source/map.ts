@@ -215,7 +215,8 @@ export class FlightMap {
     if (!this.isOn.fences) return;
     const fence = (places: Place[], name: string, tint: string, dashArray: string) => {
       if (places.length > 0)
-        L.polygon(places.map(at), {color: colour(tint), weight: 1.5, dashArray, fill: false})
+        L.polyline(
+             [...places, places[0]!].map(at), {color: colour(tint), weight: 1.5, dashArray})  // a polygon would be named everywhere inside
             .bindTooltip(name, {sticky: true})
             .addTo(fences);
     };

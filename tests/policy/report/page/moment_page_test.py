@@ -141,6 +141,26 @@ class Moment(PageTest):
         self.drawn(page)
         self.assertEqual(self.moment_s(page), 300)
 
+    def test_names_what_is_under_the_pointer_on_the_map(self) -> None:
+        page = self.open(small())
+        # Two kilometres along the bearing of 70 degrees from the second decision, and along its mirror image.
+        for north, east, words in (
+            (2600 + 684, 1500 + 1879, "bearing 070° ± 5°"),
+            (2600 + 274, 1500 - 752, "bearing 290° ± 5°"),  # by 800 m
+            (500, 5000, "fence: the vehicle stays inside"),
+            (1000, 1000, "safe point"),
+            (4500, 3500, "likeliest place, 12.5 %"),
+            (8500, 8500, "zone without surfacing"),
+            (-1000, 5000, "halt polygon: beyond it the mission is aborted"),
+        ):
+            page.mouse.move(*self.on_map(page, north, east))
+            self.assertEqual(page.inner_text(".leaflet-tooltip"), words)
+        page.uncheck("input[name=bearings]")
+        page.uncheck("input[name=fences]")
+        for north, east in ((2600 + 684, 1500 + 1879), (500, 5000)):
+            page.mouse.move(*self.on_map(page, north, east))
+            self.assertEqual(page.locator(".leaflet-tooltip").count(), 0)
+
     def test_tells_the_place_under_the_pointer(self) -> None:
         page = self.open(small())
         page.mouse.move(*self.on_map(page, 4500.0, 3500.0))
