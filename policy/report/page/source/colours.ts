@@ -9,9 +9,9 @@ export function isDark(): boolean {
   return colour("scheme") === "dark";
 }
 
-/** Called when the reader's screen turns light or dark. */
+/** Called when the reader's screen turns light or dark, and when a page on paper is wanted, which is light. */
 export function onScheme(listener: () => void): void {
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", listener);
+  for (const query of ["(prefers-color-scheme: dark)", "print"]) matchMedia(query).addEventListener("change", listener);
 }
 
 // Source: Nunez, Anderton, Renslow, "Optimizing colormaps with consideration for color vision deficiency", PLoS ONE 13 (2018): cividis.

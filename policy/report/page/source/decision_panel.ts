@@ -120,6 +120,7 @@ export class DecisionPanel {
       replace(byId("decision"), element("p", {}, "The vehicle has not decided anything at this moment."));
       return;
     }
+    const isOpen = [...byId("decision").querySelectorAll("details")].map((details) => details.open);
     const words = [
       decision.sweeping ? "sweeps" : "", decision.overridden ? "a rule moved the way-point" : "",
       decision.declared ? "declares the source found" : ""
@@ -130,5 +131,6 @@ export class DecisionPanel {
         element("p", {class: "soft"}, [`decided at ${duration(decision.time_s)}`, ...words.filter((word) => word)].join(" · ")),
         element("ul", {class: "reasons"}, ...decision.reasons.map((reason) => element("li", {}, reason))), actions(decision),
         hypotheses(decision), observed(decision));
+    byId("decision").querySelectorAll("details").forEach((details, i) => (details.open = isOpen[i] ?? details.open));
   }
 }

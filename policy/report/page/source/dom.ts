@@ -56,7 +56,7 @@ export function replace(parent: HTMLElement, ...children: Child[]): void {
 
 export function number(value: number|null|undefined, digits: number, unit = ""): string {
   if (value == null || !Number.isFinite(value)) return "–";
-  return value.toFixed(digits).replace("-", "−") + (unit ? ` ${unit}` : "");
+  return value.toFixed(digits).replace("-", "−") + (unit === "°" || !unit ? unit : ` ${unit}`);
 }
 
 export function percent(share: number|null|undefined, digits = 0): string {

@@ -16,15 +16,10 @@ declare module "leaflet/leaflet.esm.js" {
     setLatLngs(places: LatLng[]): this;
     setLatLng(place: LatLng): this;
   }
-  export interface ImageOverlay extends Layer {
-    setBounds(bounds: unknown): this;
-  }
   export interface Map {
     fitBounds(bounds: Bounds, options?: object): this;
     invalidateSize(): this;
-    hasLayer(layer: Layer): boolean;
     on(event: string, listener: (event: {latlng: {lat: number; lng: number}}) => void): this;
-    getPane(name: string): HTMLElement;
     getContainer(): HTMLElement;
     getSize(): {x: number; y: number};
     latLngToContainerPoint(place: LatLng): {x: number; y: number};
@@ -32,14 +27,15 @@ declare module "leaflet/leaflet.esm.js" {
   export const CRS: {Simple: object};
   export function map(element: HTMLElement, options: object): Map;
   export function layerGroup(layers?: Layer[]): LayerGroup;
-  export function polyline(places: LatLng[], options?: object): Path;
+  export function polyline(places: LatLng[]|LatLng[][], options?: object): Path;
   export function polygon(places: LatLng[], options?: object): Path;
   export function rectangle(bounds: Bounds, options?: object): Path;
   export function circle(place: LatLng, options?: object): Path;
   export function circleMarker(place: LatLng, options?: object): Path;
   export function marker(place: LatLng, options?: object): Path;
   export function divIcon(options: object): object;
-  export function svgOverlay(element: Element, bounds: Bounds, options?: object): ImageOverlay;
-  export function latLngBounds(bounds: Bounds): unknown;
-  export const control: {scale(options: object): {addTo(map: Map): void}};
+  export function svgOverlay(element: Element, bounds: Bounds, options?: object): Layer;
+  export const control: Record<"scale"|"zoom", (options: object) => {
+    addTo(map: Map): void
+  }>;
 }

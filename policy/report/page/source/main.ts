@@ -102,7 +102,8 @@ class Page {
 
   private obey(event: KeyboardEvent): void {
     const target = event.target as HTMLElement;
-    if (event.ctrlKey || event.altKey || event.metaKey || target.closest("input, select, textarea, dialog, .leaflet-container")) return;
+    if (event.ctrlKey || event.altKey || event.metaKey || target.closest("input, select, textarea, dialog")) return;
+    if (event.key.startsWith("Arrow") && target.closest("#map")) return;  // they move the map
     const keys: Record<string, () => void> = {
       ArrowLeft: () => this.clock.set(this.clock.time_s - STEP_S),
       ArrowRight: () => this.clock.set(this.clock.time_s + STEP_S),

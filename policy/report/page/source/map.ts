@@ -3,7 +3,7 @@
 import * as L from "leaflet/leaflet.esm.js";
 import type {LatLng, LayerGroup, Map as LeafletMap, Path} from "leaflet/leaflet.esm.js";
 
-import {BeliefPicture} from "./belief_picture";
+import {BeliefPicture, outline} from "./belief_picture";
 import type {Clock} from "./clock";
 import {colour, onScheme} from "./colours";
 import {byId, degrees, element, kilometres, number, percent, position, replace} from "./dom";
@@ -11,6 +11,7 @@ import type {Bearing, Decision, Flight, Place} from "./flight";
 import {areaAt, decisionAt, geographic, lastBefore, placeAt} from "./flight_data";
 
 const MOST_TRACK_POINTS = 3000;
+const MANY_DECISIONS = 40;  // from here on their marks are small
 
 /** What may be switched on and off, in the order of the switches. Truth is off until somebody asks for it. */
 const SWITCHES = [
@@ -61,6 +62,7 @@ export class FlightMap {
   private readonly vehicleMark: Path;
   private shown: Decision|null = null;
   private decisionsDrawn = -1;
+  private isFitted = false;
 
   constructor(private readonly flight: Flight, private readonly clock: Clock) {
     this.isOn = {...Object.fromEntries(SWITCHES.map((one) => [one.name, one.isOn])), truth: false} as Record<Name, boolean>;
@@ -74,10 +76,12 @@ export class FlightMap {
       minZoom: -12,
       maxZoom: 2,
       attributionControl: false,
+      zoomControl: false,
       zoomAnimation: false,
       fadeAnimation: false
     });
-    L.control.scale({imperial: false, maxWidth: 120}).addTo(this.map);
+    L.control.zoom({position: "topright"}).addTo(this.map);
+    L.control.scale({imperial: false, maxWidth: 120, position: "bottomright"}).addTo(this.map);
     for (const name of ["grid", "fences", "belief", "spread", "bearings", "decisions", "truth", "now"])
       this.groups[name] = L.layerGroup().addTo(this.map);
     this.future = L.polyline([], {weight: 1, opacity: 0.5, interactive: false}).addTo(this.map);
@@ -91,22 +95,26 @@ export class FlightMap {
     this.map.on("mouseout", () => replace(byId("map-place")));
     new ResizeObserver(() => this.map.invalidateSize()).observe(place);
     onScheme(() => this.redraw());
-    this.fit();
     this.redraw();
   }
 
-  /** All of the operating area, or what there is of a track. */
+  /** All of the operating area and its fences, or what there is of a track, with room for the kilometres and the scale. */
   fit(): void {
     const {mission, strips} = this.flight;
     const known = (values: (number|null)[]) => values.filter((value): value is number => value !== null);
-    const north = mission ? [mission.area.south_m, mission.area.north_m] : known(strips.north_m);
-    const east = mission ? [mission.area.west_m, mission.area.east_m] : known(strips.east_m);
+    const corners = mission ? [...mission.fence_inside, ...mission.fence_save, ...mission.fence_halt] : [];
+    const north = mission ? [mission.area.south_m, mission.area.north_m, ...corners.map((c) => c.north_m)] : known(strips.north_m);
+    const east = mission ? [mission.area.west_m, mission.area.east_m, ...corners.map((c) => c.east_m)] : known(strips.east_m);
+    this.isFitted = mission !== null;
     if (north.length > 0 && east.length > 0)
-      this.map.fitBounds([[Math.min(...north), Math.min(...east)], [Math.max(...north) + 1, Math.max(...east) + 1]], {padding: [14, 14]});
+      this.map.fitBounds(
+          [[Math.min(...north), Math.min(...east)], [Math.max(...north) + 1, Math.max(...east) + 1]],
+          {paddingTopLeft: [36, 12], paddingBottomRight: [18, 40]});
   }
 
   /** After news, or in other colours. */
   redraw(): void {
+    if (!this.isFitted) this.fit();
     this.shown = null;
     this.decisionsDrawn = -1;
     this.drawFences();
@@ -265,25 +273,27 @@ export class FlightMap {
     this.decisionsDrawn = count;
     const marks = this.group("decisions");
     const bearings = this.group("bearings");
-    for (const decision of decisions.slice(0, count)) {
-      if (this.isOn.decisions)
-        L.circleMarker(at(decision.at), {
-           radius: 4,
-           weight: 1.5,
-           color: colour("decision"),
-           fillColor: decision.detected ? colour("decision") : colour("ground"),
-           fillOpacity: 1
-         })
-            .bindTooltip(`step ${decision.step}: ${decision.too_faint ? "below " : ""}${number(decision.snr_db, 1, "dB")}, went ${
-                decision.direction}`)
-            .on("click", () => this.clock.set(decision.time_s))
-            .addTo(marks);
-      if (this.isOn.decisions && decision.declared)
+    const taken = decisions.slice(0, count);
+    for (const decision of this.isOn.bearings ? taken : [])
+      if (decision.bearing) this.drawBearing(bearings, decision.at, decision.bearing, decision === taken[count - 1]);
+    for (const decision of this.isOn.decisions ? taken : []) {  // after the bearings, so that the pointer finds them
+      L.circleMarker(at(decision.at), {
+         radius: decision === taken[count - 1] ? 6 :
+             count < MANY_DECISIONS            ? 4 :
+                                                 2.5,
+         weight: count < MANY_DECISIONS ? 1.5 : 1,
+         color: colour("decision"),
+         fillColor: decision.detected ? colour("decision") : colour("ground"),
+         fillOpacity: 1
+       })
+          .bindTooltip(
+              `step ${decision.step}: ${decision.too_faint ? "below " : ""}${number(decision.snr_db, 1, "dB")}, went ${decision.direction}`)
+          .on("click", () => this.clock.set(decision.time_s))
+          .addTo(marks);
+      if (decision.declared)
         L.circleMarker(at(decision.declared), {radius: 9, weight: 3, color: colour("declared"), fill: false})
             .bindTooltip(`declared found at step ${decision.step}`)
             .addTo(marks);
-      if (this.isOn.bearings && decision.bearing)
-        this.drawBearing(bearings, decision.at, decision.bearing, decision === decisions[count - 1]);
     }
   }
 
@@ -313,17 +323,22 @@ export class FlightMap {
     const spread = this.group("spread");
     const belief = decision?.belief;
     if (!belief) return;
-    if (this.isOn.belief || this.isOn.outlines) {
-      this.belief.draw(belief, this.isOn.belief, this.isOn.outlines);
+    if (this.isOn.belief) {
+      this.belief.draw(belief);
       const {south_west: corner, size} = belief;
       L.svgOverlay(this.belief.canvas, [at(corner), [corner.north_m + size.north_m, corner.east_m + size.east_m]], {
          className: "belief",
+         pane: "tilePane",  // under every line and mark
          interactive: false
        }).addTo(group);
+    }
+    if (this.isOn.outlines)
+      for (const [share, weight] of [[0.9, 1], [0.5, 2.5]] as const)
+        L.polyline(outline(belief, share), {color: colour("outline"), weight, interactive: false}).addTo(group);
+    if (this.isOn.belief || this.isOn.outlines)
       L.circleMarker(at(belief.likeliest), {radius: 6, color: colour("likeliest"), weight: 2.5, fill: false})
           .bindTooltip(`likeliest place, ${percent(belief.likeliest_share, 1)}`)
           .addTo(group);
-    }
     if (!this.isOn.spread) return;
     const {semi_major_m, semi_minor_m, bearing_deg} = belief.ellipse;
     const along = (bearing_deg * Math.PI) / 180;

@@ -19,14 +19,18 @@ export function showSpectrogram(flight: Flight, clock: Clock): void {
     for (let f = 0; f < frequency_hz.length; ++f)
       image.data.set([...cividis(cells[t * frequency_hz.length + f]! / 255), 255], 4 * ((frequency_hz.length - 1 - f) * time_s.length + t));
   picture.getContext("2d")!.putImageData(image, 0, 0);
+  const row_s = time_s.length > 1 ? (time_s[time_s.length - 1]! - time_s[0]!) / (time_s.length - 1) : 1;
+  const begin_s = (time_s[0] ?? 0) - row_s / 2;
   picture.addEventListener("click", (event) => {
     const box = picture.getBoundingClientRect();
-    clock.set(time_s[Math.floor(((event.clientX - box.left) / box.width) * time_s.length)] ?? 0);
+    clock.set(begin_s + ((event.clientX - box.left) / box.width) * row_s * time_s.length);
   });
   const cursor = element("div", {class: "cursor", "aria-hidden": "true"});
   const move = () => {
-    const span_s = (time_s[time_s.length - 1] ?? 1) - (time_s[0] ?? 0);
-    cursor.style.left = `${(100 * (clock.time_s - (time_s[0] ?? 0))) / Math.max(span_s, 1)}%`;
+    const share = (part_s: number) => `${(100 * part_s) / Math.max(clock.end_s, 1)}%`;
+    picture.style.marginLeft = share(begin_s);
+    picture.style.width = share(row_s * time_s.length);
+    cursor.style.left = share(clock.time_s);
   };
   clock.onChange(move);
   onScheme(move);

@@ -10,7 +10,9 @@ import {lastBefore} from "./flight_data";
 
 Chart.register(CategoryScale, Decimation, LinearScale, LineController, LineElement, PointElement);
 
-const AXIS_WIDTH = 52;
+const AXIS_WIDTH = 52;  // left of every strip, and of the spectrogram
+const RIGHT_PADDING = 26;
+const STEPS_S = [10, 30, 60, 120, 300, 600, 1200, 1800, 3600, 7200, 14400, 28800, 86400];  // of the marks of time
 
 interface Line {
   column: keyof Strips;
@@ -25,7 +27,8 @@ interface Strip {
   help: string;
   lines: Line[];
   isReversed?: boolean;
-  range?: [number, number];
+  range?: [number, number?];
+  step?: number;                              // of the marks
   level?: (flight: Flight) => number | null;  // a line across, its name
   levelName?: string;
 }
@@ -75,6 +78,7 @@ const STRIPS: Strip[] = [
     unit: "°",
     digits: 0,
     range: [0, 360],
+    step: 90,
     help: "Heading clockwise from north, measured and ordered.",
     lines: [
       {column: "heading_deg", label: "measured", tint: "heard"},
@@ -91,6 +95,7 @@ const STRIPS: Strip[] = [
   {
     title: "turn time",
     unit: "ms",
+    range: [0],
     digits: 3,
     help: "How long the runtime took for a turn.",
     lines: [{column: "turn_time_ms", label: "turn time", tint: "heard"}]
@@ -102,7 +107,7 @@ const isKnown = (flight: Flight) => (strip: Strip) =>
     strip.lines.some((line) => column(flight, line.column).some((value) => value !== null));
 
 export class StripCharts {
-  private charts: {strip: Strip; chart: Chart}[] = [];
+  private charts: {strip: Strip; chart: Chart; rows: {x: number; y: number}[][]}[] = [];  // rows: of each line
   private readonly cursor = element("div", {class: "cursor", "aria-hidden": "true"});
   private pointed_s: number|null = null;
 
@@ -125,16 +130,16 @@ export class StripCharts {
       this.build();
       return;
     }
-    for (const {strip, chart} of this.charts) {
+    for (const {strip, chart, rows} of this.charts) {
       const {time_s} = this.flight.strips;
       chart.data.datasets.forEach((dataset, i) => {
         const line = strip.lines[i];
+        const data = line ? rows[i]! : this.level(strip);
         if (line)
-          for (let row = dataset.data.length; row < time_s.length; ++row) dataset.data.push(this.point_of(line, row));
-        else
-          dataset.data = this.level(strip);
+          for (let row = data.length; row < time_s.length; ++row) data.push(this.point_of(line, row));
+        dataset.data = data;  // what stood there may be thinned
       });
-      chart.options.scales!["x"]!.max = this.clock.end_s;
+      chart.options.scales!["x"] = this.time_axis();
       chart.update("none");
     }
     this.update();
@@ -159,7 +164,8 @@ export class StripCharts {
           (line) => element("span", {class: line.isDashed ? "key dashed" : "key", style: `--tint:var(--${line.tint})`}, line.label));
       place.append(element("div", {class: "strip-head", title: strip.help}, element("b", {}, `${strip.title} (${strip.unit})`), ...legend));
       place.append(element("div", {class: "strip"}, canvas));
-      return {strip, chart: this.chartOf(strip, canvas)};
+      const rows = strip.lines.map((line) => this.flight.strips.time_s.map((_, row) => this.point_of(line, row)));
+      return {strip, rows, chart: this.chartOf(strip, rows, canvas)};
     });
     this.update();
   }
@@ -173,15 +179,29 @@ export class StripCharts {
     return [{x: 0, y}, {x: this.clock.end_s, y}];
   }
 
-  private chartOf(strip: Strip, canvas: HTMLCanvasElement): Chart {
+  private time_axis(): object {
+    const end_s = this.clock.end_s;
+    return {
+      type: "linear",
+      min: 0,
+      max: end_s,
+      grid: {color: colour("grid"), borderColor: colour("grid")},
+      ticks: {color: colour("soft"), font: {size: 11}, autoSkipPadding: 14, maxRotation: 0, callback: (value: number) => duration(value)},
+      afterBuildTicks: (axis: {ticks: {value: number}[]}) => {
+        const step_s = STEPS_S.find((step) => end_s / step <= 8) ?? end_s;
+        axis.ticks = Array.from({length: Math.floor(end_s / step_s) + 1}, (_, i) => ({value: i * step_s}));
+      },
+      afterFit: (axis: {paddingRight: number}) => {
+        axis.paddingRight = RIGHT_PADDING;
+      }
+    };
+  }
+
+  private chartOf(strip: Strip, rows: {x: number; y: number}[][], canvas: HTMLCanvasElement): Chart {
     const line = (tint: string, isDashed?: boolean) =>
         ({borderColor: colour(tint), borderWidth: 1.3, borderDash: isDashed ? [4, 3] : [], pointRadius: 0, spanGaps: false});
-    const datasets = strip.lines.map(
-        (one) => (
-            {...line(one.tint, one.isDashed), label: one.label, data: this.flight.strips.time_s.map((_, row) => this.point_of(one, row))}));
+    const datasets = strip.lines.map((one, i) => ({...line(one.tint, one.isDashed), label: one.label, data: rows[i]!}));
     if (strip.level) datasets.push({...line("threshold", true), label: strip.levelName!, data: this.level(strip)});
-    const grid = {color: colour("grid"), borderColor: colour("grid")};
-    const ticks = {color: colour("soft"), font: {size: 11}};
     return new Chart(canvas, {
       type: "line",
       data: {datasets},
@@ -193,20 +213,14 @@ export class StripCharts {
         events: [],
         plugins: {decimation: {enabled: true, algorithm: "min-max", threshold: 1000}},
         scales: {
-          x: {
-            type: "linear",
-            min: 0,
-            max: this.clock.end_s,
-            grid,
-            ticks: {...ticks, maxTicksLimit: 8, maxRotation: 0, callback: (value) => duration(Number(value))}
-          },
+          x: this.time_axis(),
           y: {
             type: "linear",
             reverse: strip.isReversed ?? false,
             min: strip.range?.[0],
             max: strip.range?.[1],
-            grid,
-            ticks: {...ticks, maxTicksLimit: 5},
+            grid: {color: colour("grid"), borderColor: colour("grid")},
+            ticks: {color: colour("soft"), font: {size: 11}, maxTicksLimit: 5, stepSize: strip.step},
             afterFit: (axis) => {
               axis.width = AXIS_WIDTH;
             }

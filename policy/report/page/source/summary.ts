@@ -43,7 +43,7 @@ export function showSummary(flight: Flight): void {
       byId("sentences"), ...flight.sentences.map((sentence) => element("p", {}, sentence)),
       flight.began_utc ? element("p", {}, `Times count from ${utc(flight.began_utc, 0)}.`) : null);
   replace(byId("shortcomings"), ...flight.shortcomings.map((lack) => element("p", {}, lack)));
-  byId("kind").textContent = flight.is_simulated ? "simulation" : "at sea";
+  byId("kind").textContent = `${flight.is_simulated ? "simulation" : "at sea"}${flight.is_over ? "" : " · under way"}`;
   replace(
       byId("facts"),
       ...flight.facts.map(
