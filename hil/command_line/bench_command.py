@@ -10,6 +10,7 @@ Exit status: 0 every case passed; 1 one did not; 2 bad input; 3 the bench was lo
 from __future__ import annotations
 
 import argparse
+import json
 import os
 import signal
 import subprocess
@@ -20,15 +21,14 @@ from pathlib import Path
 
 sys.path.insert(1, str(Path(__file__).resolve().parents[1] / "page"))
 from bad_input import BadInput
-from bench_page import page
 from bench_results import BadResults, CaseResult, read_results
 from bus import VIRTUAL, command_on_bus, require_bus, why_no_virtual_bus
 from case_files import USUAL_MISSION, chosen_names, list_cases, names_over_can, require_cases
 from group_names import read_group_names
 from junit_report import junit_report
-from markup import printable
+from markup import printable, printable_values
 from outputs import is_junit_report, is_page, is_results, make_folder, require_writable, take_folder, write_whole
-from programs import BuildFailed, Programs, programs_for
+from programs import BuildFailed, NoPage, Programs, programs_for
 
 ROOT = Path(__file__).resolve().parents[2]
 COMMAND = os.environ.pop("EARSHOT_COMMAND", "hil/run")  # how it was called; not for what it starts
@@ -152,11 +152,17 @@ def write_reports(options: argparse.Namespace, results: list[CaseResult], progra
     made = f"{programs.version()}, flown by {COMMAND} with seed {options.seed} on {buses or can}, {day}."
     flown = {result.name for result in results}
     not_flown = [name for name in chosen_names(options.cases, options.case) if name not in flown]
-    if options.report is not None:
-        names = read_group_names(ROOT / "hil/bus/earshot.dbc")
-        write_whole(options.report, page(results, names, made, not_flown).encode())
     if options.junit is not None:
         write_whole(options.junit, junit_report(results, not_flown))
+    if options.report is not None:
+        content = {
+            "format": 1,
+            "made": made,
+            "not_flown": not_flown,
+            "group_names": read_group_names(ROOT / "hil/bus/earshot.dbc"),
+            "cases": [result.written for result in results],
+        }
+        write_whole(options.report, programs.page_of(json.dumps(printable_values(content))))
 
 
 def fly(options: argparse.Namespace, programs: Programs) -> int:
@@ -223,7 +229,7 @@ def main(words: list[str]) -> int:
     except BadInput as e:
         print(f"{COMMAND}: {e}", file=sys.stderr)
         return BAD_INPUT
-    except (BadResults, BuildFailed, OSError) as e:
+    except (BadResults, BuildFailed, NoPage, OSError) as e:
         print(f"{COMMAND}: {e}", file=sys.stderr)
         return LOST
     except KeyboardInterrupt:

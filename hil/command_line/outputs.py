@@ -12,12 +12,13 @@ from collections.abc import Callable
 from pathlib import Path
 
 from bad_input import BadInput
-from bench_page import BEGINNING
+
+_PAGE_BEGINS = b"<!DOCTYPE html>"
 
 
 def is_page(path: Path) -> bool:
     with path.open("rb") as file:
-        return file.read(len(BEGINNING)) == BEGINNING.encode()
+        return file.read(len(_PAGE_BEGINS)) == _PAGE_BEGINS
 
 
 def is_junit_report(path: Path) -> bool:

@@ -21,6 +21,10 @@ class BuildFailed(RuntimeError):
     """Its text is for a person; the compiler's own stands above it."""
 
 
+class NoPage(RuntimeError):
+    """The bench, which holds the page, did not give it; its own words stand above this."""
+
+
 @dataclass(frozen=True)
 class Programs:
     bench: Path
@@ -42,6 +46,16 @@ class Programs:
         except (OSError, subprocess.TimeoutExpired):  # no program at all, or none that ends
             return unknown
         return asked.stdout.strip() or unknown
+
+    def page_of(self, content: str) -> bytes:
+        """HTML of a run. Raises NoPage.
+
+        @param content  JSON, as policy/report/page/source/bench.ts describes it
+        """
+        made = subprocess.run([self.bench, "--page"], input=content.encode(), stdout=subprocess.PIPE, check=False)
+        if made.returncode != 0:
+            raise NoPage(f"{self.bench} --page ended with status {made.returncode}")
+        return made.stdout
 
 
 def _require_program(path: Path, why: str) -> Path:

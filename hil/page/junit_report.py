@@ -17,7 +17,7 @@ def _case(suite: ET.Element, result: CaseResult) -> None:
         wrong = [printable(what) for what in result.wrong]
         ET.SubElement(case, "failure", message=wrong[0], type="verdict").text = "\n".join(wrong)
     story = f"GIVEN {result.given}\nWHEN {result.when}\nTHEN {result.then}\n"
-    faults = "".join(f"{fault.words}\n" for fault in result.faults)
+    faults = "".join(f"{fault}\n" for fault in result.faults)
     ET.SubElement(case, "system-out").text = printable(story + faults + f"End of the mission: {result.end}\n")
 
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import html
-from collections.abc import Iterable
+from typing import Any
 
 # XML has no way to write them at all, and a page should not hold marks that turn the direction of writing.
 _SPELLED_OUT = [*range(0x20), *range(0x7F, 0xA0), 0x200E, 0x200F, *range(0x202A, 0x202F), *range(0x2066, 0x206A)]
@@ -17,27 +16,10 @@ def printable(text: str) -> str:
     return text.translate(_SPELLING)
 
 
-def escaped(text: str) -> str:
-    return html.escape(printable(text))
-
-
-def number(value: float | None, decimals: int = 1) -> str:
-    """Without needless zeros; a dash where there is none."""
-    if value is None:
-        return "\N{EN DASH}"
-    text = f"{value:.{decimals}f}"
-    return (text.rstrip("0").rstrip(".") if "." in text else text).replace("-", "\N{MINUS SIGN}")
-
-
-def table(header: Iterable[str], rows: Iterable[Iterable[str]], of_class: str = "") -> str:
-    """@param rows  of cells that are HTML already"""
-    head = "".join(f'<th scope="col">{escaped(cell)}</th>' for cell in header)
-    body = "\n".join("<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows)
-    attribute = f' class="{of_class}"' if of_class else ""
-    return f'<div class="table"><table{attribute}><thead><tr>{head}</tr></thead>\n<tbody>{body}</tbody></table></div>\n'
-
-
-def bullets(items: Iterable[str], of_class: str = "") -> str:
-    """@param items  text"""
-    attribute = f' class="{of_class}"' if of_class else ""
-    return f"<ul{attribute}>" + "".join(f"<li>{escaped(item)}</li>" for item in items) + "</ul>\n"
+def printable_values(content: Any) -> Any:
+    """The same with every text that is a value of it, as JSON nests them."""
+    if isinstance(content, dict):
+        return {key: printable_values(value) for key, value in content.items()}
+    if isinstance(content, list):
+        return [printable_values(value) for value in content]
+    return printable(content) if isinstance(content, str) else content

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -30,6 +31,7 @@
 #include "hil/bench/results.hpp"
 #include "hil/bench/torn_journal.hpp"
 #include "hil/bench/verdict.hpp"
+#include "policy/report/page/page_template.hpp"
 #include "sim/ocean/file/environment_file.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
@@ -50,6 +52,7 @@ struct Options {
   std::optional<std::uint32_t> random;
   bool disarmed = false;
   bool judge = false;
+  bool page = false;
 };
 
 void declare(program::CommandLine& line, Options& o) {
@@ -67,6 +70,8 @@ void declare(program::CommandLine& line, Options& o) {
       .from(1, 1'000'000);
   line.flag("--disarmed", &o.disarmed, "fly the cases without the rules that must fire in them instead: each must fail");
   line.flag("--judge", &o.judge, "read the cases and their missions, and report what is wrong with one, but fly none");
+  line.flag("--page", &o.page,
+            "fly none, and put what hil/run knows of a run (JSON, on standard input) into a page (HTML, on standard output)");
   line.option("--earshotd", &o.earshotd, "the earshotd to be tried; default: the one beside this program");
 }
 
@@ -207,7 +212,15 @@ int fly_random(const Options& o, const std::vector<hil::Case>& pool, const hil::
   return failed == 0 ? program::kDone : program::kIncomplete;
 }
 
+/// Of a run that is over: policy/report/page/source/bench.ts.
+int print_page() {
+  const std::string json(std::istreambuf_iterator<char>(std::cin), {});
+  program::print() << report::page_with(json, report::PageOf::kBench) << std::flush;
+  return program::kDone;
+}
+
 int bench(const Options& o) {
+  if (o.page) return print_page();
   const std::vector<hil::Case> cases = chosen_cases(o);
   if (o.judge) return program::kDone;
   hil::require_flyable(cases);

@@ -50,6 +50,18 @@ std::string compressed(std::string_view text) {
   return packed;
 }
 
+const char* id_of(PageOf what) {
+  switch (what) {
+    case PageOf::kFlight:
+      return "flight";
+    case PageOf::kSuite:
+      return "suite";
+    case PageOf::kBench:
+      break;
+  }
+  return "bench";
+}
+
 std::string base64(std::string_view bytes) {
   std::string text(sodium_base64_ENCODED_LEN(bytes.size(), sodium_base64_VARIANT_ORIGINAL), '\0');
   sodium_bin2base64(text.data(), text.size(), reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(),  // NOLINT: likewise
@@ -69,8 +81,7 @@ std::string page_with(std::string_view json, PageOf what) {
   const std::size_t place = page.find(kPlace);
   const bool is_long = json.size() > kLong_bytes;
   std::string text(page.substr(0, place));
-  text += std::string("<script id=\"") + (what == PageOf::kFlight ? "flight" : "suite") + "\" type=\"application/" +
-          (is_long ? "gzip" : "json") + "\">";
+  text += std::string("<script id=\"") + id_of(what) + "\" type=\"application/" + (is_long ? "gzip" : "json") + "\">";
   text += is_long ? base64(compressed(json)) : escaped(json);
   text += "</script>";
   return text += page.substr(place + kPlace.size());

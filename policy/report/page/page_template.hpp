@@ -12,6 +12,7 @@ namespace earshot::report {
 enum class PageOf : std::uint8_t {
   kFlight,  ///< source/flight.ts
   kSuite,   ///< of an evaluation: source/suite.ts
+  kBench,   ///< of a run of the bench: source/bench.ts
 };
 
 /// The page with what it shows in it, which needs no other file.

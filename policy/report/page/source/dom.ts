@@ -59,6 +59,12 @@ export function number(value: number|null|undefined, digits: number, unit = ""):
   return value.toFixed(digits).replace("-", "−") + (unit === "°" || !unit ? unit : ` ${unit}`);
 }
 
+/** Without needless zeros: "1750", "12.5". */
+export function short(value: number|null|undefined, mostDigits = 1): string {
+  const text = number(value, mostDigits);
+  return text.includes(".") ? text.replace(/\.?0+$/, "") : text;
+}
+
 export function percent(share: number|null|undefined, digits = 0): string {
   return share == null ? "–" : `${(100 * share).toFixed(digits)} %`;
 }

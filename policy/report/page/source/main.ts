@@ -1,8 +1,10 @@
-// The page: a flight or an evaluation that stands in the file, or a flight under way.
+// The page: a flight, an evaluation or a run of the bench that stands in the file, or a flight under way.
 
 import "leaflet/leaflet.css";
 import "../style.css";
 
+import type {Bench} from "./bench";
+import {BenchPage} from "./bench_page";
 import {Clock} from "./clock";
 import {DecisionPanel} from "./decision_panel";
 import {byId, duration, element, replace, utc} from "./dom";
@@ -55,7 +57,8 @@ class Page {
   /** The same flight, or another, sent anew. */
   renew(whole: Flight): void {
     Object.assign(this.flight, whole);
-    this.take({mission: whole.mission, events: [], sound: whole.sound});
+    for (const part of Object.keys(whole) as (keyof FlightNews)[]) this.changed.add(part);
+    this.take({});
     this.strips.build();
   }
 
@@ -161,7 +164,7 @@ class Page {
 }
 
 /** What stands in the file, plain or compressed; null: nothing. */
-async function embedded(id: "flight"|"suite"): Promise<unknown> {
+async function embedded(id: "flight"|"suite"|"bench"): Promise<unknown> {
   const data = document.getElementById(id);
   if (!data?.textContent) return null;
   if (data.getAttribute("type") === "application/json") return JSON.parse(data.textContent);
@@ -175,10 +178,15 @@ function refuse(text: string): void {
 }
 
 async function main(): Promise<void> {
+  const bench = (await embedded("bench")) as Bench | null;
   const suite = (await embedded("suite")) as Suite | null;
   const flight = (await embedded("flight")) as Flight | null;
-  const format = (flight ?? suite)?.format ?? FORMAT;
+  const format = (flight ?? suite ?? bench)?.format ?? FORMAT;
   if (format !== FORMAT) return refuse(`This page shows format ${FORMAT}, and what is in it has format ${format}.`);
+  if (bench) {
+    new BenchPage(bench);
+    return;
+  }
   if (suite) {
     new SuitePage(suite);
     return;

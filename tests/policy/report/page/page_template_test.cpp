@@ -31,8 +31,9 @@ TEST(FlightPage, HoldsAShortFlightAsItIsButForWhatWouldEndTheScript) {
   EXPECT_TRUE(page.ends_with("</html>\n"));
 }
 
-TEST(FlightPage, HoldsASuiteUnderItsOwnName) {
+TEST(FlightPage, HoldsASuiteAndARunOfTheBenchUnderTheirOwnNames) {
   EXPECT_EQ(between(page_with("[1]", PageOf::kSuite), R"(<script id="suite" type="application/json">)", "</script>"), "[1]");
+  EXPECT_EQ(between(page_with("[1]", PageOf::kBench), R"(<script id="bench" type="application/json">)", "</script>"), "[1]");
 }
 
 /// The gzip header is 1f 8b 08 (RFC 1952), "H4sI" in base64; a browser's test opens one (flight_page.in_a_browser).
