@@ -24,6 +24,7 @@ from typing import Any, NamedTuple
 WANTED = Path(__file__).resolve().parents[1] / "packages.txt"
 COMPILER = "g++"
 LICENCES = {  # Debian's short names in SPDX's words
+    "BSD-2-clause": "BSD-2-Clause",
     "BSD-3-clause": "BSD-3-Clause",
     "BSL-1.0": "BSL-1.0",
     "Expat": "MIT",

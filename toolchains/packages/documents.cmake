@@ -9,9 +9,10 @@ install(DIRECTORY ${packed}/ DESTINATION ${documents}/earshot COMPONENT runtime)
 
 # What of others is compiled into a component's programs and libraries (included/). tests/toolchains/copyright_test holds it against the compiler's list of headers.
 set(included_runtime cli11 json tomlplusplus)
-set(included_sil ${included_runtime} boost_math eigen geographiclib)
-set(included_tools ${included_sil})
-set(included_hil ${included_runtime} eigen geographiclib)
+set(page chart_js leaflet)  # in the programs that write or serve it
+set(included_sil ${included_runtime} ${page} boost_math cpp_httplib eigen geographiclib)
+set(included_tools ${included_runtime} ${page} boost_math eigen geographiclib)
+set(included_hil ${included_runtime} ${page} eigen geographiclib)
 set(included_dev ${included_runtime})
 foreach(component runtime sil tools hil dev)
   set(package earshot-${component})

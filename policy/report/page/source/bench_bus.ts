@@ -24,7 +24,9 @@ function framesAround(one: Case): [string, TracedFrame[]] {
   const what = fired && !isMissed ? `around the first rule that fired (${fired.rule})` : "at the end";
   const span = `${short(shown[0]!.time_s)} s to ${short(shown[shown.length - 1]!.time_s)} s`;
   const missed = isMissed ? ` The trace begins at ${short(begin_s)} s, after that: these are the last before the end.` : "";
-  return [`${shown.length} of ${trace.length} ${one.bus === "LCM" ? "messages" : "frames"} that were kept, ${what}: ${span}.${missed}`, shown];
+  return [
+    `${shown.length} of ${trace.length} ${one.bus === "LCM" ? "messages" : "frames"} that were kept, ${what}: ${span}.${missed}`, shown
+  ];
 }
 
 interface Row {
@@ -36,8 +38,8 @@ interface Row {
 function frameRow(frame: TracedFrame, names: Bench["group_names"]): Row {
   const sender = frame.from_earshot ? "Earshot" : "vehicle";
   const data = frame.data.replace(/..(?=.)/g, "$& ");
-  const cells: Row["cells"] = frame.channel ? [sender, frame.channel, data] :
-                                              [`${sender} ${frame.source}`, `${frame.pgn} ${names[frame.pgn] ?? ""}`, data];
+  const cells: Row["cells"] =
+      frame.channel ? [sender, frame.channel, data] : [`${sender} ${frame.source}`, `${frame.pgn} ${names[frame.pgn] ?? ""}`, data];
   return {time_s: frame.time_s, order: 1, cells};
 }
 
@@ -47,10 +49,12 @@ function remarks(one: Case): Row[] {
   return [
     ...one.faults.map((fault): Row => ({time_s: fault.from_s, order: 0, cells: ["fault begins", fault.words, ""]})),
     ...ends.map((fault): Row => ({time_s: fault.until_s!, order: 0, cells: ["fault ends", fault.words, ""]})),
-    ...one.events.map((event): Row => {
-      const measured = `${short(event.measure, 2)} (limit ${short(event.limit, 2)}): ${event.response}`;
-      return {time_s: event.time_s, order: 2, cells: [event.begins ? "rule fires" : "rule ends", `${event.rule}, ${measured}`, ""]};
-    }),
+    ...one.events.map(
+        (event):
+            Row => {
+              const measured = `${short(event.measure, 2)} (limit ${short(event.limit, 2)}): ${event.response}`;
+              return {time_s: event.time_s, order: 2, cells: [event.begins ? "rule fires" : "rule ends", `${event.rule}, ${measured}`, ""]};
+            }),
   ];
 }
 

@@ -8,7 +8,8 @@ import {drawTrack} from "./bench_track";
 import {byId, element, replace, short, table} from "./dom";
 
 const unique = (values: string[]) => [...new Set(values)];
-const bullets = (items: string[], className = "") => element("ul", {class: className || null}, ...items.map((item) => element("li", {}, item)));
+const bullets = (items: string[], className = "") =>
+    element("ul", {class: className || null}, ...items.map((item) => element("li", {}, item)));
 
 /** In a word and a sign, so that the colour is not needed. */
 function verdict(one: Case): HTMLElement {
@@ -29,14 +30,15 @@ function headline({cases, not_flown}: Bench): HTMLElement {
 function story(one: Case): HTMLElement {
   const rules = one.expected_rules.join(", ");
   const rows = [["given", one.given], ["when", one.when], ["then", one.then], ["by", one.defence || (rules ? `the rules: ${rules}` : "")]];
-  return element("dl", {}, ...rows.filter(([, text]) => text).flatMap(([name, text]) => [element("dt", {}, name!), element("dd", {}, text!)]));
+  return element(
+      "dl", {}, ...rows.filter(([, text]) => text).flatMap(([name, text]) => [element("dt", {}, name!), element("dd", {}, text!)]));
 }
 
 function hadToHappen(one: Case): string[] {
   const rules = one.expected_rules.join(", ");
   const ofRules = one.others_may_fire ? `Rules fire: ${rules || "none has to"}; others may.` :
-      rules                           ? `Rules fire: ${rules}; no other may.` :
-                                        "No rule fires.";
+      rules ? `Rules fire: ${rules}; no other may.` :
+              "No rule fires.";
   const refused = (what: string, wish: boolean|null) => wish === null ? "" : `${wish ? "At least one" : "No"} ${what} is refused.`;
   return [
     `End of the mission: ${one.expected_end}.`,
@@ -98,8 +100,8 @@ export class BenchPage {
     document.title = "Earshot: bench";
     replace(byId("bench-title"), headline(bench));
     replace(byId("bench-made"), bench.made);
-    const wrong = bench.cases.flatMap(
-        (one, index) => one.passed ? [] : [element("li", {}, this.link(index, one.name), `: ${one.wrong[0] ?? ""}`)]);
+    const wrong =
+        bench.cases.flatMap((one, index) => one.passed ? [] : [element("li", {}, this.link(index, one.name), `: ${one.wrong[0] ?? ""}`)]);
     const missing = bench.not_flown.length > 0 ? [element("li", {}, `Not flown: ${bench.not_flown.join(", ")}`)] : [];
     replace(byId("bench-wrong"), ...wrong, ...missing);
     replace(byId("bench-summary"), this.summary());
