@@ -3,31 +3,47 @@
 import {byId, duration, replace} from "./dom";
 import type {Flight, FlightNews} from "./flight";
 
+const AGAIN_MS = 2000;  // where the browser does not try again by itself
+
 interface Receiver {
   whole: (flight: Flight) => void;
   news: (news: FlightNews) => void;
 }
 
-/** Listens until the page is closed. The browser connects again by itself; the server then sends the whole flight. */
+/** Listens until the page is closed. After a break the server sends the whole flight anew. */
 export function listen(receiver: Receiver): void {
-  const events = new EventSource("events");
-  let lost_ms: number|null = null;
-  const tell = () => {
-    byId("connection").hidden = lost_ms === null;
-    if (lost_ms !== null)
+  let lost: Date|null = null;
+  let hasFlight = false;
+  const report = () => {
+    const place = byId("connection");
+    place.hidden = lost === null && hasFlight;
+    if (lost)
       replace(
-          byId("connection"),
-          `No connection to earshot watch for ${duration((performance.now() - lost_ms) / 1000)}. The page shows what it was sent before.`);
+          place,
+          `No connection to earshot watch since ${lost.toLocaleTimeString()}, for ${duration((Date.now() - lost.getTime()) / 1000)}. ` +
+              (hasFlight ? "The page shows what it was sent before, and tries again." : "The page tries again."));
+    else
+      replace(place, "Connected. Waiting for the flight.");
   };
-  events.addEventListener("open", () => {
-    lost_ms = null;
-    tell();
-  });
-  events.addEventListener("error", () => {
-    lost_ms ??= performance.now();
-    tell();
-  });
-  setInterval(tell, 1000);
-  events.addEventListener("flight", (event) => receiver.whole(JSON.parse((event as MessageEvent<string>).data) as Flight));
-  events.addEventListener("news", (event) => receiver.news(JSON.parse((event as MessageEvent<string>).data) as FlightNews));
+  const connect = () => {
+    const events = new EventSource("events");
+    const data = (event: Event) => JSON.parse((event as MessageEvent<string>).data) as unknown;
+    events.addEventListener("open", () => {
+      lost = null;
+      report();
+    });
+    events.addEventListener("error", () => {
+      lost ??= new Date();
+      report();
+      if (events.readyState === EventSource.CLOSED) setTimeout(connect, AGAIN_MS);
+    });
+    events.addEventListener("flight", (event) => {
+      receiver.whole(data(event) as Flight);
+      hasFlight = true;
+      report();
+    });
+    events.addEventListener("news", (event) => receiver.news(data(event) as FlightNews));
+  };
+  connect();
+  setInterval(report, 1000);
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
 #include <string>
 
 namespace earshot::report {
@@ -22,6 +23,12 @@ TEST(FlightPage, IsOneFileThatAsksNobodyForAnything) {
     EXPECT_EQ(page.find(outside), std::string::npos) << outside;
   EXPECT_NE(page.find("Leaflet"), std::string::npos) << "the licences of the libraries stay";
   EXPECT_NE(page.find("Chart.js"), std::string::npos);
+}
+
+TEST(FlightPage, RunsNoScriptButItsOwn) {
+  const std::string page(page_template());
+  EXPECT_TRUE(std::regex_search(page, std::regex("script-src 'sha256-[A-Za-z0-9+/]{43}='")));
+  EXPECT_EQ(page.find("script-src 'unsafe"), std::string::npos);
 }
 
 TEST(FlightPage, HoldsAShortFlightAsItIsButForWhatWouldEndTheScript) {
