@@ -10,8 +10,15 @@ from markup import printable_values
 
 class PrintableValues(unittest.TestCase):
     def test_spell_out_marks_and_controls_and_keep_lines_numbers_and_all_other_letters(self):
-        content = {"cases": [{"name": "\u202e\x1b[2J", "end": "a\n\tb", "limit": None, "passed": True, "time_s": 1.5}, "<ä✓>"]}
-        told = {"cases": [{"name": "\\u202e\\u001b[2J", "end": "a\n\tb", "limit": None, "passed": True, "time_s": 1.5}, "<ä✓>"]}
+        content = {
+            "cases": [{"name": "\u202e\x1b[2J", "end": "a\n\tb", "limit": None, "passed": True, "time_s": 1.5}, "<ä✓>"]
+        }
+        told = {
+            "cases": [
+                {"name": "\\u202e\\u001b[2J", "end": "a\n\tb", "limit": None, "passed": True, "time_s": 1.5},
+                "<ä✓>",
+            ]
+        }
         self.assertEqual(printable_values(content), told)
 
 

@@ -20,7 +20,12 @@ MOST_FRAMES = 200
 
 class BenchTest(PageTest):
     def open_bench(
-        self, *cases: Case, not_flown: tuple[str, ...] = (), names: dict[str, str] | None = None, at: str = "", **view: Any
+        self,
+        *cases: Case,
+        not_flown: tuple[str, ...] = (),
+        names: dict[str, str] | None = None,
+        at: str = "",
+        **view: Any,
     ) -> Page:
         """As hil/run has it made."""
         bench = {"format": 1, "made": "by hand", "not_flown": not_flown, "group_names": names or {}, "cases": cases}
@@ -65,7 +70,11 @@ class Said(BenchTest):
 
     def test_is_to_a_stranger_what_a_case_a_rule_and_a_source_that_is_reached_are(self) -> None:
         told = self.told(self.open_bench(calm()), "#bench-page header")
-        for words in ("Each case is a search", "A rule is a limit", "The source is reached where the operator sends COMPLETE"):
+        for words in (
+            "Each case is a search",
+            "A rule is a limit",
+            "The source is reached where the operator sends COMPLETE",
+        ):
             self.assertIn(words, told)
 
     def test_first_is_how_many_failed_or_were_not_flown(self) -> None:
@@ -216,7 +225,9 @@ class Track(BenchTest):
         )
         self.assertEqual(dashes[1], "none")
         self.assertNotEqual(dashes[2], "none")
-        colours = page.evaluate("[...document.querySelectorAll('.bench-map path')].map((p) => getComputedStyle(p).stroke)")
+        colours = page.evaluate(
+            "[...document.querySelectorAll('.bench-map path')].map((p) => getComputedStyle(p).stroke)"
+        )
         self.assertEqual(len(set(colours)), 3)
 
     def test_is_one_line_while_faults_overlap(self) -> None:
@@ -246,7 +257,9 @@ class Track(BenchTest):
     def test_leaves_out_a_source_beside_which_it_could_not_be_seen_until_asked(self) -> None:
         # The way is 3 km long: a quarter of 12 km, but less than that of 13.
         for north_m, is_seen in ((13_000.0, True), (14_000.0, False)):
-            page = self.opened(calm() | {"source_m": [north_m, 2000.0], "halt_polygon_m": [[0, 0], [20e3, 0], [20e3, 9e3]]})
+            page = self.opened(
+                calm() | {"source_m": [north_m, 2000.0], "halt_polygon_m": [[0, 0], [20e3, 0], [20e3, 9e3]]}
+            )
             self.assertEqual(self.below_the_edge(page, "source") > 0, is_seen)
             page.get_by_text("The whole halt polygon").click()
             self.assertGreater(self.below_the_edge(page, "source"), 0)
