@@ -34,39 +34,27 @@ export interface TracedFrame {
   channel?: string;  // of a message over LCM, which has neither group nor source
 }
 
+type Flag = "passed"|"others_may_fire"|"loses_nothing"|"comes_up"|"releases_weight"|"refuses_frames"|"refuses_to_fly";
+type Count = "setpoints"|"navigation_refused"|"commands_refused"|"frames_sent"|"frames_received"|"frames_lost_by_kernel"|"frames_afflicted";
+type Duration = "at_sea_s"|"wall_s";
+
 /** One case: what it does, what had to come of it, and what did. */
-export interface Case {
+export interface Case extends Record<Flag, boolean>, Record<Count|Duration, number> {
   name: string;
   given: string;
   when: string;
   then: string;
   bus: "CAN"|"LCM";
   defence: string;  // what makes it come so; empty: the rules that must fire
-  passed: boolean;
   wrong: string[];
   faults: Fault[];
   expected_end: string;
   expected_rules: string[];
-  others_may_fire: boolean;
   refuses_navigation: boolean|null;  // at least one fix has to be refused, or none; null: as it comes
   refuses_commands: boolean|null;
-  loses_nothing: boolean;
   least_decisions: number;  // that are taken after the first fault
-  comes_up: boolean;
-  releases_weight: boolean;
-  refuses_frames: boolean;
-  refuses_to_fly: boolean;
   end: string;
   events: RuleEvent[];
-  setpoints: number;
-  navigation_refused: number;
-  commands_refused: number;
-  at_sea_s: number;
-  wall_s: number;
-  frames_sent: number;
-  frames_received: number;
-  frames_lost_by_kernel: number;
-  frames_afflicted: number;
   start_m: [number, number];
   source_m: [number, number];
   halt_polygon_m: [number, number][];
@@ -74,6 +62,4 @@ export interface Case {
   trace: TracedFrame[];
 }
 
-export function firstFiring(one: Case): RuleEvent|undefined {
-  return one.events.find((event) => event.begins);
-}
+export const firstFiring = (one: Case): RuleEvent|undefined => one.events.find((event) => event.begins);

@@ -1,6 +1,6 @@
 // The frames on the bus around the first rule that fired, or before the end of a case in which none did.
 
-import {type Bench, type Case, firstFiring, type TracedFrame} from "./bench";
+import {type Bench, type Case, firstFiring, type RuleEvent, type TracedFrame} from "./bench";
 import {element, short, table} from "./dom";
 
 const BEFORE_S = 3;
@@ -24,9 +24,8 @@ function framesAround(one: Case): [string, TracedFrame[]] {
   const what = fired && !isMissed ? `around the first rule that fired (${fired.rule})` : "at the end";
   const span = `${short(shown[0]!.time_s)} s to ${short(shown[shown.length - 1]!.time_s)} s`;
   const missed = isMissed ? ` The trace begins at ${short(begin_s)} s, after that: these are the last before the end.` : "";
-  return [
-    `${shown.length} of ${trace.length} ${one.bus === "LCM" ? "messages" : "frames"} that were kept, ${what}: ${span}.${missed}`, shown
-  ];
+  const kind = one.bus === "LCM" ? "messages" : "frames";
+  return [`${shown.length} of ${trace.length} ${kind} that were kept, ${what}: ${span}.${missed}`, shown];
 }
 
 interface Row {
@@ -44,17 +43,13 @@ function frameRow(frame: TracedFrame, names: Bench["group_names"]): Row {
 }
 
 /** What else happened: a fault before the frames of its second, a rule behind them. */
-function remarks(one: Case): Row[] {
-  const ends = one.faults.filter((fault) => fault.until_s !== null);
+function remarks({faults, events}: Case): Row[] {
+  const row = (time_s: number, order: 0|2, what: string, words: string): Row => ({time_s, order, cells: [what, words, ""]});
+  const measured = (event: RuleEvent) => `${short(event.measure, 2)} (limit ${short(event.limit, 2)}): ${event.response}`;
   return [
-    ...one.faults.map((fault): Row => ({time_s: fault.from_s, order: 0, cells: ["fault begins", fault.words, ""]})),
-    ...ends.map((fault): Row => ({time_s: fault.until_s!, order: 0, cells: ["fault ends", fault.words, ""]})),
-    ...one.events.map(
-        (event):
-            Row => {
-              const measured = `${short(event.measure, 2)} (limit ${short(event.limit, 2)}): ${event.response}`;
-              return {time_s: event.time_s, order: 2, cells: [event.begins ? "rule fires" : "rule ends", `${event.rule}, ${measured}`, ""]};
-            }),
+    ...faults.map((fault) => row(fault.from_s, 0, "fault begins", fault.words)),
+    ...faults.map((fault) => row(fault.until_s ?? Infinity, 0, "fault ends", fault.words)),
+    ...events.map((event) => row(event.time_s, 2, event.begins ? "rule fires" : "rule ends", `${event.rule}, ${measured(event)}`)),
   ];
 }
 

@@ -7,7 +7,6 @@ import {busTrace} from "./bench_bus";
 import {drawTrack} from "./bench_track";
 import {byId, element, replace, short, table} from "./dom";
 
-const unique = (values: string[]) => [...new Set(values)];
 const bullets = (items: string[], className = "") =>
     element("ul", {class: className || null}, ...items.map((item) => element("li", {}, item)));
 
@@ -107,25 +106,31 @@ export class BenchPage {
     replace(byId("bench-summary"), this.summary());
     this.sections = bench.cases.map((one, index) => this.section(one, index));
     replace(byId("bench-cases"), ...this.sections);
-    addEventListener("hashchange", () => this.open(location.hash));
-    this.open(location.hash);
-    this.printAll();
+    bench.cases.forEach((one, index) => one.passed || this.open(index));
+    this.follow(location.hash);
+    addEventListener("hashchange", () => this.follow(location.hash));
+    let closed: HTMLDetailsElement[] = [];
+    addEventListener("beforeprint", () => {  // paper holds every case
+      closed = this.sections.filter((section) => !section.open);
+      this.sections.forEach((_, index) => this.open(index));
+    });
+    addEventListener("afterprint", () => closed.forEach((section) => section.removeAttribute("open")));
   }
 
   private link(index: number, name: string): HTMLElement {
     const target = `#case-${index + 1}`;
-    return element("a", {href: target, onclick: () => this.open(target)}, breakable(name));
+    return element("a", {href: target, onclick: () => this.follow(target)}, breakable(name));
   }
 
-  private open(target: string): void {
-    const section = this.sections.find(({id}) => `#${id}` === target);
-    if (!section) return;
-    section.open = true;
-    section.scrollIntoView();
+  private follow(target: string): void {
+    const index = this.sections.findIndex(({id}) => `#${id}` === target);
+    if (index < 0) return;
+    this.open(index);
+    this.sections[index]!.scrollIntoView();
   }
 
   private summary(): HTMLElement {
-    const fired = (one: Case) => unique(one.events.filter((event) => event.begins).map((event) => event.rule)).join(", ");
+    const fired = (one: Case) => [...new Set(one.events.filter((event) => event.begins).map((event) => event.rule))].join(", ");
     return table(
         "Cases",
         [
@@ -139,42 +144,26 @@ export class BenchPage {
         [...this.bench.cases.entries()]);
   }
 
-  /** Filled when it is opened first: a run has a hundred of them. */
   private section(one: Case, index: number): HTMLDetailsElement {
     const title = element("summary", {}, element("h2", {}, breakable(one.name), " ", verdict(one)));
     const made = element("details", {id: `case-${index + 1}`, class: "case"}, title);
-    made.addEventListener("toggle", () => this.fill(made, one));
-    made.open = !one.passed;
+    made.addEventListener("toggle", () => made.open && this.open(index));
     return made;
   }
 
-  private fill(section: HTMLDetailsElement, one: Case): void {
-    if (!section.open || section.children.length > 1) return;
-    const track = element("div");
+  /** A section is filled when it is opened first: a run has more than a hundred of them. */
+  private open(index: number): void {
+    const one = this.bench.cases[index]!;
+    const section = this.sections[index]!;
+    section.open = true;
+    if (section.children.length > 1) return;
     const part = (name: string, ...content: HTMLElement[]) => [element("h3", {}, name), ...content];
-    section.append(
-        story(one),
-        ...(one.passed ? [] : part("What is wrong", bullets(one.wrong, "wrong"))),
+    const words = element(
+        "div", {}, story(one), ...(one.passed ? [] : part("What is wrong", bullets(one.wrong, "wrong"))),
         ...part("What was done", one.faults.length > 0 ? bullets(one.faults.map((fault) => fault.words)) : element("p", {}, "No fault.")),
-        ...part("What had to happen", bullets(hadToHappen(one))),
-        ...part("What happened", bullets(happened(one)), rules(one), track),
-        ...part("On the bus", busTrace(one, this.bench.group_names)),
-    );
+        ...part("What had to happen", bullets(hadToHappen(one))), ...part("What happened", bullets(happened(one)), rules(one)));
+    const track = element("div");
+    section.append(element("div", {class: "columns"}, words, track), ...part("On the bus", busTrace(one, this.bench.group_names)));
     drawTrack(track, one);
-  }
-
-  /** Paper holds every case, whatever was open. */
-  private printAll(): void {
-    let closed: HTMLDetailsElement[] = [];
-    addEventListener("beforeprint", () => {
-      closed = this.sections.filter((section) => !section.open);
-      this.sections.forEach((section, index) => {
-        section.open = true;
-        this.fill(section, this.bench.cases[index]!);
-      });
-    });
-    addEventListener("afterprint", () => closed.forEach((section) => {
-      section.open = false;
-    }));
   }
 }

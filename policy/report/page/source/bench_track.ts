@@ -67,17 +67,8 @@ export function drawTrack(parent: HTMLElement, one: Case): void {
   const buttons = element(
       "p", {class: "soft"}, show("The vehicle's way", () => surroundings(one)), " ", show("The whole halt polygon", whole), " ", pointed);
   replace(parent, place, element("p", {class: "switches"}), buttons);
-  const map = L.map(place, {
-    crs: L.CRS.Simple,
-    zoomSnap: 0,
-    zoomDelta: 0.5,
-    minZoom: -12,
-    maxZoom: 1,
-    attributionControl: false,
-    scrollWheelZoom: false,  // the page scrolls
-    zoomAnimation: false,
-    fadeAnimation: false
-  });
+  const still = {zoomAnimation: false, scrollWheelZoom: false, attributionControl: false};  // the wheel scrolls the page
+  const map = L.map(place, {crs: L.CRS.Simple, zoomSnap: 0, minZoom: -12, maxZoom: 1, ...still});
   map.fitBounds(surroundings(one), {padding: [24, 24]});
   map.on("mousemove", ({latlng}) => replace(pointed, kilometres({north_m: latlng.lat, east_m: latlng.lng})));
   L.control.scale({imperial: false, maxWidth: 120}).addTo(map);
