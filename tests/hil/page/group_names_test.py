@@ -4,9 +4,10 @@ import sys
 import unittest
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[3]
-sys.path.insert(0, str(ROOT / "hil/page"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "hil/page"))
 from group_names import pgn_of, read_group_names
+
+ROOT = Path(__file__).resolve().parents[3]
 
 
 class GroupNames(unittest.TestCase):
