@@ -125,7 +125,7 @@ class Files(PageTest):
     def test_refuses_a_flight_of_another_format_and_one_that_is_broken(self) -> None:
         file = self.folder / "report.html"
         for flight, words in (
-            (small() | {"format": 2}, "This page shows flights of format 1, and this one has format 2."),
+            (small() | {"format": 2}, "This page shows format 1, and what is in it has format 2."),
             (small() | {"strips": None}, "This page cannot be shown: "),
         ):
             file.write_text(page_with(PAGE, flight))
