@@ -367,7 +367,7 @@ class Really(InAFolder):
             time.sleep(1.0)  # of the other's twenty or so
             os.killpg(flying.pid, signal.SIGINT)
             self.assertEqual(flying.wait(60), 130)
-        self.assertEqual(self.shown()["not_flown"], ["deaf"])
+        self.assertEqual(self.shown()["not_flown"], ["hydrophone_quiet"])
         suite = ET.parse(self.folder / "junit.xml").getroot()
         self.assertEqual((suite.get("tests"), suite.get("failures"), suite.get("skipped")), ("2", "0", "1"))
 
