@@ -19,6 +19,11 @@ export function element<Name extends keyof HTMLElementTagNameMap>(
   return made;
 }
 
+/** Text where a library would take a string for HTML. */
+export function words(text: string): HTMLElement {
+  return element("span", {}, text);
+}
+
 export interface Column<Row> {
   name: string;
   help?: string;
@@ -63,6 +68,11 @@ export function number(value: number|null|undefined, digits: number, unit = ""):
 export function short(value: number|null|undefined, mostDigits = 1): string {
   const text = number(value, mostDigits);
   return text.includes(".") ? text.replace(/\.?0+$/, "") : text;
+}
+
+/** "1 step", "4 steps" */
+export function counted(count: number, noun: string): string {
+  return `${count} ${noun}${count === 1 ? "" : "s"}`;
 }
 
 export function percent(share: number|null|undefined, digits = 0): string {

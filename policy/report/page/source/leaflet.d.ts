@@ -5,7 +5,7 @@ declare module "leaflet/leaflet.esm.js" {
   export interface Layer {
     addTo(target: Map|LayerGroup): this;
     remove(): this;
-    bindTooltip(text: string, options?: object): this;
+    bindTooltip(content: HTMLElement, options?: object): this;
     on(event: string, listener: (event: {latlng: {lat: number; lng: number}}) => void): this;
   }
   export interface LayerGroup extends Layer {

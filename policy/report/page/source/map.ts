@@ -6,7 +6,7 @@ import type {LatLng, LayerGroup, Map as LeafletMap, Path} from "leaflet/leaflet.
 import {BeliefPicture, outline} from "./belief_picture";
 import type {Clock} from "./clock";
 import {colour, onScheme} from "./colours";
-import {byId, degrees, element, kilometres, number, percent, position, replace} from "./dom";
+import {byId, degrees, element, kilometres, number, percent, position, replace, words} from "./dom";
 import type {Bearing, Decision, Flight, Place} from "./flight";
 import {areaAt, decisionAt, geographic, lastBefore, placeAt} from "./flight_data";
 
@@ -217,7 +217,7 @@ export class FlightMap {
       if (places.length > 0)
         L.polyline(
              [...places, places[0]!].map(at), {color: colour(tint), weight: 1.5, dashArray})  // a polygon would be named everywhere inside
-            .bindTooltip(name, {sticky: true})
+            .bindTooltip(words(name), {sticky: true})
             .addTo(fences);
     };
     L.rectangle([[south_m, west_m], [north_m, east_m]], {color: colour("ink"), weight: 1.5, fill: false, interactive: false}).addTo(fences);
@@ -226,7 +226,7 @@ export class FlightMap {
     fence(mission.fence_halt, "halt polygon: beyond it the mission is aborted", "halt", "9 3 2 3");
     for (const zone of mission.no_surface_zones) fence(zone, "zone without surfacing", "halt", "1 3");
     if (mission.safe_point)
-      L.circleMarker(at(mission.safe_point), {radius: 5, color: colour("fence"), weight: 2}).bindTooltip("safe point").addTo(fences);
+      L.circleMarker(at(mission.safe_point), {radius: 5, color: colour("fence"), weight: 2}).bindTooltip(words("safe point")).addTo(fences);
   }
 
   private drawTruth(): void {
@@ -236,7 +236,7 @@ export class FlightMap {
     const {range_m, snr_db} = truth.snr_of_range;
     const heard = range_m.filter((_, i) => mission && snr_db[i]! >= mission.detection_threshold_db);
     const style = {color: colour("truth"), weight: 2, fill: false};
-    L.circleMarker(at(truth.source), {...style, radius: 8}).bindTooltip("source, known to the simulation alone").addTo(group);
+    L.circleMarker(at(truth.source), {...style, radius: 8}).bindTooltip(words("source, known to the simulation alone")).addTo(group);
     L.circleMarker(at(truth.source), {...style, radius: 2}).addTo(group);
     if (heard.length > 0)
       L.circle(at(truth.source), {...style, radius: Math.max(...heard), weight: 1, dashArray: "3 5", interactive: false}).addTo(group);
@@ -288,13 +288,13 @@ export class FlightMap {
          fillColor: decision.detected ? colour("decision") : colour("ground"),
          fillOpacity: 1
        })
-          .bindTooltip(
-              `step ${decision.step}: ${decision.too_faint ? "below " : ""}${number(decision.snr_db, 1, "dB")}, went ${decision.direction}`)
+          .bindTooltip(words(`step ${decision.step}: ${decision.too_faint ? "below " : ""}${number(decision.snr_db, 1, "dB")}, went ${
+              decision.direction}`))
           .on("click", () => this.clock.set(decision.time_s))
           .addTo(marks);
       if (decision.declared)
         L.circleMarker(at(decision.declared), {radius: 9, weight: 3, color: colour("declared"), fill: false})
-            .bindTooltip(`declared found at step ${decision.step}`)
+            .bindTooltip(words(`declared found at step ${decision.step}`))
             .addTo(marks);
     }
   }
@@ -305,7 +305,7 @@ export class FlightMap {
       L.polyline(
            [at(from), ahead(from, toward_deg, length_m)],
            {color: colour("bearing"), weight: isNewest ? 2 : 1, dashArray, opacity: isNewest ? 1 : 0.5})
-          .bindTooltip(`bearing ${degrees(toward_deg)} ± ${number(bearing.deviation_deg, 0)}°`, {sticky: true})
+          .bindTooltip(words(`bearing ${degrees(toward_deg)} ± ${number(bearing.deviation_deg, 0)}°`), {sticky: true})
           .addTo(group);
       if (isNewest)
         L.polygon(
@@ -340,7 +340,7 @@ export class FlightMap {
     if (this.isOn.belief || this.isOn.outlines)
       L.circleMarker(
            at(belief.likeliest), {radius: 5, color: colour("likeliest"), weight: 2.5, fillColor: colour("ground"), fillOpacity: 1})
-          .bindTooltip(`likeliest place, ${percent(belief.likeliest_share, 1)}`)
+          .bindTooltip(words(`likeliest place, ${percent(belief.likeliest_share, 1)}`))
           .addTo(group);
     if (!this.isOn.spread) return;
     const {semi_major_m, semi_minor_m, bearing_deg} = belief.ellipse;
@@ -353,6 +353,6 @@ export class FlightMap {
       ];
     });
     L.polygon(ellipse, {color: colour("likeliest"), weight: 1.5, dashArray: "6 4", fill: false, interactive: false}).addTo(spread);
-    L.circleMarker(at(belief.mean), {radius: 3, color: colour("likeliest"), weight: 2}).bindTooltip("mean place").addTo(spread);
+    L.circleMarker(at(belief.mean), {radius: 3, color: colour("likeliest"), weight: 2}).bindTooltip(words("mean place")).addTo(spread);
   }
 }

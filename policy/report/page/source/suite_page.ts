@@ -4,7 +4,7 @@ import * as L from "leaflet/leaflet.esm.js";
 import type {LatLng} from "leaflet/leaflet.esm.js";
 
 import {colour, onScheme} from "./colours";
-import {byId, element, kilometres, number, percent, replace, table} from "./dom";
+import {byId, counted, element, kilometres, number, percent, replace, table, words} from "./dom";
 import type {Result, Search, Suite} from "./suite";
 
 interface Measure {
@@ -210,23 +210,24 @@ export class SuitePage {
       const tint = TINTS[i % TINTS.length]!;
       const places = search.north_m.map((north, step): LatLng => [north, search.east_m[step]!]);
       L.polyline(places, {color: colour(tint), weight: isChosen ? 3.5 : 1.5, opacity: isChosen ? 1 : 0.7})
-          .bindTooltip(`${search.policy}: ${ENDS[search.end]}`, {sticky: true})
+          .bindTooltip(words(`${search.policy}: ${ENDS[search.end]}`), {sticky: true})
           .addTo(this.paths);
       if (isChosen)
         places.forEach((place, step) => {
           const isHeard = search.snr_db[step]! >= this.suite.detection_threshold_db;
           L.circleMarker(place, {radius: 3, weight: 1.5, color: colour(tint), fillColor: colour(isHeard ? tint : "ground"), fillOpacity: 1})
-              .bindTooltip(`step ${step}: ${number(search.snr_db[step], 1, "dB")}, ${kilometres({north_m: place[0], east_m: place[1]})}`)
+              .bindTooltip(
+                  words(`step ${step}: ${number(search.snr_db[step], 1, "dB")}, ${kilometres({north_m: place[0], east_m: place[1]})}`))
               .addTo(this.paths);
         });
       keys.push(element(
           "span", {class: "key", style: `--tint:var(--${tint})`},
-          `${search.policy}: ${ENDS[search.end]}, ${search.north_m.length - 1} steps`));
+          `${search.policy}: ${ENDS[search.end]}, ${counted(search.north_m.length - 1, "step")}`));
     });
     const any = found.find((search) => search?.policy === this.chosen.policy) ?? found.find((search) => search);
     if (any)
       L.circleMarker([any.source.north_m, any.source.east_m], {radius: 7, weight: 2.5, color: colour("truth"), fill: false})
-          .bindTooltip("source, known to the simulation alone")
+          .bindTooltip(words("source, known to the simulation alone"))
           .addTo(this.paths);
     replace(byId("suite-path-title"), `Search ${this.number} in ${this.chosen.world}`);
     replace(byId("suite-keys"), ...keys);

@@ -6,7 +6,6 @@ import sys
 from pathlib import Path
 from typing import Any
 
-import axe_playwright_python
 from page_rig import PAGE, PageTest
 from playwright.sync_api import Page
 
@@ -14,7 +13,6 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "hil/page"))
 from bench_example import calm, deaf
 
 Case = dict[str, Any]
-AXE = (Path(axe_playwright_python.__file__).parent / "axe.min.js").read_text()
 MOST_FRAMES = 200
 
 
@@ -174,10 +172,7 @@ class Cases(BenchTest):
             for width in (390, 1280, 2560):
                 page = self.open_bench(calm(), deaf(), scheme=scheme, width=width, at="#case-1")
                 page.evaluate("document.querySelectorAll('.trace').forEach((one) => { one.open = true; })")
-                page.evaluate(AXE + "; 0")
-                found = page.evaluate("axe.run(document, {resultTypes: ['violations']})")["violations"]
-                serious = [f"{one['id']}: {one['nodes']}" for one in found if one["impact"] in ("serious", "critical")]
-                self.assertEqual(serious, [], (scheme, width))
+                self.assertEqual(self.findings(page), [], (scheme, width))
                 self.assertLessEqual(page.evaluate("document.documentElement.scrollWidth"), width)
                 page.close()
 

@@ -6,10 +6,12 @@ import unittest
 from pathlib import Path
 from typing import Any
 
+import axe_playwright_python
 from playwright.sync_api import Browser, ConsoleMessage, Page, sync_playwright
 from sample_flight import Flight, page_with
 
 PAGE = Path(os.environ["FLIGHT_PAGE"]).read_text()
+AXE = (Path(axe_playwright_python.__file__).parent / "axe.min.js").read_text()
 OPEN_S = 10.0
 
 
@@ -91,3 +93,13 @@ class PageTest(unittest.TestCase):
             }""",
             [row, column],
         )
+
+    def findings(self, page: Page) -> list[str]:
+        """What axe-core calls serious or critical. Contrast is judged in the page, not in the pictures."""
+        page.evaluate(AXE + "; 0")
+        found = page.evaluate("axe.run(document, {resultTypes: ['violations']})")["violations"]
+        return [
+            f"{one['id']}: {[node['html'] for node in one['nodes']]}"
+            for one in found
+            if one["impact"] in ("serious", "critical")
+        ]

@@ -1,28 +1,15 @@
 """Whether everybody can read a page of a flight: on a telephone, in the dark, with a screen reader; and in time."""
 
 import time
-from pathlib import Path
 
-import axe_playwright_python
 from page_rig import PageTest
 from playwright.sync_api import Page
 from sample_flight import big, small
 
-AXE = (Path(axe_playwright_python.__file__).parent / "axe.min.js").read_text()
 MOVES = 60
 
 
 class Readable(PageTest):
-    def findings(self, page: Page) -> list[str]:
-        """What axe-core calls serious or critical. Contrast is judged in the page, not in the pictures."""
-        page.evaluate(AXE + "; 0")
-        found = page.evaluate("axe.run(document, {resultTypes: ['violations']})")["violations"]
-        return [
-            f"{one['id']}: {[node['html'] for node in one['nodes']]}"
-            for one in found
-            if one["impact"] in ("serious", "critical")
-        ]
-
     def test_has_no_serious_finding_of_axe_in_light_and_dark(self) -> None:
         for scheme in ("light", "dark"):
             for width in (390, 1280, 2560):
