@@ -8,6 +8,7 @@
 #include "policy/explain/wording.hpp"
 #include "policy/report/document/json_values.hpp"
 #include "policy/report/explanation.hpp"
+#include "policy/report/page/page_template.hpp"
 #include "sim/search/actions/compass_directions.hpp"
 
 namespace earshot::report {

@@ -10,6 +10,7 @@
 #include "firmware/messages/dictionary/mission_words.hpp"
 #include "firmware/messages/dictionary/safety_words.hpp"
 #include "policy/report/document/json_values.hpp"
+#include "policy/report/page/page_template.hpp"
 
 namespace earshot::report {
 namespace {

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cstdint>
 #include <nlohmann/json.hpp>
-#include <span>
 #include <string>
 
 #include "firmware/core/geometry.hpp"
@@ -20,7 +18,5 @@ namespace earshot::report {
 [[nodiscard]] nlohmann::ordered_json place_value(NorthEast place);
 /// On one line. What is not UTF-8 is replaced: the name of a folder may be any bytes.
 [[nodiscard]] std::string json_text(const nlohmann::ordered_json& value);
-/// RFC 4648, section 4.
-[[nodiscard]] std::string base64(std::span<const std::uint8_t> bytes);
 
 }  // namespace earshot::report

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <stdexcept>
+#include <vector>
 
 // The built page's bytes. `.incbin` is of the assembler's, not of the compiler's: large bytes in C++ take minutes to compile.
 asm(".section .rodata\n"
@@ -33,15 +34,15 @@ std::string escaped(std::string_view json) {
   return text;
 }
 
-std::string compressed(std::string_view text) {
+std::vector<std::uint8_t> compressed(std::string_view text) {
   constexpr int kGzip = 16;  // added to the size of the window: a gzip header instead of zlib's
   z_stream stream{};
   if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, MAX_WBITS + kGzip, MAX_MEM_LEVEL, Z_DEFAULT_STRATEGY) != Z_OK)
     throw std::runtime_error("zlib: no memory");
-  std::string packed(deflateBound(&stream, text.size()), '\0');
+  std::vector<std::uint8_t> packed(deflateBound(&stream, text.size()));
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));  // NOLINT: zlib does not change it
   stream.avail_in = static_cast<uInt>(text.size());
-  stream.next_out = reinterpret_cast<Bytef*>(packed.data());  // NOLINT: characters are bytes
+  stream.next_out = packed.data();
   stream.avail_out = static_cast<uInt>(packed.size());
   const int status = deflate(&stream, Z_FINISH);
   packed.resize(stream.total_out);
@@ -62,18 +63,17 @@ const char* id_of(PageOf what) {
   return "bench";
 }
 
-std::string base64(std::string_view bytes) {
-  std::string text(sodium_base64_ENCODED_LEN(bytes.size(), sodium_base64_VARIANT_ORIGINAL), '\0');
-  sodium_bin2base64(text.data(), text.size(), reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(),  // NOLINT: likewise
-                    sodium_base64_VARIANT_ORIGINAL);
-  text.pop_back();  // its zero
-  return text;
-}
-
 }  // namespace
 
 std::string_view page_template() {
   return {earshot_page_begin, earshot_page_end};
+}
+
+std::string base64(std::span<const std::uint8_t> bytes) {
+  std::string text(sodium_base64_ENCODED_LEN(bytes.size(), sodium_base64_VARIANT_ORIGINAL), '\0');
+  sodium_bin2base64(text.data(), text.size(), bytes.data(), bytes.size(), sodium_base64_VARIANT_ORIGINAL);
+  text.pop_back();  // its zero
+  return text;
 }
 
 std::string page_with(std::string_view json, PageOf what) {

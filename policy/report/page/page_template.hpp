@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -18,5 +19,8 @@ enum class PageOf : std::uint8_t {
 /// The page with what it shows in it, which needs no other file.
 /// @param json  as its source describes it. Compressed (gzip) where it is long.
 [[nodiscard]] std::string page_with(std::string_view json, PageOf what = PageOf::kFlight);
+
+/// RFC 4648, section 4: how bytes stand in a page.
+[[nodiscard]] std::string base64(std::span<const std::uint8_t> bytes);
 
 }  // namespace earshot::report

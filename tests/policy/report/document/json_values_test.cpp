@@ -3,9 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 namespace earshot::report {
 namespace {
@@ -31,14 +28,6 @@ TEST(CompassValue, IsClockwiseFromNorthAndNeverAFullTurn) {
 
 TEST(PlaceValue, IsToTheDecimetre) {
   EXPECT_EQ(place_value({Meters{12.345}, Meters{-3.0}}).dump(), R"({"north_m":12.3,"east_m":-3})");
-}
-
-// The vectors of RFC 4648, section 10, and the two last digits.
-TEST(Base64, IsThatOfItsStandard) {
-  constexpr std::pair<std::string_view, std::string_view> kVectors[] = {
-      {"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foob", "Zm9vYg=="}, {"fooba", "Zm9vYmE="}, {"foobar", "Zm9vYmFy"}};
-  for (const auto& [text, encoded] : kVectors) EXPECT_EQ(base64(std::vector<std::uint8_t>(text.begin(), text.end())), encoded);
-  EXPECT_EQ(base64(std::vector<std::uint8_t>{0xFF, 0xEF, 0xBE}), "/+++");
 }
 
 }  // namespace

@@ -4,6 +4,9 @@
 
 #include <regex>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace earshot::report {
 namespace {
@@ -48,6 +51,14 @@ TEST(FlightPage, CompressesALongFlight) {
   const std::string page = page_with("\"" + std::string(1'000'000, 'a') + "\"");
   EXPECT_TRUE(between(page, R"(<script id="flight" type="application/gzip">)", "</script>").starts_with("H4sI"));
   EXPECT_LT(page.size(), page_template().size() + 3'000);
+}
+
+// The vectors of RFC 4648, section 10, and the two last digits.
+TEST(Base64, IsThatOfItsStandard) {
+  constexpr std::pair<std::string_view, std::string_view> kVectors[] = {
+      {"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foob", "Zm9vYg=="}, {"fooba", "Zm9vYmE="}, {"foobar", "Zm9vYmFy"}};
+  for (const auto& [text, encoded] : kVectors) EXPECT_EQ(base64(std::vector<std::uint8_t>(text.begin(), text.end())), encoded);
+  EXPECT_EQ(base64(std::vector<std::uint8_t>{0xFF, 0xEF, 0xBE}), "/+++");
 }
 
 }  // namespace
