@@ -51,6 +51,7 @@ class FollowedFlight final : public FlightSource {
 
   std::filesystem::path asked_;
   std::optional<Clock::time_point> deadline_;  ///< of waiting for a mission
+  FileId before_;                              ///< the newest journal when the waiting began
   std::unique_ptr<report::GrowingFlight> flight_;
   std::unique_ptr<journal::RecordSource> source_;  ///< nothing: it waits for a mission
   std::filesystem::path journal_;

@@ -127,6 +127,22 @@ TEST_F(WatchedJournal, IsWaitedForAndNotReplacedByAnOlderOne) {
   EXPECT_NE(whole(flight)["mission"], nullptr);
 }
 
+TEST_F(WatchedJournal, ThatBeginsAndEndsBetweenTwoSearchesIsShown) {
+  const auto fly = [](const fs::path& path) {
+    WrittenJournal journal(path);
+    begin(journal, Time{});
+    journal.close({.time = Time{2'000'000}, .ending = messages::Ending::kMissionOver});
+  };
+  fly(path_);
+  FollowedFlight flight(folder_.path(), 60s);
+  EXPECT_EQ(flight.take(), Change::kNone);
+  fly(unfinished());
+  fs::rename(unfinished(), path_);
+  EXPECT_EQ(next_change(flight), Change::kOther);
+  EXPECT_EQ(next_change(flight), Change::kMore);
+  EXPECT_NE(whole(flight)["mission"], nullptr);
+}
+
 TEST_F(WatchedJournal, ThatIsNoneIsRefused) {
   EXPECT_THROW(FollowedFlight(path_, std::nullopt), host::BadInput);
   FollowedFlight none(path_, 0s);
